@@ -92,9 +92,6 @@ class CycleProof(Result):
         title = f"CycleProof, proved, {verdict}" if self.proved else f"CycleProof, not proved: {self.reason}"
         return Table(title, ("", "value", "error"), tuple((name, *each) for name, each in self.decimals().items()))
 
-    def __repr__(self) -> str:
-        return str(self)
-
 
 def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENCE) -> CycleProof:
     """Prove that a cycle exists, that it is the only one near, and where its multipliers are.

@@ -111,6 +111,8 @@ def _written(thing: Any) -> Any:
             return {"array": [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]}
         case mpmath.mpf():
             return {"mpf": [int(part) for part in thing._mpf_]}
+        case mpmath.mpc():
+            return {"mpc": [[int(part) for part in each] for each in thing._mpc_]}
         case Fraction():
             return {"fraction": str(thing)}
         case Mapping():
@@ -162,6 +164,8 @@ def _read(held: Any, given: Model | None) -> Any:
             return Fraction(value)
         case "mpf":
             return mpmath.make_mpf(tuple(value))
+        case "mpc":
+            return mpmath.make_mpc(tuple(map(tuple, value)))
         case "model":
             return model(value[0]).search if value[1] else model(value[0])
         case "field":

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -198,8 +197,8 @@ class Motion:
     def rate(self, expression: sp.Expr, accelerations: tuple[sp.Symbol, ...]) -> sp.Expr:
         """d/dt of an expression in coordinates and rates."""
         it = self.model
-        turning = zip(it.rates, accelerations, strict=True)
-        return it.page.rate(expression) + sum((sp.diff(expression, rate) * value for rate, value in turning), sp.S.Zero)
+        changes = zip((*it.coordinates, *it.rates), (*it.rates, *accelerations), strict=True)
+        return sp.Add(*(it.derivative(expression, symbol) * value for symbol, value in changes))
 
 
 def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
@@ -250,6 +249,13 @@ def module(model: Mechanics) -> Module:
     kinked = {**directions(model), **everywhere, MU: motion.friction, **motion.solved}
     jacobian = _rows(motion, (*model.coordinates, *model.rates))
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
+    turnings = tuple(torsion.border for torsion in model.torsions)
+    turns = () if not ways else (
+        function("turning_borders", "Positive where a turning is counted on its way, from −0.93 to π times it.", (*moving, *ways),
+                 turnings, "(b_1, …)"),
+        function("turning_rates", "How they change along a motion.", (*place, *accelerations, *model.arguments, *ways),
+                 tuple(motion.rate(border, accelerations) for border in turnings), "rates of (b_1, …)"),
+    )  # fmt: skip
     return Module(
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
@@ -272,7 +278,7 @@ def module(model: Mechanics) -> Module:
             function("layer_rates", "How they change along a motion with the given accelerations.",
                      (*place, *accelerations, *model.arguments, SIDE),
                      tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
-            *_turns(motion, function, moving, (*place, *accelerations, *model.arguments), ways),
+            *turns,
             function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.energy,
                      "energy"),
             function("strain_energy", "Energy stored in springs, contact and potentials, without the applied forces.",
@@ -282,30 +288,4 @@ def module(model: Mechanics) -> Module:
             function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,
                      "power"),
         ),
-    )  # fmt: skip
-
-
-def _turns(
-    motion: Motion,
-    function: Callable[..., Function],
-    moving: tuple[sp.Symbol, ...],
-    accelerated: tuple[sp.Symbol, ...],
-    ways: tuple[sp.Symbol, ...],
-) -> tuple[Function, ...]:
-    """What only a model with torsion springs has: where a motion changes the way on which it counts a turning."""
-    model = motion.model
-    if not ways:
-        return ()
-    borders = tuple(torsion.border for torsion in model.torsions)
-    rates = tuple(
-        sum(
-            (model.derivative(border, symbol) * rate for symbol, rate in zip(model.coordinates, model.rates, strict=True)),
-            sp.S.Zero,
-        )
-        for border in borders
-    )
-    return (
-        function("turning_borders", "Positive where a turning is counted on its way, from −0.93 to π times it.", (*moving, *ways),
-                 borders, "(b_1, …)"),
-        function("turning_rates", "How they change along a motion.", (*accelerated, *ways), rates, "rates of (b_1, …)"),
     )  # fmt: skip

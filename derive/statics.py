@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import sympy as sp
 
 from . import laws, balance_rows, symmetry
@@ -80,6 +78,14 @@ def module(model: Mechanics) -> Module:
                  tuple(tuple(map(model.tidy, row)) for row in (T * sp.Matrix(jacobian(model))).tolist()),
                  "((∂F_1/∂q_1, …), …)"),
     )  # fmt: skip
+    turned = " A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else ""
+    turnings = () if not model.torsions else (
+        function("turnings", "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
+                 (*model.coordinates, *model.directions, *arguments(model)),
+                 tuple((torsion.cosine, torsion.sine) for torsion in model.torsions), "((cos φ_1, sin φ_1), …)"),
+        function("torsions", "The stiffness of every torsion spring.", place,
+                 tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
+    )  # fmt: skip
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
@@ -98,13 +104,13 @@ def module(model: Mechanics) -> Module:
             function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
                      tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
                      "(∂mu/∂p_1, …)"),
-            *_torsions(model, place, function),
+            *turnings,
             function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
             function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),
             function("spring_forces", "The tension of every spring, negative where it pushes.", place,
                      tuple(k * (line.l - line.rest) for k, line in zip(model.stiffnesses, model.lines, strict=True)), "(T_1, …)"),
             function("contact_force", "The normal force of the contact.", (*model.coordinates, *model.arguments, PUSHING), model.normal, "N"),
-            function("forces_apart", _apart(model), state,
+            function("forces_apart", f"The forces without those springs; each adds its tension times (c ∂dx + s ∂dy).{turned}", state,
                      model.residuals_apart, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
                      jacobian(model), "((∂F_1/∂q_1, …), …)"),
@@ -113,21 +119,3 @@ def module(model: Mechanics) -> Module:
             *apart,
         ),
     )  # fmt: skip
-
-
-def _torsions(model: Mechanics, place: tuple[sp.Symbol, ...], function: Callable[..., Function]) -> tuple[Function, ...]:
-    """What only a model with torsion springs has."""
-    if not model.torsions:
-        return ()
-    return (
-        function("turnings", "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
-                 (*model.coordinates, *model.directions, *arguments(model)),
-                 tuple((torsion.cosine, torsion.sine) for torsion in model.torsions), "((cos φ_1, sin φ_1), …)"),
-        function("torsions", "The stiffness of every torsion spring.", place,
-                 tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
-    )  # fmt: skip
-
-
-def _apart(model: Mechanics) -> str:
-    said = "The forces without those springs; each adds its tension times (c ∂dx + s ∂dy)."
-    return said + (" A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else "")

@@ -69,8 +69,8 @@ class Definition:
         return tree
 
 
-def flat(results: Results) -> Iterator[str]:
-    """Leaves of a nested result, in order."""
+def flat(results: Any) -> Iterator[Any]:
+    """Leaves of a nested result, of texts or of expressions, in order."""
     if isinstance(results, tuple):
         for item in results:
             yield from flat(item)
@@ -78,11 +78,12 @@ def flat(results: Results) -> Iterator[str]:
         yield results
 
 
-def nested(results: Results, brackets: str, printed: Callable[[str], str]) -> str:
-    """A nested result between brackets."""
-    if isinstance(results, tuple):
-        return f"{brackets[0]}{', '.join(nested(item, brackets, printed) for item in results)}{brackets[1]}"
-    return printed(results)
+def nested(results: Any, brackets: str, printed: Callable[[Any], str]) -> str:
+    """A nested result between brackets; a tuple of one ends with a comma."""
+    if not isinstance(results, tuple):
+        return printed(results)
+    comma = "," if brackets == "()" and len(results) == 1 else ""
+    return f"{brackets[0]}{', '.join(nested(item, brackets, printed) for item in results)}{comma}{brackets[1]}"
 
 
 def of_module(text: str) -> tuple[Definition, ...]:

@@ -9,15 +9,17 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .definitions import SPELLED, Definition
-from .language import FLAG, REAL, KernelError, Source, parse, passes
+from .language import FLAG, REAL, KernelError, Source, parse
 from .routines import items, places
 
 WIDE = "Wide"
-_ROUTINES = {"maximum": "dd_larger", "minimum": "dd_smaller", "absolute": "dd_absolute", "sqrt": "dd_sqrt"}
+_ROUTINES = {"maximum": "dd_larger", "minimum": "dd_smaller", "absolute": "dd_absolute", "sqrt": "dd_sqrt", "where": "dd_where"}
+_OPERATIONS = {ast.Add: "dd_add", ast.Mult: "dd_multiply", ast.Div: "dd_divide"}
 #: An expression and its kind.
 Typed = tuple[ast.expr, str]
 
@@ -53,10 +55,6 @@ class _Program:
         self.fields = {name: dict(record.fields) for name, record in records.items()}
         self.functions: dict[str, tuple[tuple[str, ...], str]] = {}
 
-    def is_wide(self, kind: str) -> bool:
-        """Whether a double-double is in it."""
-        return kind == WIDE or kind.startswith(WIDE)
-
     def widest(self, kind: str) -> str:
         """A record of the kernel with a double-double for every number; other kinds as they are."""
         if kind in self.kernel.records and f"{WIDE}{kind}" not in self.fields:
@@ -65,7 +63,7 @@ class _Program:
 
     def record(self, name: str, kinds: tuple[str, ...]) -> str:
         """The record whose fields have these kinds; written where it is new."""
-        if not any(map(self.is_wide, kinds)):
+        if not any(kind.startswith(WIDE) for kind in kinds):
             return name
         wide = f"{WIDE}{name}"
         fields = dict(zip(self.fields[name], kinds, strict=True))
@@ -90,7 +88,7 @@ class _Program:
     def call(self, name: str, kinds: tuple[str, ...]) -> tuple[str, str]:
         """The function for arguments of these kinds, and the kind of its result."""
         routine = self.kernel.routines[name]
-        if not any(map(self.is_wide, kinds)):
+        if not any(kind.startswith(WIDE) for kind in kinds):
             return name, routine.returns
         if name not in self.functions:
             given = dict(zip((argument for argument, _ in routine.arguments), kinds, strict=True))
@@ -112,11 +110,11 @@ class _Program:
     def write(self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]) -> None:
         """Write a function of double-doubles; what explains its statements stands in the plain one."""
         writer = _Writer(self, dict(given))
-        written = [line for statement in body for line in writer.statement(statement, "    ")]
+        written = "\n".join(ast.unparse(ast.fix_missing_locations(writer.statement(statement))) for statement in body)
         arguments = ", ".join(f"{argument}: {kind}" for argument, kind in given.items())
-        head = f'def wide_{name}({arguments}) -> {writer.returned}:\n    """{summary}"""\n'
         self.functions[name] = tuple(given.values()), writer.returned
-        self.texts.append(head + "".join(f"{line}\n" for line in written))
+        head = f'def wide_{name}({arguments}) -> {writer.returned}:\n    """{summary}"""\n'
+        self.texts.append(f"{head}{textwrap.indent(written, '    ')}\n")
 
 
 class _Writer:
@@ -126,58 +124,39 @@ class _Writer:
         self.program, self.kinds = program, kinds
         self.returned = ""
 
-    # ------------------------------------------------------------------------------------------ statements
-
-    def statement(self, node: ast.stmt, indent: str) -> Iterator[str]:
+    def statement(self, node: ast.stmt) -> ast.stmt:
         match node:
-            case ast.Assign(targets=[ast.Name(id=name)], value=value):
-                yield self.assigned(name, self.expression(value), indent)
-            case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call(func=ast.Name(id=called), args=args)):
-                yield self.unpacked(list(places(target)), called, args, indent)
-            case ast.For(target=target, body=body):
-                yield f"{indent}for {ast.unparse(target)} in range({passes(node)}):"
-                for statement in body:
-                    yield from self.statement(statement, indent + "    ")
+            case ast.Assign(targets=[ast.Name(id=name) as target], value=value):
+                return ast.Assign([target], self.assigned(name, *self.expression(value)))
+            case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
+                # Results of generated algebra: double-doubles, if one is among what it is given.
+                called, kind = self.expression(value)
+                self.kinds |= dict.fromkeys(places(target), REAL if kind == REAL else WIDE)
+                return ast.Assign([ast.Tuple(items(target))], called)
+            case ast.For(target=target, iter=count, body=body):
+                return ast.For(target, count, [self.statement(statement) for statement in body], [])
             case ast.Return(value=ast.Tuple() as results):
                 leaves = items(results)
                 self.returned = self.program.several(len(leaves))
-                values = [ast.unparse(self.wide(*self.expression(leaf))) for leaf in leaves]
-                yield f"{indent}return {', '.join(values)}"
-            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.program.kernel.records:
-                typed = [self.expression(argument) for argument in args]
-                self.returned = self.program.record(name, tuple(kind for _, kind in typed))
-                yield f"{indent}return {ast.unparse(_call(self.returned, *(value for value, _ in typed)))}"
+                return ast.Return(ast.Tuple([self.wide(*self.expression(leaf)) for leaf in leaves]))
             case ast.Return(value=ast.expr() as value):
                 result, self.returned = self.expression(value)
-                yield f"{indent}return {ast.unparse(result)}"
-            case _:
-                raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+                return ast.Return(result)
+        raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
 
-    def assigned(self, name: str, typed: Typed, indent: str) -> str:
-        value, kind = typed
+    def assigned(self, name: str, value: ast.expr, kind: str) -> ast.expr:
         known = self.kinds.setdefault(name, kind)
         if known == WIDE:
-            value = self.wide(value, kind)
-        elif known != kind:
+            return self.wide(value, kind)
+        if known != kind:
             raise KernelError(f"{name} is a {known} and then a {kind}")
-        return f"{indent}{name} = {ast.unparse(value)}"
-
-    def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> str:
-        """Results of generated algebra: double-doubles, if one is among what it is given."""
-        typed = [self.expression(argument) for argument in args]
-        wide = any(kind == WIDE for _, kind in typed)
-        function = self.program.algebra_call(called)[0] if wide else called
-        values = [self.wide(*it) if wide else it[0] for it in typed]
-        self.kinds |= dict.fromkeys(names, WIDE if wide else REAL)
-        return f"{indent}{', '.join(names)} = {ast.unparse(_call(function, *values))}"
-
-    # ----------------------------------------------------------------------------------------- expressions
+        return value
 
     def wide(self, value: ast.expr, kind: str) -> ast.expr:
-        """A number as a double-double."""
-        if kind not in (WIDE, REAL):
+        """A number as a double-double; a flag as it is."""
+        if kind not in (WIDE, REAL, FLAG):
             raise KernelError(f"{ast.unparse(value)} is no number")
-        return value if kind == WIDE else _call("paired", value, ast.Constant(0.0))
+        return _call("paired", value, ast.Constant(0.0)) if kind == REAL else value
 
     def expression(self, node: ast.expr) -> Typed:
         match node:
@@ -213,32 +192,19 @@ class _Writer:
         (one, kind), (other, other_kind) = left, right
         if WIDE not in (kind, other_kind):
             return ast.BinOp(one, op, other), kind
-        match op:
-            case ast.Add():
-                return self.total(left, right), WIDE
-            case ast.Sub():
-                return self.total(left, (self.negative(other, other_kind), other_kind)), WIDE
-            case ast.Mult():
-                return self.product(left, right), WIDE
-            case ast.Div():
-                if kind == WIDE and (power := _power_of_two(other)):
-                    return _call("dd_scaled", one, ast.Constant(1.0 / power)), WIDE
-                return _call("dd_divide", self.wide(*left), self.wide(*right)), WIDE
-        raise KernelError(f"{ast.unparse(one)} and {ast.unparse(other)} have no such operation")
-
-    def total(self, left: Typed, right: Typed) -> ast.expr:
-        (one, kind), (other, other_kind) = left, right
+        if isinstance(op, ast.Sub):
+            op, right = ast.Add(), (self.negative(other, other_kind), other_kind)
+        name = _OPERATIONS.get(type(op), "")
+        if not name:
+            raise KernelError(f"{ast.unparse(one)} and {ast.unparse(other)} have no such operation")
+        if isinstance(op, ast.Div):
+            if kind == WIDE and (power := _power_of_two(other)):
+                return _call("dd_scaled", one, ast.Constant(1.0 / power)), WIDE
+            return _call(name, self.wide(*left), self.wide(*right)), WIDE
+        (one, _), (other, kind) = (left, right) if kind == WIDE else (right, left)
         if kind != WIDE:
-            return _call("dd_add_double", other, one)
-        return _call("dd_add" if other_kind == WIDE else "dd_add_double", one, other)
-
-    def product(self, left: Typed, right: Typed) -> ast.expr:
-        (one, kind), (other, other_kind) = left, right
-        if kind != WIDE:
-            (one, kind), (other, other_kind) = right, left
-        if other_kind == WIDE:
-            return _call("dd_multiply", one, other)
-        return _call("dd_scaled" if _power_of_two(other) else "dd_multiply_double", one, other)
+            name = "dd_scaled" if isinstance(op, ast.Mult) and _power_of_two(other) else f"{name}_double"
+        return _call(name, one, other), WIDE
 
     def compared(self, left: Typed, op: ast.cmpop, right: Typed) -> ast.expr:
         (one, kind), (other, other_kind) = left, right
@@ -259,19 +225,16 @@ class _Writer:
         wide = WIDE in kinds
         if name == "rough":
             return (self.leading(values[0]) if wide else values[0]), REAL
-        if name == "where" and wide:
-            return _call("dd_where", values[0], *(self.wide(*it) for it in typed[1:])), WIDE
-        if name == "where":
-            return _call(name, *values), kinds[1]
-        if name in _ROUTINES and wide:
-            return _call(_ROUTINES[name], *(self.wide(*it) for it in typed)), WIDE
+        if name in self.program.kernel.records:
+            record = self.program.record(name, kinds)
+            return _call(record, *values), record
         if name in self.program.kernel.routines:
             function, returned = self.program.call(name, kinds)
             return _call(function, *values), returned
-        if wide:
-            function, returned = self.program.algebra_call(name)
-            return _call(function, *(self.wide(*it) for it in typed)), returned
-        return _call(name, *values), REAL
+        if not wide:
+            return _call(name, *values), kinds[1] if name == "where" else REAL
+        function, returned = (_ROUTINES[name], WIDE) if name in _ROUTINES else self.program.algebra_call(name)
+        return _call(function, *(self.wide(*it) for it in typed)), returned
 
 
 def _call(name: str, *args: ast.expr) -> ast.expr:

@@ -9,6 +9,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from .definitions import flat
 from .function import Function, Results
 
 
@@ -25,7 +26,7 @@ class Body:
     def inlined(self) -> Mapping[sp.Symbol, sp.Expr]:
         """What needs no statement of its own: a power that is used in one place, printed there, and a second name of something."""
         known = dict(self.assignments)
-        used = Counter(part for whole in (*known.values(), *flatten(self.results)) for part in sp.preorder_traversal(whole))
+        used = Counter(part for whole in (*known.values(), *flat(self.results)) for part in sp.preorder_traversal(whole))
         return {
             symbol: value for symbol, value in known.items() if value.is_Symbol or (symbol in self.powers and used[symbol] == 1)
         }
@@ -36,18 +37,9 @@ class Body:
         return [(symbol, value) for symbol, value in self.assignments if symbol not in self.inlined]
 
 
-def flatten(results: Results) -> Iterator[sp.Expr]:
-    """Leaves of a nested result, in order."""
-    if isinstance(results, tuple):
-        for item in results:
-            yield from flatten(item)
-    else:
-        yield results
-
-
 def straight_line(function: Function) -> Body:
     """Assignments and results of a function, with every shared subexpression computed once."""
-    leaves = tuple(flatten(function.results))
+    leaves = tuple(flat(function.results))
     named = _needed(leaves, function)
     powers = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands)})
     expressions = [powers.replace(expression) for _, expression in named]

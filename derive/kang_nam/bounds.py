@@ -18,7 +18,8 @@ import sympy as sp
 from . import nomenclature as nm
 from .catalogue import Function
 from ..emit.language import Source
-from ..emit.statements import flatten, straight_line
+from ..emit.definitions import flat
+from ..emit.statements import straight_line
 
 #: Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last place, of an angle below π.
 _IN_ARCTANGENT = 16
@@ -89,7 +90,7 @@ def follow(function: Function, arguments: tuple[Counted, ...]) -> tuple[Counted,
     known = dict(zip(function.arguments, arguments, strict=True))
     for symbol, expression in body.assignments:
         known[symbol] = _follow(expression, known)
-    return tuple(_follow(expression, known) for expression in flatten(body.results))
+    return tuple(_follow(expression, known) for expression in flat(body.results))
 
 
 def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:

@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
+from ..definitions import nested
 from ..function import Function, Module, Results
 from ..quantities import Quantity
 from ..statements import Body, straight_line
@@ -162,19 +163,12 @@ def _printed(body: Body, printer: AlgebraPrinter) -> list[str]:
     return [*assigned, _return(body.results, printer)]
 
 
-def _tuple(results: Results, printer: AlgebraPrinter) -> str:
-    if not isinstance(results, tuple):
-        return str(printer.doprint(results))
-    comma = "," if len(results) == 1 else ""
-    return f"({', '.join(_tuple(item, printer) for item in results)}{comma})"
-
-
 def _return(results: Results, printer: AlgebraPrinter) -> str:
     """The return statement, on one line or one result a line."""
-    line = f"    return {_tuple(results, printer)}"
+    line = f"    return {nested(results, '()', printer.doprint)}"
     if len(line) <= _WIDTH or not isinstance(results, tuple):
         return _wrap(line)
-    return "    return (\n" + "".join(f"{_wrap(' ' * 8 + _tuple(item, printer))},\n" for item in results) + "    )"
+    return "    return (\n" + "".join(f"{_wrap(' ' * 8 + nested(item, '()', printer.doprint))},\n" for item in results) + "    )"
 
 
 def _wrap(line: str) -> str:

@@ -39,7 +39,7 @@ def render(page: Page, docstring: str = "") -> str:
     names = [str(it.symbol) for it in page.coordinates]
     if page.normal is not None or page.sliding is not None:
         _belt(sheet, page)
-    for it in page.coordinates:
+    for it in page.coordinates[:2]:
         _tied_to_ground(sheet, page, it)
     _between_ends(sheet, page)
     _leaning(sheet, page)
@@ -118,8 +118,10 @@ def _along(page: Page, coordinate: Coordinate) -> list[Element]:
     return [it for it in page.elements if it.along == coordinate.symbol]
 
 
-def _draw(sheet: Sheet, part: Element, axis: Axis) -> None:
+def _draw(sheet: Sheet, part: Element, axis: Axis, beside: Place, anchor: str = "middle") -> None:
+    """A spring or a damper, with its letter."""
     (damper if part.what == "damper" else spring)(sheet, axis)
+    sheet.name(_letter(part.strength), beside, anchor=anchor)
 
 
 # ------------------------------------------------------------------------------------------------- mass and belt
@@ -173,25 +175,21 @@ def _belt(sheet: Sheet, page: Page) -> None:
 
 def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
     """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn with the trolley."""
-    parts = _along(page, coordinate)
-    place = page.coordinates.index(coordinate)
-    if not parts or place > 1:
+    parts, (width, _) = _along(page, coordinate), _half(page)
+    if not parts:
         return
-    width, _ = _half(page)
-    if place == 0:
+    if coordinate == page.coordinates[0]:
         rows = _rows(len(parts), 46.0)
         for part, y in zip(parts, rows, strict=True):
-            _draw(sheet, part, Axis((_WALL, y), (-width, y)))
-            sheet.name(_letter(part.strength), (0.5 * (_WALL - width), y - 17))
+            _draw(sheet, part, Axis((_WALL, y), (-width, y)), (0.5 * (_WALL - width), y - 17))
         wall(sheet, (_WALL, 0.0), 18.0 + 0.5 * (rows[-1] - rows[0]), (-1.0, 0.0))
         return
     rows = _rows(len(parts), 40.0)
     arm = width + 78.0 + rows[-1]
     sheet.line((width, 0.0), (arm + rows[-1], 0.0))
     for part, x in zip(parts, rows, strict=True):
-        _draw(sheet, part, Axis((arm + x, 0.0), (arm + x, _CEILING)))
-        side = -1.0 if x < 0 else 1.0
-        sheet.name(_letter(part.strength), (arm + x + 14 * side, 0.5 * _CEILING + 6), anchor="end" if x < 0 else "start")
+        beside = arm + x + (-14 if x < 0 else 14), 0.5 * _CEILING + 6
+        _draw(sheet, part, Axis((arm + x, 0.0), (arm + x, _CEILING)), beside, "end" if x < 0 else "start")
     wall(sheet, (arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), (0.0, -1.0))
 
 
@@ -250,9 +248,8 @@ def _side_by_side(sheet: Sheet, axis: Axis, parts: list[Element]) -> None:
             sheet.line(outer, inner.at(bar))
             sheet.line(inner.at(bar, rows[0]), inner.at(bar, rows[-1]))
     for part, aside in zip(parts, rows, strict=True):
-        _draw(sheet, part, inner.shifted(aside))
         x, y = inner.at(0.6 * inner.length, aside - 18 if aside <= 0 else aside + 18)
-        sheet.name(_letter(part.strength), (x, y + 6), anchor="end" if aside <= 0 else "start")
+        _draw(sheet, part, inner.shifted(aside), (x, y + 6), "end" if aside <= 0 else "start")
 
 
 def _angle(sheet: Sheet, axis: Axis) -> None:
@@ -274,8 +271,7 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
     sheet.name(str(coordinate.symbol), (x + 76, y + 2), anchor="start")
     for part in _along(page, coordinate):
         end = x - 150.0
-        _draw(sheet, part, Axis((end, y - 4), (x - 24, y - 4)))
-        sheet.name(_letter(part.strength), (0.5 * (end + x - 24), y + 24))
+        _draw(sheet, part, Axis((end, y - 4), (x - 24, y - 4)), (0.5 * (end + x - 24), y + 24))
         wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
 
 
@@ -339,15 +335,15 @@ def _forces(sheet: Sheet, page: Page) -> None:
         across = (x / size, -y / size)
         if place == 0:  # onto the mass, on the side that no spring leans to
             side = 1.0 if any(not _weight(page, energy) for energy, _ in page.energies) else -1.0
-            tip = side * 0.92 * width, -height - 4  # near the edge, beside a second spring that leans to it
-            start = tip[0] - 52 * across[0], tip[1] - 52 * across[1]
-            arrow(sheet, start, tip, style="ink force")
-            sheet.name(letter, (start[0] + side * 8, start[1] + 16), anchor="end" if side < 0 else "start", style="force-name")
+            end = side * 0.92 * width, -height - 4  # near the edge, beside a second spring that leans to it
+            start = end[0] - 52 * across[0], end[1] - 52 * across[1]
+            beside = start[0] + side * 8, start[1] + 16
         else:
-            start = 0.85 * width, 0.0
+            side, start = 1.0, (0.85 * width, 0.0)
             end = start[0] + 56 * across[0], start[1] + 56 * across[1]
-            arrow(sheet, start, end, style="ink force")
-            sheet.name(letter, (end[0] + 12, end[1] + 2), anchor="start", style="force-name")
+            beside = end[0] + 12, end[1] + 2
+        arrow(sheet, start, end, style="ink force")
+        sheet.name(letter, beside, anchor="end" if side < 0 else "start", style="force-name")
 
 
 def _axes(sheet: Sheet, names: list[str]) -> None:

@@ -84,14 +84,12 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
 
 def friction_at_speed(model: Mechanics) -> sp.Expr:
     """μ at the belt's speed: what holds a motion that has come to rest."""
-    ahead, _ = _sides(model)
-    return ahead.subs(SLIP, model.belt)
+    return _sides(model)[0].subs(SLIP, model.belt)
 
 
 def slope_at_rest(model: Mechanics) -> sp.Expr:
     """dμ/dv at steady sliding."""
-    ahead, _ = _sides(model)
-    return sp.factor_terms(sp.diff(ahead, SLIP).subs(SLIP, model.belt))
+    return sp.factor_terms(sp.diff(_sides(model)[0], SLIP).subs(SLIP, model.belt))
 
 
 def slope_by_sizes(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...]:
@@ -116,10 +114,9 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
     sliding = model.page.sliding
     if sliding is None:
         return sp.S.Zero
-    ahead, _ = _sides(model)
     if sliding.at_rest is None:
         return friction_at_speed(model)
-    fast, named = limit(model, ahead, SLIP, sp.oo), model.scaled(sliding.at_rest)
+    fast, named = limit(model, _sides(model)[0], SLIP, sp.oo), model.scaled(sliding.at_rest)
     if sp.simplify(fast - named) != 0:
         raise PageError(
             sliding.line,

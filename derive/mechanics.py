@@ -325,15 +325,12 @@ def of(page: Page, units: bool = False) -> Mechanics:
         slide=None if page.sliding is None else scaled(page.sliding.along),
         belt=sp.S.Zero if page.sliding is None else scaled(page.sliding.belt),
         # The last, since it is known only now which angles stand by themselves.
-        angles=tuple(_angle(datum, scaled) for datum in page.parameters if datum.unit == "rad"),
+        angles=tuple(Angle(angle, *parts, angle in scaled.alone) for angle, parts in scaled.angles.items()),
     )
 
 
 class _Scaled:
-    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines.
-
-    With ``units`` only angles change.
-    """
+    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines (``units``: only these)."""
 
     def __init__(self, page: Page, units: bool) -> None:
         numbers = {datum.symbol: number(datum) for datum in page.parameters} | dict.fromkeys(
@@ -341,13 +338,14 @@ class _Scaled:
         )
         self.numbers: Mapping[sp.Expr, sp.Expr] = {} if units else numbers
         self.turned: dict[sp.Expr, sp.Expr] = {}
-        self.angles = {number(datum) for datum in page.parameters if datum.unit == "rad"}
+        self.angles: dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol]] = {}
         #: Angles that were found by themselves.
         self.alone: set[sp.Basic] = set()
         for datum in page.parameters:
             if datum.unit == "rad":
                 cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
                 self.turned |= {sp.cos(datum.symbol): cosine, sp.sin(datum.symbol): sine}
+                self.angles[number(datum)] = cosine, sine
         if page.sliding is not None:
             for way in (1, -1):  # of laws, which are asked for later
                 self(expression_of(page.sliding.law(way * DEPTH)))
@@ -355,13 +353,8 @@ class _Scaled:
     def __call__(self, expression: sp.Expr) -> sp.Expr:
         value = sp.expand_trig(expression) if expression.has(sp.cos, sp.sin) else expression
         value = value.subs(self.turned).subs(self.numbers, simultaneous=True)
-        self.alone |= value.free_symbols & self.angles
+        self.alone |= value.free_symbols & self.angles.keys()
         return value
-
-
-def _angle(datum: Datum, scaled: _Scaled) -> Angle:
-    cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
-    return Angle(number(datum), cosine, sine, number(datum) in scaled.alone)
 
 
 def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:

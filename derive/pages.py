@@ -96,31 +96,27 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
     except PageError:
         raise
-    except ImportError as error:
-        offered = f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
-        line = next((f.lineno or 0 for f in reversed(traceback.extract_tb(error.__traceback__)) if f.filename == str(path)), 0)
-        what = str(error).partition(" (")[0]  # without the place of the package
-        raise PageError(line, f"{what}; {offered}") from error
     except (Exception, SystemExit) as error:
-        remark = _remark(error)
-        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
-        raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}{remark}") from error
+        lines = [frame.lineno or 0 for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+        raise PageError(lines[-1] if lines else 0, _said(error)) from error
     page = names.get("page")
     if not isinstance(page, Page):
         raise PageError(0, "the file makes no page; begin it with page = Page('…')")
     return page, ast.get_docstring(tree) or ""
 
 
-def _remark(error: BaseException) -> str:
-    """What to do about a name that is not there."""
+def _said(error: BaseException) -> str:
+    """What went wrong, and what to do about a name that is not there."""
+    said, known = f"{type(error).__name__}: {error}", f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
+    if isinstance(error, ImportError):
+        return f"{str(error).partition(' (')[0]}; {known}"  # without the place of the package
+    forcing = f": {limits.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""
     if isinstance(error, NameError):
-        if error.name in ("t", "time"):
-            return f": {limits.FORCING}"
-        return f"; define it above, or import it: spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
+        return said + (forcing or f"; define it above, or import it: {known}")
     if isinstance(error, AttributeError) and isinstance(error.obj, Page):
         offered = ", ".join(name for name, value in vars(Page).items() if callable(value) and not name.startswith("_"))
-        return (f": {limits.FORCING}" if error.name in ("t", "time") else "") + f"; a page has {offered}"
-    return ""
+        return f"{said}{forcing}; a page has {offered}"
+    return said
 
 
 class _Imports(ast.NodeTransformer):

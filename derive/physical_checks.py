@@ -116,16 +116,16 @@ def check_forces(model: Mechanics) -> None:
     _check_contact(model)
     _check_friction(model)
     laws.friction_at_rest(model)
-    for entry, rate in zip(model.page.coordinates, model.rates, strict=True):
-        if all(sp.diff(momentum, rate) == 0 for momentum in (sp.diff(model.kinetic, other) for other in model.rates)):
+    for row, entry in enumerate(model.page.coordinates):
+        if model.mass.row(row).is_zero_matrix:
             raise PageError(entry.line, f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it")
-    third = [sp.diff(model.kinetic, one, two, three) for one in model.rates for two in model.rates for three in model.rates]
-    rest = model.kinetic.subs(dict.fromkeys(model.rates, 0))
-    linear = [sp.diff(model.kinetic, rate).subs(dict.fromkeys(model.rates, 0)) for rate in model.rates]
+    at_rest = [
+        part.subs(dict.fromkeys(model.rates, 0)) for part in (model.kinetic, *(sp.diff(model.kinetic, v) for v in model.rates))
+    ]
     line = model.page.inertia[1] if model.page.inertia else 0
-    if any(value != 0 for value in (rest, *linear)):
+    if any(at_rest):
         raise PageError(line, f"the kinetic energy has parts that are not quadratic in the rates: {limits.GYROSCOPIC}")
-    if any(value != 0 for value in third) or model.mass.det() == 0:
+    if model.mass.has(*model.rates) or model.mass.det() == 0:
         raise PageError(
             line, "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″"
         )
@@ -156,20 +156,17 @@ def _check_contact(model: Mechanics) -> None:
         return
     if model.law == 0:
         raise PageError(contact.line, "the normal force is 0, so that nothing pushes and nothing rubs; give one that is positive")
-    if contact.gap is None:
-        pulling = _negative(model, model.law, DEPTH) if model.law.is_nonnegative is not True else ""
-        if pulling:
-            raise PageError(contact.line, f"the normal force {model.law} pulls: {pulling}; a mass is pressed by a positive one")
+    pulling = _negative(model, model.law, DEPTH) if contact.gap is None or contact.unilateral else ""
+    if pulling and contact.gap is None:
+        raise PageError(contact.line, f"the normal force {model.law} pulls: {pulling}; a mass is pressed by a positive one")
     if contact.unilateral and model.law.subs(DEPTH, 0) != 0:
         raise PageError(
             contact.line,
             f"the contact law gives {model.law.subs(DEPTH, 0)} where the mass just touches the belt; a force that jumps there is not "
             "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
         )
-    if contact.unilateral:
-        witness = _negative(model, model.law, DEPTH)
-        if witness:
-            raise PageError(contact.line, f"the contact law pulls: {witness}; a belt pushes, law(depth) >= 0 for every depth > 0")
+    if pulling:
+        raise PageError(contact.line, f"the contact law pulls: {pulling}; a belt pushes, law(depth) >= 0 for every depth > 0")
 
 
 def _check_friction(model: Mechanics) -> None:
@@ -192,10 +189,7 @@ def _check_friction(model: Mechanics) -> None:
 
 
 def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
-    """Where a law is negative, in words; empty if its form shows that it is not, or if it was found negative at none of the places tried.
-
-    The places have the base values of the parameters, and 1 where there is none.
-    """
+    """Where a law is negative at the base values, or 1 where there is none, in words; empty if no place that was tried shows it."""
     if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
         return ""
     values = dict(_bases(model))

@@ -93,7 +93,6 @@ class _Program:
         if name not in self.functions:
             given = dict(zip((argument for argument, _ in routine.arguments), kinds, strict=True))
             self.write(name, f"``{name}`` in double-double arithmetic.", given, routine.body)
-            self.functions[name] = kinds, self.functions[name][1]
         known, returned = self.functions[name]
         if known != kinds:
             raise KernelError(f"{name} is called with {kinds} and with {known}")

@@ -78,6 +78,11 @@ class Source:
     records: Mapping[str, Record]
     routines: Mapping[str, Routine]
 
+    @property
+    def summary(self) -> str:
+        """The first line of its docstring."""
+        return (ast.get_docstring(ast.parse(self.text)) or "").partition("\n")[0]
+
     @cached_property
     def lines(self) -> list[str]:
         """Lines of the text, from line 1 at index 0."""

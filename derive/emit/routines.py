@@ -56,6 +56,10 @@ class Printer:
                 return self.line(self.gives.format(self.expressions.print(value)), indent)
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
 
+    def fields(self, name: str, values: list[ast.expr]) -> Iterator[tuple[str, str]]:
+        """The fields of a record, each with what it is made of."""
+        return zip(dict(self.source.records[name].fields), map(self.expressions.print, values), strict=True)
+
     #: What a target writes for a statement that may be too long for a line, for a comment, for an assignment, for results of generated
     #: algebra that are given names, and for what is returned: a record or several results.
     line: Callable[[str, str], str]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -35,8 +34,7 @@ def beside(name: str, header: str) -> str:
 def _package(modules: tuple[Module, ...], sources: Mapping[str, Source], digest: str, header: str) -> str:
     """The package's docstring, which lists its modules, and the hash by which results say what they were computed with."""
     summaries = {module.name: module.summary for module in modules}
-    for name, source in sources.items():
-        summaries[name] = (ast.get_docstring(ast.parse(source.text)) or "").partition("\n")[0]
+    summaries |= {name: source.summary for name, source in sources.items()}
     summaries["quantities"] = "What every name stands for, its unit, its allowed values and its value in the article."
     listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
     return (

@@ -73,7 +73,4 @@ def _passes(bound: str, constants: dict[str, int]) -> int:
 
 
 def _calls(text: str, known: dict[str, Counter[str]]) -> Counter[str]:
-    total: Counter[str] = Counter()
-    for name in _CALL.findall(text):
-        total += known.get(name, Counter())
-    return total
+    return sum((known.get(name, Counter()) for name in _CALL.findall(text)), Counter())

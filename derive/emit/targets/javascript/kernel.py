@@ -66,9 +66,7 @@ class _Printer(Printer):
         return self.line(f"const {self._pattern(target)} = {self.expressions.print(called)};", indent)
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
-        fields = (field for field, _ in self.source.records[name].fields)
-        pairs = ((field, self.expressions.print(value)) for field, value in zip(fields, values, strict=True))
-        listed = ", ".join(field if text == field else f"{field}: {text}" for field, text in pairs)
+        listed = ", ".join(field if text == field else f"{field}: {text}" for field, text in self.fields(name, values))
         return self.line(f"return {{ {listed} }};", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:

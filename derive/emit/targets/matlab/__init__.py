@@ -5,7 +5,6 @@ A namespace is a class without objects, whose static methods are called ``librar
 
 from __future__ import annotations
 
-import ast
 import json
 import math
 import re
@@ -35,7 +34,7 @@ def render(material: Material) -> dict[str, str]:
     texts = {f"{package}/algebra.m": _namespace("algebra", _ALGEBRA, map(algebra.definition, material.algebra.values()))}
     if material.kernel.routines:
         routines = (*kernel.render(material), *(runtime(__file__, name) for name in _PRIMITIVES))
-        texts[f"{package}/kernel.m"] = _namespace("kernel", _said(material), routines)
+        texts[f"{package}/kernel.m"] = _namespace("kernel", material.kernel.summary, routines)
     if own:
         checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
         texts[f"{package}/input.m"] = _namespace("input", "Checks of what is given.", checks)
@@ -50,11 +49,6 @@ def _namespace(name: str, summary: str, functions: Iterable[str]) -> str:
     methods = "\n".join(textwrap.indent(text, "    ") for text in functions)
     head = "\n".join(algebra.comment(f"{name.upper()}  {summary}", ""))
     return f"classdef {name}\n{head}\n  methods (Static)\n{methods}  end\nend\n"
-
-
-def _said(material: Material) -> str:
-    """The first line of the kernel's docstring."""
-    return (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
 
 
 def _words(material: Material) -> dict[str, str]:
@@ -83,7 +77,7 @@ def _contents(material: Material, own: dict[str, str]) -> str:
     for name in symbols(material.algebra.values()):
         lines += _listed(f"{name:10} - {material.quantities[name].meaning}", 4)
     if material.kernel.routines:
-        lines += ["", *_listed(f"{material.library}.kernel: {_said(material)}", 2)]
+        lines += ["", *_listed(f"{material.library}.kernel: {material.kernel.summary}", 2)]
     return "".join(f"% {line}".rstrip() + "\n" for line in lines)
 
 

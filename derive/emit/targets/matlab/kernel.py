@@ -100,8 +100,7 @@ class _Printer(Printer):
         return self.assignment(f"[{', '.join(names)}]", called, indent)
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
-        fields = zip((field for field, _ in self.source.records[name].fields), map(self.expressions.print, values), strict=True)
-        listed = ", ".join(f"'{field}', {value}" for field, value in fields)
+        listed = ", ".join(f"'{field}', {value}" for field, value in self.fields(name, values))
         return self.line(f"result = struct({listed});", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:

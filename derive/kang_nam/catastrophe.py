@@ -78,15 +78,18 @@ def fold_angles() -> tuple[sp.Expr, sp.Expr]:
 
 
 @cache
-def fold_quartic() -> tuple[sp.Expr, ...]:
-    """Coefficients, lowest power first, of the polynomial in M whose roots are all folds at a given θ.
+def fold_quartic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """Coefficients, lowest power first, of the polynomial in M whose roots are all folds at a given θ, and names in them.
 
-    It is (p B q α)² (sin² θ₀ + cos² θ₀ − 1) with :func:`fold_angles`; α = 0 takes :func:`fold_quadratic`.
+    It is sin² θ₀ + cos² θ₀ − 1 with :func:`fold_angles`, u0 + u1 M and g0 + g1 M + g2 M²; α = 0 takes :func:`fold_quadratic`.
+    Dividing by p B and q α first keeps every coefficient a sum of a few squares and products.
     """
     s0, c0 = fold_angles()
-    scale = nm.p * nm.B * nm.q * nm.alpha
-    condition = sp.cancel((scale * s0) ** 2 + (scale * c0.subs(nm.s0, s0)) ** 2 - scale**2)
-    return _coefficients_in_M(condition)
+    line, parabola = sp.symbols("u:2"), sp.symbols("g:3")
+    sine, cosine = (sum(name * nm.M**power for power, name in enumerate(names)) for names in (line, parabola))
+    values = (*unit_circles.ascending(s0, nm.M), *unit_circles.ascending(sp.cancel(c0.subs(nm.s0, sine)), nm.M))
+    coefficients = unit_circles.ascending(sp.expand(sine**2 + cosine**2 - 1), nm.M)
+    return coefficients, dict(zip((*line, *parabola), map(sp.factor_terms, values), strict=True))
 
 
 @cache
@@ -105,16 +108,24 @@ def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
 
 @cache
 def fold_conic() -> tuple[sp.Expr, ...]:
-    """E0, E1, E2, Ec of E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0: all folds at a given θ, friction eliminated."""
-    spelled = [relation.subs(nm.fa, elimination.f_coefficients()[nm.fa]) for relation in fold_residuals()]
-    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in spelled)
-    conic = sp.Poly(sp.expand(u1 * w2 - u2 * w1), nm.s0, nm.c0)
-    powers = (sp.S.One, nm.s0, nm.s0**2, nm.c0)
-    coefficients = tuple(conic.coeff_monomial(power) for power in powers)
-    unit_circles.require(
-        sp.expand(conic.as_expr() - sum(map(sp.Mul, powers, coefficients))) == 0, "the conic of folds at a direction"
+    """E0, E1, E2, Ec of E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0: all folds at a given θ, friction eliminated.
+
+    The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1. But for the last one, which has the factor cos θ, the
+    coefficients are polynomials in sin θ.
+    """
+    threshold = nm.kappa + nm.sigma * nm.s * (2 - nm.s**2)
+    conic = (
+        nm.kappa * nm.p * threshold - nm.fa * nm.s**2 * (nm.sigma + nm.kappa * nm.s),
+        nm.p * nm.B * threshold - nm.sigma * (nm.kappa * nm.p - nm.fa * nm.s**3),
+        -nm.p * nm.B * nm.sigma,
+        -nm.q * nm.alpha * nm.sigma * nm.s**2 * nm.c,
     )
-    return coefficients
+    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in fold_residuals())
+    gap = u1 * w2 - u2 * w1 - sum(map(sp.Mul, (1, nm.s0, nm.s0**2, nm.c0), conic))
+    unit_circles.require(
+        unit_circles.equal(gap.subs(elimination.f_coefficients()).subs(POLES), 0), "the conic of folds at a direction"
+    )
+    return conic
 
 
 def fold_events(conic: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -173,14 +184,15 @@ def cusp_friction() -> sp.Expr:
 
 @cache
 def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
-    """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ."""
-    s0, c0 = fold_angles()
-    friction = {nm.M: cusp_friction().subs(nm.fa, elimination.f_coefficients()[nm.fa]) / nm.sigma}
-    s0_cusp = sp.factor(unit_circles.reduce_circles(sp.expand(sp.cancel(s0.subs(friction) * (3 * nm.s**2 - 2)))))
-    s0_cusp = s0_cusp / (3 * nm.s**2 - 2)
-    c0_cusp = sp.cancel(c0.subs(friction).subs(nm.s0, s0_cusp) / nm.c)
-    numerator, denominator = sp.fraction(c0_cusp)
-    return s0_cusp, sp.factor(unit_circles.reduce_circles(numerator)) / sp.factor(denominator)
+    """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ with the factor 3 s² − 2 kept together."""
+    s, S = nm.s, 3 * nm.s**2 - 2
+    sine = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
+    G = 3 * nm.kappa * nm.p * nm.q * s * S - 4 * nm.B * nm.p * nm.sigma * (1 - s**2) + 3 * nm.sigma * nm.alpha * nm.q * s**4
+    ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
+    on_cusp = {nm.M: cusp_friction().subs(elimination.f_coefficients()) / nm.sigma, nm.s0: sine}
+    gaps = (value.subs(on_cusp) - arranged for value, arranged in zip(fold_angles(), (sine, ratio * nm.c), strict=True))
+    unit_circles.require(all(unit_circles.equal(gap.subs(POLES), 0) for gap in gaps), "the angles of a cusp")
+    return sine, ratio
 
 
 @cache

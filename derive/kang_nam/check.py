@@ -255,11 +255,8 @@ def _quartic_forms() -> dict[str, Derived]:
     ):
         matrix, vector = D.subs(case), b.subs(case)
         coefficients = tuple(value.subs(case) for value in quartic)
-        scaled = matrix.adjugate() * vector
         forms[f"eq-{equation[0]}"] = Derived(elimination.unit_norm(*any_pair), elimination.unit_norm, any_pair)
-        forms[f"eq-{equation[1]}"] = Derived(
-            (sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), elimination.quartic_in_L, coefficients
-        )
+        forms[f"eq-{equation[1]}"] = Derived(elimination.cleared(matrix, vector), elimination.quartic_in_L, coefficients)
         shorthand = elimination.quartic_in_L_shorthand()
         in_names = {
             nm.b1: vector_names[0],

@@ -24,23 +24,30 @@ def unit_norm(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
     return cosine**2 + sine**2 - 1
 
 
+def cleared(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
+    """|adj(D) b|² − det(D)²."""
+    scaled = D.adjugate() * b
+    return sp.expand(scaled.dot(scaled) - D.det() ** 2)
+
+
 @cache
 def quartic_in_L() -> tuple[sp.Expr, ...]:
     """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in n̄, in c0, s0 and the parameters.
 
     This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
     """
-    D, b = equilibrium.matrix_form()
-    scaled = D.adjugate() * b
-    return unit_circles.ascending(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
+    return unit_circles.ascending(cleared(*equilibrium.matrix_form()), nm.L)
+
+
+#: D and b in shorthands, for the family in n̄.
+MATRIX = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
+RIGHT_SIDE = {nm.b1: -nm.alpha * nm.c0 - nm.M * nm.s0, nm.b2: -nm.B * nm.s0 - nm.kappa}
 
 
 @cache
 def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
     """The same coefficients in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them."""
-    D = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
-    scaled = D.adjugate() * sp.Matrix([nm.b1, nm.b2])
-    coefficients = unit_circles.ascending(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
+    coefficients = unit_circles.ascending(cleared(MATRIX, sp.Matrix([nm.b1, nm.b2])), nm.L)
     return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in coefficients)
 
 
@@ -125,8 +132,7 @@ def identities() -> dict[str, bool]:
 
     # In contact; lift-off is the same with β − 1 for β and μ₀ = 0. M, B and κ stay symbols.
     in_L = sum(value * nm.L**power for power, value in enumerate(quartic_in_L_shorthand()))
-    right_side = {nm.b1: -nm.alpha * nm.c0 - nm.M * nm.s0, nm.b2: -nm.B * nm.s0 - nm.kappa}
-    published = (nm.q * nm.s) ** 2 * in_L.subs(right_side).subs(nm.L, length)
+    published = (nm.q * nm.s) ** 2 * in_L.subs(RIGHT_SIDE).subs(nm.L, length)
     factored = (nm.sigma - nm.q * length) ** 2 * f * f.subs(nm.c, -nm.c)
 
     # Where a s + b = 0 the terms in cos θ cancel, so that θ and π − θ are roots together: there L = σ/(σ + α).

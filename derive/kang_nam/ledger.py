@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import sympy as sp
@@ -29,8 +29,8 @@ def as_dict(ledger: Ledger) -> dict[str, Any]:
         "summary": summary(ledger.rows),
         "rows": [row.recorded() for row in ledger.rows],
         "identities": ledger.identities,
-        "one_or_three": [{"claim": step.claim, "holds": step.holds} for step in ledger.theorem],
-        "lowest_fold": [{"claim": step.claim, "holds": step.holds} for step in ledger.lowest_fold],
+        "one_or_three": list(map(asdict, ledger.theorem)),
+        "lowest_fold": list(map(asdict, ledger.lowest_fold)),
     }
 
 

@@ -20,16 +20,35 @@ from .unit_circles import by_inclination
 # -------------------------------------------------------------------------------------- where the curve of folds turns back
 
 
+#: What the line and the quadratics below are written in, each in terms of those before it.
+weight, threshold, constant, along, square, lean = sp.symbols("w_line v l_0 l_1 width lean")
+PARTS = {
+    weight: nm.kappa * nm.p + nm.alpha * nm.sigma * nm.s,
+    threshold: nm.sigma * nm.s + nm.kappa,
+    constant: nm.alpha * nm.sigma * nm.s,
+    along: -nm.alpha * nm.s * threshold,
+    square: 1 - nm.s**2,
+    lean: nm.kappa * nm.p - nm.fa * nm.s**3 - nm.p * nm.B * nm.s * square,
+}
+
+
 @cache
 def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """w, l₀ and l₁ of w cos θ cos θ₀ = l₀ + l₁ sin θ₀: f = f_θ₀ = 0, friction eliminated."""
     f = elimination.f_in_parameters()
-    without, along = f.subs(nm.M, 0), sp.diff(f, nm.M)
-    derived = without * by_inclination(along) - along * by_inclination(without)
-    line = nm.kappa * nm.p + nm.alpha * nm.sigma * nm.s, nm.alpha * nm.sigma * nm.s, -nm.alpha * nm.s * _threshold()
+    without, with_friction = f.subs(nm.M, 0), sp.diff(f, nm.M)
+    derived = without * by_inclination(with_friction) - with_friction * by_inclination(without)
+    line = PARTS[weight], PARTS[constant], PARTS[along].subs(PARTS)
     arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
     unit_circles.require(unit_circles.equal(derived.subs(POLES), arranged.subs(POLES)), "the line f = f_θ₀ = 0")
     return line
+
+
+def quadratics_in_parts() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """:func:`turning_quadratics` in terms of the parts."""
+    middle = nm.sigma * nm.p * nm.B - threshold * lean - nm.q * nm.s * square * weight
+    slope = nm.sigma * lean, middle, -nm.p * nm.B * threshold
+    return slope, (constant**2 - square * weight**2, 2 * constant * along, along**2 + square * weight**2)
 
 
 @cache
@@ -38,38 +57,21 @@ def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
 
     The first is f_θ₀ with the friction of a fold and cos θ₀ of :func:`turning_line`, the second sin² θ₀ + cos² θ₀ = 1 with it.
     """
-    weight, constant, along = turning_line()
-    square = 1 - nm.s**2
-    lean = nm.kappa * nm.p - nm.fa * nm.s**3 - nm.p * nm.B * nm.s * square
-    slope, circle = arranged_quadratics(weight, constant, along, _threshold(), square, lean)
-    along_fold, _ = catastrophe.fold_residuals()
-    (friction,) = sp.solve(along_fold, nm.M)
-    cosine0 = (constant + along * nm.s0) / (weight * nm.c)
-    derived = by_inclination(elimination.f_in_parameters()).subs(nm.M, friction).subs(nm.c0, cosine0)
-    arranged = sum(value * nm.s0**power for power, value in enumerate(slope)) * nm.alpha / (weight * nm.c**2)
-    in_parameters = {nm.fa: elimination.f_coefficients()[nm.fa]}
+    slope, circle = (tuple(value.subs(PARTS).subs(PARTS) for value in row) for row in quadratics_in_parts())
+    w, l0, l1 = turning_line()
+    (friction,) = sp.solve(catastrophe.fold_residuals()[0], nm.M)
+    derived = by_inclination(elimination.f_in_parameters()).subs(nm.M, friction).subs(nm.c0, (l0 + l1 * nm.s0) / (w * nm.c))
+    arranged = sum(value * nm.s0**power for power, value in enumerate(slope)) * nm.alpha / (w * nm.c**2)
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
-    gap = sp.numer(sp.together((derived - arranged).subs(in_parameters).subs(POLES)))
+    gap = sp.numer(sp.together((derived - arranged).subs(elimination.f_coefficients()).subs(POLES)))
     unit_circles.require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
     return slope, circle
 
 
-def arranged_quadratics(
-    weight: sp.Expr, constant: sp.Expr, along: sp.Expr, threshold: sp.Expr, square: sp.Expr, lean: sp.Expr
-) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """Their coefficients in terms of parts that have names."""
-    middle = nm.sigma * nm.p * nm.B - threshold * lean - nm.q * nm.s * square * weight
-    slope = nm.sigma * lean, middle, -nm.p * nm.B * threshold
-    return slope, (constant**2 - square * weight**2, 2 * constant * along, along**2 + square * weight**2)
-
-
-def common_sine(one: tuple[sp.Expr, ...], two: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr]:
-    """Numerator and denominator of the common root sin θ₀ of two quadratics: sin² θ₀ is eliminated."""
-    return -_minor(one, two, 2, 0), _minor(one, two, 2, 1)
-
-
-def _minor(one: tuple[sp.Expr, ...], two: tuple[sp.Expr, ...], i: int, j: int) -> sp.Expr:
-    return one[i] * two[j] - one[j] * two[i]
+def minors(one: tuple[sp.Expr, ...], two: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """O, U and V of two quadratics: their resultant is O² − U V, and where it is 0, −O/U is the common root."""
+    outer, upper, lower = (one[i] * two[j] - one[j] * two[i] for i, j in ((2, 0), (2, 1), (1, 0)))
+    return outer, upper, lower
 
 
 @cache
@@ -80,24 +82,18 @@ def turning_polynomial() -> tuple[sp.Expr, ...]:
     """
     spelled = {nm.fa: elimination.f_coefficients()[nm.fa]}
     one, two = (tuple(sp.expand(value.subs(spelled).subs(POLES)) for value in row) for row in turning_quadratics())
-    outer, upper, lower = (sp.expand(_minor(one, two, *places)) for places in ((2, 0), (2, 1), (1, 0)))
-    weight = turning_line()[0].subs(POLES)
-    factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * weight**2), nm.s)
+    outer, upper, lower = map(sp.expand, minors(one, two))
+    factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * PARTS[weight].subs(POLES) ** 2), nm.s)
     quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), nm.s), factor)
     unit_circles.require(rest.is_zero, "the factors of the resultant")
     return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
-
-
-def _threshold() -> sp.Expr:
-    """σ sin θ + κ, which in contact exceeds σ sin θ₀."""
-    return nm.sigma * nm.s + nm.kappa
 
 
 def identities() -> dict[str, bool]:
     """The closed forms, each decided by exact algebra."""
     turning_line()  # which, as the quadratics, raises unless it is what follows from f
     one, two = sp.symbols("A:3"), sp.symbols("C:3")
-    outer, upper, lower = (_minor(one, two, *places) for places in ((2, 0), (2, 1), (1, 0)))
+    outer, upper, lower = minors(one, two)
     resultant = outer**2 - upper * lower
     root = -outer / upper
     values = (sum(value * root**power for power, value in enumerate(row)) for row in (one, two))

@@ -15,12 +15,11 @@ from ..emit.quantities import Quantity
 _QUANTITIES: dict[sp.Symbol, Quantity] = {}
 
 
-def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real") -> sp.Symbol:
+def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real", scale: str = "") -> sp.Symbol:
     # Positive is all that SymPy must know to simplify the square root in the spring length. A proof that relies on other signs
     # states them itself.
-    return _enter(
-        Quantity(sp.Symbol(code, real=True, positive=True if domain == "> 0" else None), article, meaning, unit, domain)
-    )
+    symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
+    return _enter(Quantity(symbol, article, meaning, unit, domain, scale))
 
 
 def _scaled(
@@ -29,8 +28,7 @@ def _scaled(
     """A quantity over its scale; the remark says more about its values."""
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
     said = f", {remark}" if remark else ""
-    symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
-    return _enter(Quantity(symbol, article, meaning or f"{measured}{over}{said}", "1", domain, scale))
+    return _define(code, article, meaning or f"{measured}{over}{said}", "1", domain, scale)
 
 
 def _local(code: str, meaning: str, article: str = "") -> sp.Symbol:

@@ -72,17 +72,20 @@ def trace_identity() -> bool:
 @cache
 def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
     """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at given θ and μ₀."""
-    along, across = (in_contact(force) for force in equilibrium.balance())
-    (s0,) = sp.solve(across, nm.s0)
-    cosine = sp.expand(nm.alpha * nm.c0 - along).subs(nm.s0, s0)
-    lines = []
-    for value in (s0, cosine):
-        line = sp.Poly(sp.expand(value), nm.L)
-        unit_circles.require(
-            line.degree() == 1 and not value.has(nm.c0), "the balance at a direction, linear in the spring length"
-        )
-        lines += [sp.factor(line.coeff_monomial(power)) for power in (1, nm.L)]
-    return tuple(lines)
+    friction, preload = nm.M / nm.B, nm.sigma * nm.s + nm.kappa
+    lines = (
+        -preload / nm.B,
+        nm.q * nm.s / nm.B,
+        friction * preload - nm.sigma * nm.c,
+        nm.p * nm.c - friction * nm.sigma * nm.s,
+    )
+    sine, cosine = ((constant + slope * nm.L).subs(equilibrium.POLES) for constant, slope in (lines[:2], lines[2:]))
+    gaps = [in_contact(force).subs(nm.s0, sine) for force in equilibrium.balance()]
+    gaps[0] -= nm.alpha * nm.c0 - cosine
+    unit_circles.require(
+        all(unit_circles.equal(gap, 0) for gap in gaps), "the balance at a direction, linear in the spring length"
+    )
+    return lines
 
 
 @cache
@@ -135,22 +138,37 @@ QUADRATIC = sp.symbols("e0 e1 e2")
 
 
 @cache
-def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
-    """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀.
+def flutter_crossing() -> tuple[tuple[sp.Expr, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+    """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀; and names in them.
 
-    By the implicit function theorem. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
+    By the implicit function theorem and Cramer's rule, in the derivatives of the balances along and across the belt and of the
+    discriminant by θ, L and θ₀. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
     """
-    balances = [in_contact(force) for force in equilibrium.balance()]
-    by_direction = [unit_circles.rotate_derivative(force) for force in balances]
-    by_length = [sp.diff(force, nm.L) for force in balances]
-    by_reference = [unit_circles.by_inclination(force) for force in balances]
-    jacobian = by_direction[1] * by_length[0] - by_direction[0] * by_length[1]
-    direction = by_reference[0] * by_length[1] - by_reference[1] * by_length[0]
-    length = by_direction[0] * by_reference[1] - by_direction[1] * by_reference[0]
+    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols("a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L")
     e0, e1, e2 = flutter_quadratic()
-    discriminant = e0 + e1 * nm.L + e2 * nm.L**2
-    change = unit_circles.rotate_derivative(discriminant) * direction + sp.diff(discriminant, nm.L) * length
-    return change, jacobian
+    names = {
+        a_t: nm.s * (nm.p * nm.L - nm.sigma) - nm.M * nm.L * nm.c,
+        a_l: -nm.p * nm.c - nm.M * nm.s,
+        a_0: nm.M * nm.c0 - nm.alpha * nm.s0,
+        b_t: -nm.c * (nm.q * nm.L - nm.sigma),
+        b_l: -nm.q * nm.s,
+        b_0: nm.B * nm.c0,
+        d_t: 4 * nm.sigma * nm.L * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
+        d_l: e1 + 2 * e2 * nm.L,
+    }
+    changes = [
+        change
+        for form in (*map(in_contact, equilibrium.balance()), e0 + e1 * nm.L + e2 * nm.L**2)
+        for change in (unit_circles.rotate_derivative(form), sp.diff(form, nm.L), unit_circles.by_inclination(form))
+    ]
+    unit_circles.require(
+        all(
+            unit_circles.equal(ours.subs(equilibrium.POLES), theirs)
+            for ours, theirs in zip(names.values(), changes, strict=False)
+        ),
+        "the derivatives at an onset",
+    )
+    return (d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0), b_t * a_l - a_t * b_l), names
 
 
 @cache

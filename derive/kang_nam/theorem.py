@@ -37,6 +37,10 @@ kappa, sigma, s0 = sp.symbols("kappa sigma s_0", positive=True)
 alpha, beta = sp.symbols("alpha beta", nonnegative=True)
 POSITIVE = {nm.kappa: kappa, nm.sigma: sigma, nm.s0: s0, nm.alpha: alpha, nm.beta: beta, nm.nbar: 1}
 
+# s* > 0 and s₀ − s* = κ/σ.
+threshold, excess = sp.symbols("s_star excess", positive=True)
+ON_ARC = {s0: threshold + excess, kappa: sigma * excess}
+
 
 def in_contact(expression: sp.Expr) -> sp.Expr:
     return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(POSITIVE)
@@ -116,10 +120,9 @@ def _threshold_below_zero() -> tuple[Step, ...]:
 
 def _threshold_above_zero() -> tuple[Step, ...]:
     """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
-    threshold, excess, stretch, surplus = sp.symbols("s_star excess stretch surplus", positive=True)
+    stretch, surplus = sp.symbols("stretch surplus", positive=True)
     level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
-    on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
-    numerator, denominator = (part.subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
+    numerator, denominator = (part.subs(nm.s, threshold).subs(ON_ARC) for part in _length_fraction())
 
     along, _ = equilibrium.balance()
     P = nm.sigma - nm.p * nm.L
@@ -146,6 +149,9 @@ def _middle() -> tuple[Step, ...]:
     """Three different equilibria: f rises, falls and rises through them, and L det K = f′."""
     f = elimination.f_form
     K = sp.Matrix(2, 2, sp.symbols("K_11 K_12 K_21 K_22"))
+    length = (threshold + excess) / threshold  # L = s₀/s*
+    force = in_contact(nm.sigma - nm.p * nm.L).subs(nm.L, length) * nm.c + alpha * nm.c0
+    at_end = in_contact(f).subs(nm.s, threshold).subs(ON_ARC)
     equation = sp.Poly(stability.characteristic(K, sp.zeros(2, 2)), stability.lam)
     # Of three different roots that count three at most, all multiplicities that there can be.
     multiplicities = [counts for counts in itertools.product(range(1, 4), repeat=3) if sum(counts) <= 3]
@@ -162,7 +168,8 @@ def _middle() -> tuple[Step, ...]:
             "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and positive after the last: at the "
             "ends f = q s* F_x with q s* > 0, F_x = P cos θ + α cos θ₀ has the sign of P cos θ since (F_x)(P cos θ − α cos θ₀) > 0, "
             "and P < 0",
-            _signs_at_the_ends(f),
+            all(step.holds for step in _threshold_above_zero())
+            and sp.simplify(at_end - in_contact(nm.q) * threshold * force) == 0,
         ),
         Step(
             "three different roots that count three at most are simple, so that the signs of f before, between and after them are "
@@ -207,24 +214,4 @@ def smallest_without_friction() -> tuple[Step, ...]:
             "where cos θ < 0, x exceeds cos θ₀ by L |cos θ|, and L > 0",
             sp.expand(x - nm.c0 - nm.L * cosine) == 0 and all(manifestly_positive(part) for part in sp.fraction(length)),
         ),
-    )
-
-
-def _signs_at_the_ends(f: sp.Expr) -> bool:
-    """Whether f has the sign of −cos θ where sin θ = s* > 0."""
-    threshold, excess = sp.symbols("s_star excess", positive=True)
-    level = sp.Symbol("level", nonnegative=True)
-    on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
-    P = sigma - (sigma + alpha) * (threshold + excess) / threshold  # L = s₀/s*
-    force, mirrored = (P * nm.c + sign * alpha * nm.c0 for sign in (1, -1))
-    factor = in_contact(nm.q) * threshold
-    at_end = in_contact(f).subs(nm.s, threshold).subs(on_arc)
-    # cos² θ₀ = level, and cos² θ = level + s₀² − s*² at the ends.
-    squares = {nm.c**2: level + (threshold + excess) ** 2 - threshold**2, nm.c0**2: level}
-    product = sp.expand(force * mirrored).subs(squares)
-    return (
-        sp.simplify(at_end - factor * force) == 0
-        and manifestly_positive(factor)
-        and manifestly_positive(sp.simplify(-P * threshold))
-        and manifestly_positive(sp.simplify(product * threshold**2))
     )

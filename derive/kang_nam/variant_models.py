@@ -259,22 +259,20 @@ _BALANCE_X, _BALANCE_Y = (_of(_C.balance, row, 1) for row in (0, 1))
 _LINEAR, _MATRIX = _of(_C.linear, 1), _of(_C.matrix, 1)
 _LINEAR_LIFTED, _MATRIX_LIFTED = _of(_C.linear, 0), _of(_C.matrix, 0)
 _B1, _B2, _B3, _B4 = (_of(_C.side, row, pushing) for pushing in (1, 0) for row in (0, 1))
-_CONTACT_QUARTIC = (_LINEAR, _MATRIX)
-_LIFTED_QUARTIC = (_LINEAR_LIFTED, _MATRIX_LIFTED)
 
 #: Row → what it rests on.
 RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
     "eq-1": (_ALONG,), "eq-2": (_ACROSS,), "eq-3": (_C.rest,), "eq-4": (_GEOMETRY_X,), "eq-5": (_GEOMETRY_Y,),
     "eq-6": (_GEOMETRY_X, _GEOMETRY_Y), "eq-7": (_C.contact,), "eq-8": (_ALONG,), "eq-9": (_ACROSS,), "eq-10": (_C.friction,),
     "eq-11": (_C.contact,), "eq-12": (_ALONG, _C.steady), "eq-13": (_ACROSS,), "eq-14": (_BALANCE_X, _C.steady),
-    "eq-15": (_BALANCE_Y,), "eq-16": (_LINEAR,), "eq-17": (_LINEAR, _MATRIX), "eq-18": (_MATRIX,), "eq-19": (_B1, _B2),
-    "eq-20": (_LINEAR,), "eq-21": _CONTACT_QUARTIC, "eq-22": (_LINEAR_LIFTED,), "eq-23": (_LINEAR_LIFTED,),
-    "eq-24": (_MATRIX_LIFTED,), "eq-25": (_B3, _B4), "eq-26": _LIFTED_QUARTIC,
+    "eq-15": (_BALANCE_Y,), "eq-16": (_LINEAR,), "eq-17": (_MATRIX,), "eq-18": (_MATRIX,), "eq-19": (_B1, _B2),
+    "eq-20": (_LINEAR,), "eq-21": (_MATRIX,), "eq-22": (_LINEAR_LIFTED,), "eq-23": (_LINEAR_LIFTED,),
+    "eq-24": (_MATRIX_LIFTED,), "eq-25": (_B3, _B4), "eq-26": (_MATRIX_LIFTED,),
     "eq-27": (_C.alone, _C.damping), "eq-28": (_C.stiffness,), "eq-29": (_C.contact,),
     "def-tau": (_of(_C.scale, "time"),), "def-prime": (), "def-n": (_of(_C.scale, "force"),),
     **{f"def-{name}": (_of(_C.length_of, name),) for name in ("x", "y", "L")},
     **{f"def-{name}": (_of(_C.group, name),) for name in ("sigma", "alpha", "beta", "kappa")},
-    **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), _CONTACT_QUARTIC),
-    **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), _LIFTED_QUARTIC),
+    **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), (_MATRIX,)),
+    **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), (_MATRIX_LIFTED,)),
     "A10": (_B1,), "A11": (_B2,), "A12": (_B3,), "A13": (_B4,),
 }  # fmt: skip

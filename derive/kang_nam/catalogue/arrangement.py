@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...emit.function import Results
-from ...emit.definitions import flat
 from .. import unit_circles, elimination, equilibrium, mechanics
 from .. import nomenclature as nm
 
@@ -37,11 +35,7 @@ def shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> d
     return {symbol: value.subs(case or {}) for symbol, value in definitions.items() if not names or symbol in names}
 
 
-def further(
-    listed: tuple[sp.Symbol, ...], results: Results, names: dict[sp.Symbol, sp.Expr] | None = None
-) -> tuple[sp.Symbol, ...]:
-    """Speeds, and parameters of a changed model, on which the results depend and which are not among the arguments ``listed``."""
-    free = {symbol for leaf in flat(results) for symbol in sp.sympify(leaf).free_symbols}
-    for value in (names or {}).values():
-        free |= sp.sympify(value).free_symbols
-    return tuple(symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free and symbol not in listed)
+def further(listed: tuple[sp.Symbol, ...], result: sp.Expr) -> tuple[sp.Symbol, ...]:
+    """Speeds, and parameters of a changed model, on which the result depends and which are not among the arguments ``listed``."""
+    free = result.free_symbols - set(listed)
+    return tuple(symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free)

@@ -23,11 +23,12 @@ def module() -> Module:
     contact = shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa)
     s0, c0 = catastrophe.fold_angles()
     spelled = [sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()]
-    friction, quartic, quartic_names = _fold_quartic(s0, c0)
+    friction = tuple(value.subs(nm.M, nm.mu0) for value in (sp.factor_terms(s0), c0.subs(nm.s0, s0)))
+    quartic, quartic_names = catastrophe.fold_quartic()
     events, events_without_alpha, conic_names, line_names = _fold_events()
     sextic, sextic_names = _fold_sextic()
     cusp_polynomial, cusp_names = _cusp_polynomial()
-    cusp_s0, cusp_ratio = _cusp_angles()
+    cusp_s0, cusp_ratio = catastrophe.cusp_angles()
     cusp_mu = catastrophe.cusp_friction() / nm.c / nm.sigma
     return Module(
         "catastrophe",
@@ -44,9 +45,10 @@ def module() -> Module:
             Function("fold_sine", "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.", "f = f′ = 0",
                      (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction[0], "sin0", contact),
             Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
-                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), quartic, "e0, e1, e2, e3, e4", quartic_names),
+                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), quartic, "e0, e1, e2, e3, e4",
+                     {**shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q), **quartic_names}),
             Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
-                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), _fold_conic(), "E0, E1, E2, Ec", contact),
+                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), catastrophe.fold_conic(), "E0, E1, E2, Ec", contact),
             Function("fold_events", "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
                      "where one has μ₀ = 0. Needs α > 0.", "f = f′ = 0", (nm.s, nm.kappa, *STIFFNESS), events,
                      "meeting, border, frictionless", {**contact, **conic_names}),
@@ -89,31 +91,13 @@ def module() -> Module:
     )  # fmt: skip
 
 
-def _fold_conic() -> tuple[sp.Expr, ...]:
-    """The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1, which has no pole and no c0², s0 c0.
-
-    But for the last one, which has the factor cos θ, the coefficients are polynomials in sin θ.
-    """
-    a = nm.fa
-    threshold = nm.kappa + nm.sigma * nm.s * (2 - nm.s**2)
-    gap = nm.kappa * nm.p - a * nm.s**3
-    conic = (
-        nm.kappa * nm.p * threshold - a * nm.s**2 * (nm.sigma + nm.kappa * nm.s),
-        nm.p * nm.B * threshold - nm.sigma * gap,
-        -nm.p * nm.B * nm.sigma,
-        -nm.q * nm.alpha * nm.sigma * nm.s**2 * nm.c,
-    )
-    require_same("fold conic", conic, catastrophe.fold_conic(), {a: elimination.f_coefficients()[a]})
-    return conic
-
-
 def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr]]:
     """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names for these.
 
     With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the cosine enters by its square.
     """
     e0, e1, e2, square, middle, product, P, Q = sp.symbols("e0 e1 e2 ec_2 middle product P Q")
-    conic = _fold_conic()
+    conic = catastrophe.fold_conic()
     names = {
         **dict(zip((e0, e1, e2), conic, strict=False)),
         square: (conic[3] / nm.c) ** 2 * (1 - nm.s**2),
@@ -214,16 +198,6 @@ def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     return tuple(pairs)
 
 
-def _cusp_angles() -> tuple[sp.Expr, sp.Expr]:
-    """sin θ₀ and cos θ₀/cos θ on a cusp with the factor 3 s² − 2 kept together."""
-    S, s = 3 * nm.s**2 - 2, nm.s
-    s0 = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
-    G = 3 * nm.kappa * nm.p * nm.q * s * S - 4 * nm.B * nm.p * nm.sigma * (1 - s**2) + 3 * nm.sigma * nm.alpha * nm.q * s**4
-    ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
-    require_same("cusp angles", (s0, ratio), catastrophe.cusp_angles())
-    return s0, ratio
-
-
 def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and G of cos θ₀; degree 9."""
     g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
@@ -247,29 +221,3 @@ def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     # Each as a polynomial with integer coefficients over an integer.
     quotients = (sp.fraction(sp.together(value)) for value in coefficients[:10])
     return tuple(sp.factor_terms(sp.expand(numerator)) / denominator for numerator, denominator in quotients), names
-
-
-def _fold_quartic(s0: sp.Expr, c0: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
-    """sin θ₀ and cos θ₀ on a fold as polynomials in friction with named coefficients, and the quartic that they make.
-
-    Dividing by p B and q α first keeps every coefficient of the quartic a sum of a few squares and products.
-    """
-    line = sp.symbols("u0 u1")
-    parabola = sp.symbols("g0 g1 g2")
-    s0_terms = sp.Poly(s0, nm.M).all_coeffs()[::-1]
-    c0_terms = sp.Poly(sp.cancel(c0.subs(nm.s0, line[0] + line[1] * nm.M)), nm.M).all_coeffs()[::-1]
-    names = {
-        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
-        **{name: sp.factor_terms(value) for name, value in zip(line, s0_terms, strict=True)},
-        **{name: sp.factor_terms(value) for name, value in zip(parabola, c0_terms, strict=True)},
-    }
-    u0, u1 = line
-    g0, g1, g2 = parabola
-    quartic = (u0**2 + g0**2 - 1, 2 * (u0 * u1 + g0 * g1), u1**2 + g1**2 + 2 * g0 * g2, 2 * g1 * g2, g2**2)
-    scale = (nm.p * nm.B * nm.q * nm.alpha) ** 2
-    for ours, derived in zip(quartic, catastrophe.fold_quartic(), strict=True):
-        named = {name: names[name] for name in (*line, *parabola)}
-        if sp.simplify(sp.expand(scale * ours.subs(named).subs(named)) - derived) != 0:
-            raise ArithmeticError("the arrangement of the fold quartic is not the fold quartic")
-    in_mu = {nm.M: nm.mu0}
-    return (sp.factor_terms(s0.subs(in_mu)), c0.subs(nm.s0, s0).subs(in_mu)), quartic, names

@@ -24,8 +24,7 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.S
     _, b = equilibrium.matrix_form()
     names = {
         **shorthands(case, nm.B, nm.M, nm.p, nm.q),
-        nm.b1: -(nm.alpha * nm.c0 + nm.M * nm.s0),
-        nm.b2: -(nm.B * nm.s0 + nm.kappa),
+        **elimination.RIGHT_SIDE,
     }
     require_same("right side of (16)", (names[nm.b1], names[nm.b2]), tuple(b))
     if case[nm.nbar] == 0:
@@ -37,9 +36,8 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.S
 
 def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], ...]:
     """D of (18) or (24) with p and q kept together."""
-    arranged = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
-    require_same("D", tuple(arranged), tuple(D))
-    return nested(arranged if case[nm.nbar] else arranged.subs(nm.M, 0))
+    require_same("D", tuple(elimination.MATRIX), tuple(D))
+    return nested(elimination.MATRIX if case[nm.nbar] else elimination.MATRIX.subs(nm.M, 0))
 
 
 def module() -> Module:

@@ -7,26 +7,21 @@ import sympy as sp
 from ...emit.function import Function, Module
 from .. import linear_sprag, stability
 from .. import nomenclature as nm
-from .arrangement import ANGLE0, STIFFNESS
+from .arrangement import ANGLE0, STIFFNESS, require_same
 
 
 def module() -> Module:
-    x, y = linear_sprag.equilibrium()
     determinant = sp.Symbol("determinant")
     K = linear_sprag.stiffness()
     arranged = (nm.kappa * K[0, 1] / determinant, -nm.kappa * K[0, 0] / determinant)
-    names = {determinant: stability.determinant(K)}
-    if any(sp.simplify(ours.subs(names) - derived) != 0 for ours, derived in zip(arranged, (x, y), strict=True)):
-        raise ArithmeticError("the arrangement of the linear displacement is not the derived one")
-    factored = sp.collect(sp.expand(stability.determinant(K)), nm.mu0)
-    if sp.expand(factored - names[determinant]) != 0:
-        raise ArithmeticError("the determinant of the linear model is not the derived one")
+    names = {determinant: sp.collect(sp.expand(stability.determinant(K)), nm.mu0)}
+    require_same("linear displacement", arranged, linear_sprag.equilibrium(), names)
     return Module(
         "linear_sprag",
         "The constant-angle model of the article's reference [17]: displacement, poles, critical friction.",
         (
             Function("displacement", "x and y at steady sliding with the spring's angle held at θ₀.", "(12), (13) linearized",
-                     (*ANGLE0, *nm.PARAMETERS), arranged, "x, y", {determinant: factored}),
+                     (*ANGLE0, *nm.PARAMETERS), arranged, "x, y", names),
             Function("pole_quadratic", "Coefficients of e0 + e1 T + e2 T², whose roots T = tan θ₀ are the poles.",
                      "determinant of the linear model", (nm.mu0, *STIFFNESS), linear_sprag.pole_quadratic(), "e0, e1, e2"),
             Function("pole_friction", "μ₀ with a pole at T = tan θ₀.", "determinant of the linear model",

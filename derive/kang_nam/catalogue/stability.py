@@ -25,7 +25,7 @@ def module() -> Module:
     if C[0, 1] != 0 or C[1, 0] != 0 or C[1, 1] != 0:
         characteristic = sp.Poly(stability.characteristic(generic, C), stability.lam).all_coeffs()
     determinant = stability.determinant(generic)
-    crossing, crossing_names = _flutter_crossing()
+    crossing, crossing_names = stability.flutter_crossing()
     cubic, cubic_names = _flutter_cubic()
     contact = shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)
     at_friction = (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS)
@@ -45,7 +45,7 @@ def module() -> Module:
             Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                      "(27) with damping", (*entries, nm.C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
             Function("reference_lines", "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",
-                     "(14), (15)", at_friction, _reference_lines(), "u1, w1, u2, w2", contact),
+                     "(14), (15)", at_friction, stability.reference_lines(), "u1, w1, u2, w2", contact),
             Function("flutter_quadratic", "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.",
                      "(27)", (*ANGLE, nm.mu0, *STIFFNESS), stability.flutter_quadratic(), "e0, e1, e2", contact),
             Function("flutter_elimination", "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.",
@@ -54,7 +54,7 @@ def module() -> Module:
                      "(27), (14), (15)", (*ANGLE, nm.mu0, nm.kappa, nm.sigma, nm.beta), stability.flutter_without_alpha(),
                      "condition", {name: value.subs(nm.alpha, 0) for name, value in {**contact, **_flutter_names()}.items()}),
             Function("flutter_crossing", "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
-                     "(27), (14), (15)", (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS), crossing, "N, J", crossing_names),
+                     "(27), (14), (15)", (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS), crossing, "N, J", {**contact, **crossing_names}),
             Function("flutter_cubic", "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
                      "(27), (14), (15)", (*ANGLE, nm.kappa, *STIFFNESS), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
             Function("flutter_friction", "μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27)",
@@ -65,43 +65,9 @@ def module() -> Module:
 
 def _flutter_names() -> dict[sp.Symbol, sp.Expr]:
     """The coefficients in terms of which the elimination is written."""
-    return dict(zip((*stability.LINES, *stability.QUADRATIC), (*_reference_lines(), *stability.flutter_quadratic()), strict=True))
-
-
-def _reference_lines() -> tuple[sp.Expr, ...]:
-    friction, preload = nm.M / nm.B, nm.sigma * nm.s + nm.kappa
-    arranged = (
-        -preload / nm.B,
-        nm.q * nm.s / nm.B,
-        friction * preload - nm.sigma * nm.c,
-        nm.p * nm.c - friction * nm.sigma * nm.s,
+    return dict(
+        zip((*stability.LINES, *stability.QUADRATIC), (*stability.reference_lines(), *stability.flutter_quadratic()), strict=True)
     )
-    require_same("the reference lines", arranged, stability.reference_lines())
-    return arranged
-
-
-def _flutter_crossing() -> tuple[tuple[sp.Expr, sp.Expr], dict[sp.Symbol, sp.Expr]]:
-    """By Cramer's rule in the derivatives of the balances along and across the belt with respect to θ, L and θ₀."""
-    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols("a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L")
-    _, e1, e2 = stability.flutter_quadratic()
-    names = {
-        **shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q),
-        a_t: nm.s * (nm.p * nm.L - nm.sigma) - nm.M * nm.L * nm.c,
-        a_l: -nm.p * nm.c - nm.M * nm.s,
-        a_0: nm.M * nm.c0 - nm.alpha * nm.s0,
-        b_t: -nm.c * (nm.q * nm.L - nm.sigma),
-        b_l: -nm.q * nm.s,
-        b_0: nm.B * nm.c0,
-        d_t: 4 * nm.sigma * nm.L * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
-        d_l: e1 + 2 * e2 * nm.L,
-    }
-    crossing = (
-        d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0),
-        b_t * a_l - a_t * b_l,
-    )
-    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
-    require_same("the crossing of a flutter onset", crossing, stability.flutter_crossing(), local)
-    return crossing, names
 
 
 def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:

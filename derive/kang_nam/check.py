@@ -1,12 +1,4 @@
-"""Printed against derived: one ledger row for every printed statement, decided by exact algebra.
-
-:func:`run` recomputes every row. A row fails if
-
-- its printed form differs from the derived one and no explanation is given,
-- an explanation is given and there is no difference,
-- the right form of its correction is not the derived one, or
-- its second derivation disagrees.
-"""
+"""Printed against derived: one ledger row for every printed statement, decided by exact algebra."""
 
 from __future__ import annotations
 

@@ -116,7 +116,6 @@ def _spelled(text: str) -> str:
 
 
 def _run(text: str) -> dict[str, Any]:
-    """The names of a generated module."""
     names: dict[str, Any] = {}
     exec(text, names)  # noqa: S102  # our own file, as every import is
     return names

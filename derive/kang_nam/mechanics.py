@@ -1,10 +1,8 @@
 """The equations of motion of the article, (1)–(11), from its page.
 
 The assumptions stand in ``derive/models/kang_nam.py``: where the springs are held, the preload, the contact law, the friction law. The
-general way derives from them, as from any page; here stands what it gives in the article's symbols. Change the page, and
-``python -m derive --variant --out DIR`` derives the equations of motion anew, says which printed rows no longer hold, and writes the
-new model. The elimination, the closed forms and the theorem are made for the forces of the article: where a change takes away what
-they rest on, the derivation stops, says what does not hold, and writes nothing.
+general way derives from them, as from any page; here stands what it gives in the article's symbols. The elimination, the closed
+forms and the theorem are made for these forces: where a changed page takes away what they rest on, the derivation stops.
 """
 
 from __future__ import annotations

@@ -87,10 +87,7 @@ def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: 
 
 
 def manifestly_positive(polynomial: sp.Expr) -> bool:
-    """Whether a polynomial in symbols that are assumed to be positive, or not negative, is positive.
-
-    No coefficient is negative, and one term holds none but positive symbols. Sufficient, not necessary.
-    """
+    """Whether no coefficient is negative, and one term holds none but positive symbols: sufficient for being positive, not necessary."""
     symbols = sorted(polynomial.free_symbols, key=str)
     terms = sp.Poly(sp.expand(polynomial), *symbols).terms()
     return (

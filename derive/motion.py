@@ -226,15 +226,14 @@ def module(model: Mechanics) -> Module:
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
     shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.solved}
-    accelerations = motion.named
-    borders = motion.borders
-    layers = laws.layers(model)
+    accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
+    accelerated = (*place, *accelerations, *model.arguments)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, shorthands)
 
     def smooth(name: str, summary: str, results: Results, returns: str) -> Function:
-        continued = {**shorthands, **{torsion.phi: torsion.continued for torsion in model.torsions}}
+        continued = shorthands | {torsion.phi: torsion.continued for torsion in model.torsions}
         return Function(name, summary, "the page", (*regime, *ways), results, returns, continued)
 
     below, overlap = sp.symbols("_below _overlap", real=True)
@@ -247,13 +246,13 @@ def module(model: Mechanics) -> Module:
         **dict.fromkeys(felt, sp.S.One),
     }
     kinked = {**directions(model), **everywhere, MU: motion.friction, **motion.solved}
-    jacobian = _rows(motion, (*model.coordinates, *model.rates))
+    jacobian = _rows(motion, place)
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     turnings = tuple(torsion.border for torsion in model.torsions)
     turns = () if not ways else (
         function("turning_borders", "Positive where a turning is counted on its way, from −0.93 to π times it.", (*moving, *ways),
                  turnings, "(b_1, …)"),
-        function("turning_rates", "How they change along a motion.", (*place, *accelerations, *model.arguments, *ways),
+        function("turning_rates", "How they change along a motion.", (*accelerated, *ways),
                  tuple(motion.rate(border, accelerations) for border in turnings), "rates of (b_1, …)"),
     )  # fmt: skip
     return Module(
@@ -271,12 +270,11 @@ def module(model: Mechanics) -> Module:
             function("borders", "The gap and the sliding speed, each zero on a kink of the field; 1 where there is none.", moving,
                      borders, "gap, slip"),
             function("border_rates", "How the borders change along a motion with the given accelerations.",
-                     (*place, *accelerations, *model.arguments),
-                     tuple(motion.rate(border, accelerations) for border in borders), "rates of gap, slip"),
+                     accelerated, tuple(motion.rate(border, accelerations) for border in borders), "rates of gap, slip"),
             function("layers", "Minus the exponents of the sliding speed in the friction law: large where they are not felt.",
                      (*moving, SIDE), layers, "(z_1, …)"),
             function("layer_rates", "How they change along a motion with the given accelerations.",
-                     (*place, *accelerations, *model.arguments, SIDE),
+                     (*accelerated, SIDE),
                      tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
             *turns,
             function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.energy,

@@ -17,8 +17,6 @@ from .units import Dimension, UnitsError, spelled
 
 #: Penetrations and speeds at which a law that can't be decided by its form is looked at.
 _PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
-
-
 #: The largest power: beyond it, derivatives and products of them take for ever.
 MOST_POWER = 20
 

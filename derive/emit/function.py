@@ -13,11 +13,7 @@ Results = sp.Expr | tuple["Results", ...]
 
 @dataclass(frozen=True)
 class Function:
-    """One generated function.
-
-    ``results`` are written in the ``arguments`` and in shorthands, each defined in ``shorthands`` (in terms of arguments and
-    of earlier shorthands). ``transcendental`` functions take the namespace of their square roots and exponentials.
-    """
+    """One generated function: ``results`` in ``arguments`` and in ``shorthands``, each of these in arguments and earlier shorthands."""
 
     name: str
     summary: str

@@ -43,9 +43,8 @@ def _json(value: Any, indent: int, width: int) -> str:
         entries = [f"{json.dumps(key, ensure_ascii=False)}: {_json(item, indent + 1, width)}" for key, item in value.items()]
     else:
         entries = [_item(item, indent + 1, width) for item in value]
-    lines = _lines(entries, indent, width)
     opening, closing = "{}" if isinstance(value, dict) else "[]"
-    inside = ",\n".join(lines)
+    inside = ",\n".join(_lines(entries, indent, width))
     return f"{opening}\n{inside}\n{' ' * indent}{closing}"
 
 

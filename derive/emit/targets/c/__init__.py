@@ -12,7 +12,6 @@ from .. import Material, runtime, spoken
 from . import algebra, cost, kernel
 from .layout import WIDTH, plain
 
-
 _EXAMPLE = "main.c"
 
 

@@ -62,11 +62,9 @@ def static(name: str, function: Definition) -> Emitted:
     said = comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.")
     start = f"INLINE {'void' if several else 'double'} {name}"
     head = f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} {{"
-    lines = [
-        *(f"    (void){c_name(name)};" for name in function.arguments if name not in function.read),
-        *_statements(function, "result" if several else "return"),
-    ]
-    return Emitted(name, said + definition(head, "".join(f"{line}\n" for line in lines)), function.operations)
+    unused = [f"    (void){c_name(name)};" for name in function.arguments if name not in function.read]
+    lines = [*unused, *_statements(function, "result" if several else "return"), ""]
+    return Emitted(name, said + definition(head, "\n".join(lines)), function.operations)
 
 
 def _statements(function: Definition, result: str) -> list[str]:

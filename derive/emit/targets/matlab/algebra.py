@@ -8,8 +8,6 @@ from ...definitions import NAMES, Definition, ported
 
 #: Of a function, which is indented by four.
 WIDTH = 126
-
-
 _FUNCTIONS = {name: name for name in NAMES}
 
 

@@ -21,7 +21,7 @@ _LONGEST_ARRAY = 4
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     """Cost of each function of ``source``; ``emitted`` gives the operations of those functions that were counted before."""
-    named = constants(source)
+    named = constants(source) | {"length": _LONGEST_ARRAY}
     source = _BLOCKS.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
     known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
     known |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
@@ -58,18 +58,12 @@ def _block(text: str, known: dict[str, Counter[str]], constants: dict[str, int])
     while loop := _LOOP.search(text):
         end = _closing(text, loop.end())
         once = _block(text[loop.end() : end], known, constants)
-        passes = _passes(loop[1], constants)
+        passes = int(loop[1]) if loop[1].isdigit() else constants[loop[1]]
         total += Counter({name: passes * count for name, count in once.items()})
         text = text[: loop.start()] + text[end + 1 :]
     if re.search(r"\b(for|while|do|goto)\b", text):
         raise ArithmeticError("the C template has a loop whose passes can't be counted")
     return total + Counter({"operations": len(_OPERATOR.findall(text))}) + _calls(text, known)
-
-
-def _passes(bound: str, constants: dict[str, int]) -> int:
-    if bound.isdigit():
-        return int(bound)
-    return _LONGEST_ARRAY if bound == "length" else constants[bound]
 
 
 def _calls(text: str, known: dict[str, Counter[str]]) -> Counter[str]:

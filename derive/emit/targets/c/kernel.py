@@ -33,18 +33,13 @@ def routine(it: Routine, kinds: Kinds, prefix: str) -> str:
     return _Printer(it, kinds, prefix).definition()
 
 
-def _syntax(prefix: str) -> Syntax:
-    return Syntax(
-        primitives=PRIMITIVES, logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "!"}, algebra=lambda name: f"{prefix}{name}"
-    )  # fmt: skip
-
-
 class _Printer(Printer):
     step = "    "
     begin = "for (int i = 0; i < {}; i++) {{"
 
     def __init__(self, it: Routine, kinds: Kinds, prefix: str) -> None:
-        super().__init__(it, kinds.source, _syntax(prefix))
+        logic: dict[type[ast.operator] | type[ast.unaryop], str] = {ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "!"}
+        super().__init__(it, kinds.source, Syntax(PRIMITIVES, logic, algebra=lambda name: f"{prefix}{name}"))
         self.kinds = kinds
         self.names: dict[str, str] = dict(it.arguments)
 
@@ -97,10 +92,5 @@ class _Printer(Printer):
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:
     """Named numbers with their comments."""
-    lines = []
-    for name, (value, text) in values.items():
-        if math.isinf(value):  # C has a name for it
-            continue
-        lines += [comment(text)] if text else []
-        lines.append(f"#define {name} {number(value)}\n")
-    return "".join(lines)
+    finite = {name: it for name, it in values.items() if not math.isinf(it[0])}  # of infinity C has a name
+    return "".join(f"{comment(text) if text else ''}#define {name} {number(value)}\n" for name, (value, text) in finite.items())

@@ -112,7 +112,7 @@ def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Sy
     derived = catastrophe.fold_events((e0, e1, e2, square))
     named = {name: value for name, value in names.items() if name in (product, middle, P, Q)}
     require_same("meetings of folds, and their borders", events[:2], derived[:2], named)
-    require_same("folds without friction", events[2:], derived[2:], {nm.fa: elimination.f_coefficients()[nm.fa]})
+    require_same("folds without friction", events[2:], derived[2:], elimination.f_coefficients())
     s, k, B = nm.s, nm.kappa, nm.B  # e0 + e1 + e2, in which little is lost
     at_middle = nm.sigma * (k**2 + (1 - s) * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s)))
     kept = {name: value for name, value in names.items() if name in (e0, e1, e2)}
@@ -181,9 +181,9 @@ def _fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     push = nm.M * nm.kappa
     bare = (push - a, 4 * m, 3 * (a + push), 0, 3 * (push - a), 4 * m, a + push)
     cosine = tuple(width * one - m * other for one, other in zip(bare, sine, strict=True))
-    spelled = {nm.fa: elimination.f_coefficients()[nm.fa], nm.fm: elimination.f_coefficients()[nm.fm]}
+    spelled = elimination.f_coefficients()
     for ours, derived in zip((sine, cosine), catastrophe.fold_cubics(), strict=True):
-        derived = tuple(value.subs(nm.fa, spelled[nm.fa]).subs(nm.fm, spelled[nm.fm]) for value in derived)
+        derived = tuple(value.subs(spelled) for value in derived)
         require_same("fold cubics", tuple(sp.sympify(value) for value in ours), derived, spelled)
     return sine, cosine
 

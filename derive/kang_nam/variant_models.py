@@ -125,7 +125,9 @@ class _Compared:
         equations = mechanics.motion()
         # Any law of contact and friction: both stand as n and μ, and are rows of their own.
         theirs = sp.solve(equations[row], (mechanics.AX, mechanics.AY)[row])[0]
-        return {"xy"[row] + "″": self.gap(_separated(self.model, self.row("xy"[row])), theirs)}
+        general, place = Motion(self.model), self.row("xy"[row])
+        ours = sp.expand(general.named[place] - general.balance(nm.n)[place] / self.model.mass[place, place])
+        return {"xy"[row] + "″": self.gap(ours, theirs)}
 
     def contact(self) -> dict[str, sp.Expr]:
         """n(y) in contact, and that there is none in lift-off."""
@@ -236,12 +238,6 @@ def _law_gap(gap: sp.Expr) -> sp.Expr:
     place = {nm.side: 1} | {symbol: sp.Rational(1, 2) + sp.Rational(i, 7) for i, symbol in enumerate(others)}
     value = gap.subs(place).evalf(30)
     return sp.factor_terms(gap) if value.is_comparable and abs(value) > sp.Rational(1, 10**20) else sp.simplify(gap)
-
-
-def _separated(model: Mechanics, row: int) -> sp.Expr:
-    """An acceleration with the article's n for the contact force, along the gap and, times μ, along the belt."""
-    general = Motion(model)
-    return sp.expand(general.named[row] - general.balance(nm.n)[row] / model.mass[row, row])
 
 
 _Aspect = Callable[[_Compared], dict[str, sp.Expr]]

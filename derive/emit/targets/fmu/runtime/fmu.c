@@ -65,54 +65,39 @@ typedef enum {
 } Category;
 static const char *const CATEGORY[CATEGORIES] = {"logEvents", "logStatusDiscard", "logStatusError"};
 
-static void say(const Instance *it, fmi3Status status, Category category, const char *format, va_list values) {
+/* Logs a message and returns its status: OK, Discard, after which the instance is as before the call, or Error, after which it
+ * can be reset, freed, or put back into a state that was saved. Errors are logged in any case. */
+static fmi3Status say(Instance *it, fmi3Status status, const char *format, ...) {
+    const Category category = status == fmi3OK ? EVENTS_LOG : status == fmi3Discard ? DISCARD_LOG :
+                                                                                      ERROR_LOG;
     if (it->log && (category == ERROR_LOG || it->logged & 1u << category)) {
         char text[256];
+        va_list values;
+        va_start(values, format);
         vsnprintf(text, sizeof text, format, values);
+        va_end(values);
         it->log(it->environment, status, CATEGORY[category], text);
     }
-}
-
-/* After an error the instance can be reset, freed, or put back into a state that was saved. */
-static fmi3Status failed(Instance *it, const char *format, ...) {
-    va_list values;
-    va_start(values, format);
-    say(it, fmi3Error, ERROR_LOG, format, values);
-    va_end(values);
-    it->now.phase = TERMINATED;
-    return fmi3Error;
-}
-
-/* The instance is as before the call. */
-static fmi3Status discarded(const Instance *it, const char *format, ...) {
-    va_list values;
-    va_start(values, format);
-    say(it, fmi3Discard, DISCARD_LOG, format, values);
-    va_end(values);
-    return fmi3Discard;
-}
-
-static void told(const Instance *it, const char *format, ...) {
-    va_list values;
-    va_start(values, format);
-    say(it, fmi3OK, EVENTS_LOG, format, values);
-    va_end(values);
+    if (status == fmi3Error) {
+        it->now.phase = TERMINATED;
+    }
+    return status;
 }
 
 /* Begins a function that may be called in some phases. */
-#define ENTER(phases)                                                                       \
-    Instance *const it = instance;                                                          \
-    if (!it) {                                                                              \
-        return fmi3Error;                                                                   \
-    }                                                                                       \
-    if (!(it->now.phase & (unsigned)(phases))) {                                            \
-        return failed(it, "%s must not be called in this state of the instance", __func__); \
+#define ENTER(phases)                                                                               \
+    Instance *const it = instance;                                                                  \
+    if (!it) {                                                                                      \
+        return fmi3Error;                                                                           \
+    }                                                                                               \
+    if (!(it->now.phase & (unsigned)(phases))) {                                                    \
+        return say(it, fmi3Error, "%s must not be called in this state of the instance", __func__); \
     }
 
 /* Refuses arguments that make no sense. */
-#define EXPECT(condition, ...)          \
-    if (!(condition)) {                 \
-        return failed(it, __VA_ARGS__); \
+#define EXPECT(condition, ...)                  \
+    if (!(condition)) {                         \
+        return say(it, fmi3Error, __VA_ARGS__); \
     }
 
 /* ------------------------------------------------------------------------------- units: inside all is dimensionless */
@@ -319,7 +304,7 @@ FMI(fmi3Status, GetFloat64)(void *instance, const fmi3ValueReference *references
             values[i] = it->now.given[one - QUANTITY];
         } else {
             if (!looked && here(it, &motion, &at, unit_of_rate)) {
-                return discarded(it, "%s", NOWHERE);
+                return say(it, fmi3Discard, "%s", NOWHERE);
             }
             looked = 1;
             values[i] = one < INDICATOR ? at.rate[one - DERIVATIVE] * unit_of_rate[one - DERIVATIVE] : at.clearance[one - INDICATOR];
@@ -339,13 +324,13 @@ FMI(fmi3Status, SetFloat64)(void *instance, const fmi3ValueReference *references
         EXPECT(quantity || (one >= STATE && one < DERIVATIVE), "no Float64 with the value reference %u can be set", (unsigned)one)
         EXPECT(it->now.phase & when, "the Float64 with the value reference %u can't be set now", (unsigned)one)
         if (!isfinite(values[i])) {
-            return discarded(it, "the value %g is no finite number", values[i]);
+            return say(it, fmi3Discard, "the value %g is no finite number", values[i]);
         }
         if (quantity) {
             const struct quantity *allowed = QUANTITIES + (one - QUANTITY);
             if (!(allowed->low_open ? values[i] > allowed->low : values[i] >= allowed->low) ||
                 !(allowed->high_open ? values[i] < allowed->high : values[i] <= allowed->high)) {
-                return discarded(it, "%s = %g is out of its range", allowed->name, values[i]);
+                return say(it, fmi3Discard, "%s = %g is out of its range", allowed->name, values[i]);
             }
         }
     }
@@ -364,7 +349,7 @@ FMI(fmi3Status, GetBoolean)(void *instance, const fmi3ValueReference *references
     EXPECT(count == size && (!count || (references && values)), "%u values are asked for, with room for %u", (unsigned)count,
         (unsigned)size)
     if (count && here(it, &motion, &at, unit_of_rate)) {
-        return discarded(it, "%s", NOWHERE);
+        return say(it, fmi3Discard, "%s", NOWHERE);
     }
     for (size_t i = 0; i < count; i++) {
         const fmi3ValueReference one = references[i];
@@ -402,10 +387,10 @@ WITHOUT(String, char *)
 WITHOUT_SETTER(Boolean, bool)
 
 /* Functions about what the model has not: always an error. */
-#define NONE(name, ...)                                      \
-    FMI(fmi3Status, name)(void *instance, __VA_ARGS__) {     \
-        ENTER(ANY)                                           \
-        return failed(it, "this FMU has no use for " #name); \
+#define NONE(name, ...)                                              \
+    FMI(fmi3Status, name)(void *instance, __VA_ARGS__) {             \
+        ENTER(ANY)                                                   \
+        return say(it, fmi3Error, "this FMU has no use for " #name); \
     }
 
 NONE(GetBinary, const fmi3ValueReference *r, size_t n, size_t *sizes, const uint8_t **values, size_t m)
@@ -428,12 +413,12 @@ NONE(ActivateModelPartition, fmi3ValueReference clock, double time)
 
 FMI(fmi3Status, EnterConfigurationMode)(void *instance) {
     ENTER(ANY)
-    return failed(it, "this FMU has no structural parameters");
+    return say(it, fmi3Error, "this FMU has no structural parameters");
 }
 
 FMI(fmi3Status, ExitConfigurationMode)(void *instance) {
     ENTER(ANY)
-    return failed(it, "this FMU has no structural parameters");
+    return say(it, fmi3Error, "this FMU has no structural parameters");
 }
 
 /* ------------------------------------------------------------------------------------------- states of the instance */
@@ -552,7 +537,7 @@ static fmi3Status multiplied(Instance *it, const fmi3ValueReference *unknowns, s
     EXPECT((!unknown_count || unknowns) && (!known_count || knowns) && (!seeds || seed) && (!results || result),
         "an argument is a null pointer")
     if (derivatives(it, slope)) {
-        return discarded(it, "%s", NOWHERE);
+        return say(it, fmi3Discard, "%s", NOWHERE);
     }
     for (size_t i = 0; i < results; i++) {
         result[i] = 0.0;
@@ -599,10 +584,10 @@ static int enter(Instance *it) {
     }
     memcpy(it->now.mode, motion.mode, sizeof mode);
     if (LIFTS && mode[0] != motion.mode[0]) {
-        told(it, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");
+        say(it, fmi3OK, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");
     }
     if (SLIDES && mode[1] != motion.mode[1]) {
-        told(it, "at %.12g the %s overtakes", it->now.time, motion.mode[1] > 0.0 ? "belt" : "mass");
+        say(it, fmi3OK, "at %.12g the %s overtakes", it->now.time, motion.mode[1] > 0.0 ? "belt" : "mass");
     }
     return 0;
 }
@@ -615,7 +600,7 @@ FMI(fmi3Status, EvaluateDiscreteStates)(void *instance) {
 FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *terminate, bool *nominals, bool *values, bool *next_defined, double *next) {
     ENTER(EVENT)
     if (enter(it)) {
-        return discarded(it, "%s", NOWHERE);
+        return say(it, fmi3Discard, "%s", NOWHERE);
     }
     bool *const flags[] = {again, terminate, nominals, values, next_defined};
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
@@ -651,7 +636,7 @@ FMI(fmi3Status, SetContinuousStates)(void *instance, const double *states, size_
     EXPECT(states && count == STATES, "%u states are set of %u", (unsigned)count, (unsigned)STATES)
     for (int i = 0; i < STATES; i++) {
         if (!isfinite(states[i])) {
-            return discarded(it, "state %d is %g, no finite number", i + 1, states[i]);
+            return say(it, fmi3Discard, "state %d is %g, no finite number", i + 1, states[i]);
         }
     }
     memcpy(it->now.state, states, sizeof it->now.state);
@@ -680,7 +665,7 @@ FMI(fmi3Status, GetContinuousStateDerivatives)(void *instance, double *values, s
     EXCHANGE(INITIALIZING | EVENT | CONTINUOUS | TERMINATED)
     EXPECT(values && count == STATES, "%u derivatives are asked for of %u", (unsigned)count, (unsigned)STATES)
     if (here(it, &motion, &at, unit_of_rate)) {
-        return discarded(it, "%s", NOWHERE);
+        return say(it, fmi3Discard, "%s", NOWHERE);
     }
     for (int i = 0; i < STATES; i++) {
         values[i] = at.rate[i] * unit_of_rate[i];
@@ -696,7 +681,7 @@ FMI(fmi3Status, GetEventIndicators)(void *instance, double *values, size_t count
     EXPECT((values || !count) && count == INDICATORS, "%u event indicators are asked for of %u", (unsigned)count,
         (unsigned)INDICATORS)
     if (here(it, &motion, &at, unit_of_rate)) {
-        return discarded(it, "%s", NOWHERE);
+        return say(it, fmi3Discard, "%s", NOWHERE);
     }
     memcpy(values, at.clearance, INDICATORS * sizeof *values);
     return fmi3OK;
@@ -745,7 +730,7 @@ FMI(fmi3Status, DoStep)(void *instance, double from, double duration, bool no_re
         if (border == STUCK) {
             const double stuck = now->time;
             *now = before;
-            return discarded(it, "the motion can't be carried beyond %.12g: steps are too short or too many, or it has no rates", stuck);
+            return say(it, fmi3Discard, "the motion can't be carried beyond %.12g: steps are too short or too many, or it has no rates", stuck);
         }
         done = (border == DONE) ? whole : done + elapsed;
         memcpy(now->mode, motion.mode, sizeof motion.mode);

@@ -276,7 +276,7 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
 
 
 def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
-    """Of a potential along the coordinates; none where it does not act on a mass in the plane."""
+    """Slopes of a potential along the coordinates; none where it does not act on a mass in the plane."""
     slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 

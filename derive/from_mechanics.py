@@ -87,7 +87,7 @@ class _Reader:
             raise refused(f"the Lagrangian holds a term linear in the rates, and {limits.GYROSCOPIC}")
 
     def plain(self, expression: Any) -> sp.Expr:
-        """In the page's symbols."""
+        """An expression in the page's symbols."""
         value = sp.sympify(expression)
         for names in self.names:
             value = value.subs(names)
@@ -155,7 +155,7 @@ class _Reader:
             yield base, half, row, tuple(zip(*ends, strict=True))
 
     def dampers(self, forces: sp.Matrix) -> None:
-        """Those that the forces of speeds are made of."""
+        """State the dampers that the velocity-dependent forces are made of."""
         C = -forces.jacobian(self.rates).applyfunc(self.expanded)
         if C.has(*self.rates):
             raise self.refused(

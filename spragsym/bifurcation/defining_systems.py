@@ -165,7 +165,7 @@ class PreciseAugmented(Digits):
         self.arguments = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans).arguments
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Forces and condition."""
+        """Residuals of the balance of forces and of the bifurcation condition."""
         at = self.state(unknowns)
         return [*at.forces(), *self.system.condition.equations(at)]
 

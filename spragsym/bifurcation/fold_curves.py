@@ -41,7 +41,7 @@ class FoldCurves:
 
     @property
     def spans(self) -> FloatArray:
-        """Ranges of both."""
+        """Ranges of both parameters, shape (2, 2)."""
         return self.system.family.spans
 
     def smooth(self, states: FloatArray) -> FloatArray:

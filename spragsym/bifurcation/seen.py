@@ -101,7 +101,7 @@ def _states(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
 
 
 def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Those whose real part changes sign to the next state; each is followed."""
+    """Eigenvalues above the real axis whose real part changes sign to the next state; each is followed."""
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]

@@ -53,7 +53,7 @@ class Command(click.Command):
             raise ParameterError(f"{max(flags[name], key=len)} = {rest}") from error
 
     def work(self, ctx: click.Context) -> Any:
-        """What the command does."""
+        """Carry out the command."""
         return super().invoke(ctx)
 
 

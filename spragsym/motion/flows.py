@@ -31,7 +31,7 @@ class Flow:
 
     @classmethod
     def of(cls, field: Field, backend: str | None) -> Flow:
-        """By a backend that takes any model."""
+        """The flow of a field by a backend that takes any model."""
         return cls(field, integrators.choose(backend, integrators.OF_ANY_MODEL))
 
     def _by(self, derivatives: bool) -> Any:
@@ -48,14 +48,14 @@ class Flow:
     def plain(
         self, state: FloatArray, constants: tuple[float, ...], duration: float, _: object = None, *, loose: bool = False
     ) -> Passage:  # fmt: skip
-        """The same without derivatives; ``loose``, to where Newton's method can begin, as well as need be."""
+        """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
         carrier = Flight(self.field, False, rtol=LOOSE) if loose and self.backend == "scipy" else self._by(False)
         passage: Passage = carrier.fly(state, constants, duration, np.zeros((2, len(self.field.parameters))))
         return passage
 
     @property
     def without(self) -> Flow:
-        """The same without derivatives."""
+        """This flow without derivatives."""
         return replace(self, other=self.plain)
 
     def samples(self, start: FloatArray, constants: tuple[float, ...], t_end: float) -> PiecewisePolynomial:

@@ -44,7 +44,7 @@ class Course:
 
     @property
     def means(self) -> FloatArray:
-        """Of all coordinates."""
+        """Means of all coordinates."""
         return np.array([self.moments()[0], *(self.integrals[-1, 2:] / (self.end - self.begin))])
 
 

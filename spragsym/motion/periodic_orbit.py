@@ -74,7 +74,7 @@ class Onward:
         return courses
 
     def ends(self, states: FloatArray, duration: float) -> FloatArray:
-        """Where they end."""
+        """Final states of the motions from many states."""
         if self.backend == "heyoka":
             return batch_heyoka.ends(self._motions(states, duration))
         return np.array([course.last for course in self.courses(states, duration)])
@@ -106,7 +106,7 @@ class Onward:
         return self._near(self._forward, state, fixed, period, reach, precision, 9)
 
     def closed(self, state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
-        """The same to all digits, with the derivative of its return; ConvergenceError where there is none within ``reach``."""
+        """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one within ``reach``."""
         rtol, near, precision = PRECISIONS[self.backend]
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.

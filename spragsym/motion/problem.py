@@ -105,7 +105,7 @@ class Motions:
         )  # fmt: skip
 
     def problem(self, row: int) -> Problem:
-        """One of them."""
+        """The problem of one row."""
         return Problem(
             tuple(self.constants[row].tolist()), tuple(self.starts[row].tolist()), self.t_end, self.t_record, self.rtol,
             self.max_steps, self.field_of,

@@ -53,7 +53,7 @@ class Guess:
         return Guess(self.states + step[:size].reshape(self.states.shape), self.period + float(step[size]), tuple(values))
 
     def at(self, index: int, value: float) -> Guess:
-        """The same at another value of one parameter."""
+        """The guess at another value of one parameter."""
         return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
     def coordinates(self, free: tuple[int, ...]) -> FloatArray:
@@ -299,7 +299,7 @@ def once_round(loop: Loop) -> Loop:
 
 
 def difference(loop: Loop) -> float:
-    """By how much the stretches end elsewhere without derivatives: what the step control of either has missed."""
+    """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
     other = looped(loop.flow.without, loop.guess)
     return max(float(np.abs(a.state - b.state).max()) for a, b in zip(loop.passages, other.passages, strict=True))
 

@@ -147,7 +147,7 @@ class Root:
     backward: bool
 
     def interval(self) -> Interval:
-        """Around the root."""
+        """An interval that holds the root."""
         value = balls.between(self.low, self.high)
         return 1 / value if self.backward else value
 

@@ -83,7 +83,7 @@ class Point:
 
     @property
     def value(self) -> float:
-        """Of the first free parameter."""
+        """The value of the first free parameter."""
         return self.loop.guess.values[self.setting.free[0]]
 
     @property
@@ -102,7 +102,7 @@ class Point:
         return self.weights * self.tangent
 
     def turned(self, sign: float) -> Point:
-        """The same, with the branch going on the other way for −1."""
+        """The point, with the branch going on the other way for −1."""
         return replace(self, tangent=sign * self.tangent)
 
 
@@ -131,7 +131,7 @@ def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
-    """The same where a test function is 0, in such units that its rounding does not keep the loop open.
+    """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open.
 
     Its slope is by differences along the surface of closed orbits, and along what hardly leaves it: a weakly damped mode is
     nearly free to move, and without it Newton's method converges slowly.

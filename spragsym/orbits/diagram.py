@@ -225,7 +225,7 @@ class _Rest:
 
     @classmethod
     def of(cls, system: System, vary: str, to: tuple[float, float], state: FloatArray) -> _Rest:
-        """Those in the mode of a state, with all that is left out of motions where it is below rounding."""
+        """Equilibria in the mode of a state, with the terms that motions leave out where they are below rounding."""
         half = (to[1] - to[0]) / 2
         mode = system.field.exact(system.field.initial_mode(state.tolist(), system.constants))
         return cls(system, vary, np.array(to) / half, half, mode)

@@ -32,7 +32,7 @@ class System:
 
     @classmethod
     def of(cls, p: ParameterSet, backend: str | None, **belt: float | None) -> System:
-        """That of a set of parameters, with values in place of some of its own."""
+        """The system of a set of parameters, with values in place of some of its own."""
         return cls(Flow.of(model_of(p).field, backend), p.given(**belt).scalars(*p.ranges))
 
     @property
@@ -46,12 +46,12 @@ class System:
         return self.field.constants(self.values)
 
     def at(self, vary: str, value: float) -> System:
-        """The same at another value of one parameter, which is checked."""
+        """The system at another value of one parameter, which is checked."""
         self.field.check(vary, value)
         return replace(self, values=tuple(value if name == vary else own for name, own in self.named()))
 
     def named(self) -> list[tuple[str, float]]:
-        """Names and values."""
+        """Parameters by name with their values."""
         return list(zip(self.field.parameters, self.values, strict=True))
 
     def motion(self, start: FloatArray, t_end: float, **options: Any) -> Trajectory:

@@ -100,7 +100,7 @@ class PhysicalParameters(Values):
 
     @property
     def known(self) -> dict[str, Any]:
-        """Those that were given, by name."""
+        """The quantities that were given, by name."""
         return {name: value for name in self.kind.units if (value := getattr(self, name)) is not None}
 
     @property

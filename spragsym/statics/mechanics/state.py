@@ -44,7 +44,7 @@ class State:
         return self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
 
     def stiffness(self) -> list[list[Any]]:
-        """K."""
+        """The stiffness matrix K."""
         if not self.balance.sums:
             return self.slopes()
         return [list(row) for row in self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)]
@@ -54,7 +54,7 @@ class State:
         return self.balance.gap(self.q, self.values, self.xp)
 
     def mass(self) -> list[list[Any]]:
-        """M."""
+        """The mass matrix M."""
         return [list(row) for row in self.balance.mass(self.q, self.values, self.xp)]
 
     def damping(self) -> list[list[Any]]:

@@ -131,7 +131,7 @@ class _Reader:
         return {node.base for node in powers if node.base.has(*self.places)}
 
     def expanded(self, expression: sp.Expr) -> sp.Expr:
-        """Written out, but for these."""
+        """An expression multiplied out, with its roots and quotients of coordinates kept."""
         kept = {base: sp.Dummy(positive=True) for base in self.bases(expression)}
         held = expression.replace(lambda it: isinstance(it, sp.Pow) and it.base in kept, lambda it: kept[it.base] ** it.exp)
         return sp.expand(held).xreplace({dummy: base for base, dummy in kept.items()})
@@ -171,9 +171,8 @@ class _Reader:
         for i, j in itertools.combinations(range(len(self.places)), 2):
             if C[i, j] != 0:
                 self.page.damper(-C[i, j], along=self.places[i] - self.places[j])
-                C[i, i], C[j, j] = C[i, i] + C[i, j], C[j, j] + C[i, j]
-        for place, coefficient in zip(self.places, C.diagonal(), strict=True):
-            if coefficient != 0:
+        for row, place in enumerate(self.places):  # what is left of the diagonal
+            if (coefficient := sp.expand(sum(C.row(row)))) != 0:
                 self.page.damper(coefficient, along=place)
 
     def springs(self, forces: sp.Matrix) -> None:

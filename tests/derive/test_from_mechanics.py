@@ -47,6 +47,15 @@ def test_the_code_is_that_of_the_shipped_page(name: str, tmp_path: Path) -> None
     assert folder.render(ours, "")["algebra.py"] == folder.render(theirs, "")["algebra.py"]
 
 
+def test_a_damper_between_two_coordinates_resists_their_difference(tmp_path: Path) -> None:
+    resisted = "(mu * N - m * V / L_0 * (X - Y).diff()) * belt.x + m * V / L_0 * (X - Y).diff() * belt.y"
+    ours = read(tmp_path, "kang_nam", LAGRANGE.replace("mu * N * belt.x", resisted))
+    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8").replace("..model", "spragsym.derive.model")
+    (tmp_path / "theirs.py").write_text(f"{text}\npage.damper(m * V / L_0, along=x - y)\n", encoding="utf-8")
+    theirs = pages.read(tmp_path / "theirs.py", "kang_nam")
+    assert folder.render(ours, "")["algebra.py"] == folder.render(theirs, "")["algebra.py"]
+
+
 @pytest.mark.parametrize(("before", "after", "words"), [
     ("- stored, [X, Y],", "- stored, [X, Y], hol_coneqs=[X - Y],", "has constraints"),
     ("mu * N * belt.x", "(mu * N + F_L * cos(dynamicsymbols._t)) * belt.x", "forcing in time"),

@@ -65,6 +65,7 @@ def test_a_damper_between_two_coordinates_resists_their_difference(tmp_path: Pat
     ("- stored, [X, Y],", "+ m * V / L_0 * X * Y.diff() - stored, [X, Y],", "gyroscopic"),
     ("(length - L_0) ** 2)", "(length - L_0) ** 4 / L_0**2)", "is no spring of a page"),
     ("sp.sqrt((L_0 * cos(theta0) - X) ** 2", "sp.sqrt((L_0 * cos(theta0) - X) * L_0", "no length between two points"),
+    ("contact=(N, Y, lambda depth: k_c * depth),", "", "friction and no normal force"),
 ])  # fmt: skip
 def test_what_a_page_cannot_say_is_refused_by_name(before: str, after: str, words: str, tmp_path: Path) -> None:
     assert before in LAGRANGE

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import inspect
+import itertools
 import re
 import shutil
 import subprocess
@@ -79,14 +80,19 @@ def test_a_library_that_differentiates_has_our_jacobians_and_finds_the_design(la
     """Its own of forces and accelerations, at a thousand sets at once; and what the page asks of its optimizer."""
     pytest.importorskip(language)
     model = {"jax": _with_jax, "casadi": _with_casadi}[language]
-    run(f"spragsym export --language {language} --model two_springs --out .", tmp_path)
-    exec((tmp_path / "two_springs.py").read_text(encoding="utf-8"), space := {})
-    for function, jacobian in (("forces", "forces_jacobian"), ("regime_rhs", "regime_jacobian")):
+    pairs = (("forces", "forces_jacobian"), ("regime_rhs", "regime_jacobian"))
+    for name, (function, jacobian) in itertools.product(("two_springs", "hertz_contact"), pairs):
+        run(f"spragsym export --language {language} --model {name} --out .", tmp_path)
+        exec((tmp_path / f"{name}.py").read_text(encoding="utf-8"), space := {})
         names = list(inspect.signature(space[function]).parameters)
         switches = [name in ("pushing", "side", "near1") for name in names]
         table = np.where(switches, 1.0, np.random.default_rng(59).uniform(0.2, 0.9, (1000, len(names))))
         ours, theirs = model(space[function], space[jacobian], table)
         np.testing.assert_allclose(ours[..., : theirs.shape[-1]], theirs, rtol=1e-11, atol=1e-11)
+        row = dict(zip(names, table[0], strict=True)) | {"y": -0.5, "vx": 0.1}
+    sliding = [row[name] for name in inspect.signature(space["rhs"]).parameters]
+    kinked, smooth = (np.array(it, dtype=float).ravel() for it in (space["rhs"](*sliding), space["regime_rhs"](*row.values())))
+    np.testing.assert_allclose(kinked, smooth)
     run(f"spragsym export --language {language} --model kang_nam --out .", tmp_path)
     ((program, shown),) = (one for one in programs(DOCS / "howto_languages.md", "python") if f"import {language}" in one[0])
     (tmp_path / "design.py").write_text(program, encoding="utf-8")

@@ -29,8 +29,8 @@ class Slots:
     """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` says how many each point has.
 
     ``first`` is the first equilibrium of every point; after :meth:`clear`, NaN and 0 for points without one. ``further`` are rows
-    and columns: of some points all equilibria in slots 1 and up, of shape (slots − 1, len(rows)), NaN and 0 beyond the count. A
-    later entry replaces an earlier one.
+    and columns: of some points the equilibria in slots 1 and up, of shape (further slots, len(rows)), NaN and 0 beyond the count;
+    slots behind these are empty. A later entry replaces an earlier one.
     """
 
     size: int
@@ -44,7 +44,7 @@ class Slots:
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
     def put(self, rows: NDArray[np.int64], count: NDArray[Any], columns: Columns) -> None:
-        """Store all equilibria of the points in ``rows``, columns of shape (slots, len(rows))."""
+        """Store all equilibria of the points in ``rows``, columns of shape (some slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():
             self.first[name][rows] = values[0]
@@ -58,7 +58,9 @@ class Slots:
         table[0] = self.first[name]
         table[1:] = nothing
         for rows, columns in self.further:
-            table[1:, rows] = columns[name]
+            filled = 1 + len(columns[name])
+            table[1:filled, rows] = columns[name]
+            table[filled:, rows] = nothing
         return table.T
 
     def clear(self) -> None:
@@ -73,29 +75,27 @@ def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
     return {name: np.full((slots, points), nothing, dtype=_TYPES[name]) for name, nothing in _NOTHING.items()}
 
 
-def gathered(members: NDArray[np.bool_], candidates: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
+def gathered(members: NDArray[np.bool_], candidates: Columns) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
     """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them."""
-    pattern = np.zeros(members.shape[1], dtype=np.uint8)
+    size, points = members.shape
+    pattern = np.zeros(points, dtype=np.uint8)
     for place, row in enumerate(members):
         pattern |= row.view(np.uint8) << place
-    order, number = _orders(len(members), slots)
+    order, number = _orders(size)
     count = number[pattern]
-    partial = np.flatnonzero(count < len(members))
-    free = np.arange(slots)[:, None] >= count[partial]
-    # Where they are and where they go in a table that is read as one row.
-    begins = members.shape[1] * np.arange(slots)[:, None]
-    target, chosen = begins + partial, members.shape[1] * order[pattern[partial]].T + partial
-    packed: dict[str, NDArray[Any]] = {}
-    for name, kind in _TYPES.items():
-        table = packed[name] = np.empty((slots, members.shape[1]), dtype=kind)
-        table[: len(members)] = candidates[name]
-        table[len(members) :] = _NOTHING[name]
-        table.put(target, np.where(free, _NOTHING[name], table.take(chosen)))
+    packed = {name: np.array(candidates[name], dtype=kind) for name, kind in _TYPES.items()}
+    partial = np.flatnonzero(count < size)
+    if partial.size:
+        free = np.arange(size)[:, None] >= count[partial]
+        # Where they are and where they go in a table that is read as one row.
+        target, chosen = points * np.arange(size)[:, None] + partial, points * order[pattern[partial]].T + partial
+        for name, table in packed.items():
+            table.put(target, np.where(free, _NOTHING[name], table.take(chosen)))
     return count, packed
 
 
 @cache
-def _orders(candidates: int, slots: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _orders(candidates: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """For every set of members, as bits, the order that puts them first, and how many they are."""
-    flags = np.arange(1 << candidates)[:, None] >> np.arange(slots) & 1
+    flags = np.arange(1 << candidates)[:, None] >> np.arange(candidates) & 1
     return np.argsort(1 - flags, axis=1, kind="stable"), flags.sum(axis=1)

@@ -23,11 +23,11 @@ def render(source: Source, counts: Mapping[str, float], modules: Iterable[Module
     bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
     imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
     counted = "\n".join(f"{name} = {value!r}" for name, value in counts.items())
-    # Another number type says by itself what its leading double is.
-    code = _code(source).replace("\ndef rough(", "\n@functools.singledispatch\ndef rough(")
+    leading = ast.unparse(source.routines["rough"].body[-1])
+    code = _code(source).replace(f"    {leading}\n", '    return getattr(x, "high", x)\n', 1)
     return (
         f"{_docstring(tree, header)}"
-        "from __future__ import annotations\n\nimport functools\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
+        "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
         f"import numpy\n\n{imports}\nfrom ._cube_root import cube_root\nfrom ._where import where\n\n"
         f"{_TYPES}{_primitives(_PRIMITIVES)}\n"
         f"{bound}\n\n"

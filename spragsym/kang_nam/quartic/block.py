@@ -77,11 +77,6 @@ def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, b
     return np.flatnonzero(~settled)
 
 
-@kernel.rough.register
-def _leading(value: DoubleDouble) -> NDArray[np.float64]:
-    return value.high
-
-
 def _stacked(values: list[DoubleDouble]) -> DoubleDouble:
     return DoubleDouble(np.stack([value.high for value in values]), np.stack([value.low for value in values]))
 
@@ -122,7 +117,7 @@ def _some(
     sure = _sure(t, root) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
     settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
-    count, packed = gathered(root.member, _columns(t, root), out.slots)
+    count, packed = gathered(root.member, _columns(t, root))
     if point.nbar > 0:
         settled &= (count % 2 == 1) & (t[0] > 0.0)
     out.put(rows, np.where(settled, count, 0), packed)

@@ -291,7 +291,8 @@ def statements(page: Page) -> Iterator[Statement]:
             yield Statement(component, "this force", force.line, *work)
     if page.normal is not None:
         yield Statement(page.normal.gap or sp.S.Zero, "the gap", page.normal.line, units.LENGTH)
-        yield Statement(expression_of(page.normal.law(DEPTH)), "the contact law", page.normal.line, units.FORCE)
+        what = "the normal force" if page.normal.gap is None else "the contact law"
+        yield Statement(expression_of(page.normal.law(DEPTH)), what, page.normal.line, units.FORCE)
     if (it := page.sliding) is not None:
         yield Statement(it.along, "the displacement that friction opposes", it.line, units.LENGTH)
         yield Statement(it.belt, "the belt's speed", it.line, units.SPEED)

@@ -292,8 +292,10 @@ class _Way:
             firm = [~number for number in met if self._stability_met(number) == Stability.STABLE]
             stable = [*firm, *stable] or [~number for number in met]
         if not stable:
-            at = f"the first value, {self.vary} = {float(self.stops[0])!r}"
-            raise ParameterError(f"{at}, has no equilibrium in contact; begin where there is one: at folds they begin and end")
+            allowed, first = self.model.Parameters.ranges[self.vary], float(self.stops[0])
+            at_end = first == allowed.reached(allowed.low)
+            at = f"the lower end of {self.vary}" if at_end else f"the first value, {self.vary} = {first!r},"
+            raise ParameterError(f"{at} has no equilibrium in contact; begin where there is one: at folds they begin and end")
         states = np.array([self.state(0, slot)[0] for slot in stable]).T
         error = np.full(len(stable), max(self.state(0, slot)[2] for slot in stable))
         if start == "large":

@@ -116,9 +116,8 @@ class Quantities:
     @property
     def rises(self) -> str | None:
         """The quantity to choose for the loading parameter of a model without mu0: no one of the friction law, which may fall."""
-        return (
-            None if "mu0" in self.parameters else min(self.may_rise, key=lambda name: name in self.law["quantities"], default="F")
-        )
+        choice = () if "mu0" in self.parameters else self.may_rise
+        return min(choice, key=lambda name: name in self.law["quantities"], default=None)
 
     def _ordered(self, names: set[str]) -> tuple[str, ...]:
         return tuple(quantity for quantity in self.units if quantity in names)

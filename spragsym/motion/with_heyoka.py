@@ -151,7 +151,7 @@ def count_of(field: Field) -> int:
 
 def _dot(one: Any, other: Any) -> Any:
     products = [a * b for a, b in zip(one, other, strict=True) if not (isinstance(a, int) and a == 0)]
-    return sum(products[1:], products[0]) if products else 0.0 * other[0]
+    return sum(products[1:], products[0]) if products else 0.0 * sum(other[:1])
 
 
 class Carrier:

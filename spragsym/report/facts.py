@@ -89,9 +89,8 @@ class Facts:
         """Where the followed state jumps, as the parameter that rises; NaN where it does not."""
         study = self.study
         if study.rise is None:
-            self.remarks.append(
-                f'the model has no mu0: say which quantity rises until the state jumps, as vary = "{study.kind.rises}"'
-            )
+            asked = f'say which quantity rises until the state jumps, as vary = "{study.kind.rises}"'
+            self.remarks.append(f"the model has no mu0: {asked if study.kind.rises else 'no quantity moves its states'}")
             return None
         along = f"the jump along {study.rise.quantity} is"
         found = self._known(along, study.jump)

@@ -27,7 +27,7 @@ def next_steps(report: Report) -> Iterator[tuple[str, str]]:
 
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
     study = report.study
-    if study.rise is None:
+    if study.rise is None and study.kind.rises:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
     for one in report.redesign[:1]:
         values = " and ".join(f"{name} from {study.shown(name, old)} to {study.shown(name, one.after[name])}"

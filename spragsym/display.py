@@ -280,7 +280,10 @@ def _html(table: Table) -> str:
 
 def text(table: Table) -> str:
     """A table in columns, as it is printed."""
-    lines = [table.header, *table.rows] if table.header else []
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    body = ("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines)
-    return "\n".join([table.title, *body])
+    return "\n".join([table.title, *aligned(list(zip(table.header, *table.rows, strict=True)))])
+
+
+def aligned(columns: Sequence[Sequence[str]]) -> list[str]:
+    """The lines of some columns, each as wide as its longest cell."""
+    even = [[cell.ljust(max(map(len, column))) for cell in column] for column in columns]
+    return ["  ".join(line).rstrip() for line in zip(*even, strict=True)]

@@ -125,7 +125,8 @@ def _run(arguments: list[str], debug: bool) -> int:
             cli.main(arguments, prog_name="spragsym")
         with ending(), warnings.catch_warnings():
             warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
-            with cli.make_context("spragsym", arguments) as context:
+            plain = False if "NO_COLOR" in os.environ else None
+            with cli.make_context("spragsym", arguments, color=plain) as context:
                 cli.invoke(context)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here

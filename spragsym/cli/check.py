@@ -8,20 +8,24 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import click
 
+from ..display import aligned
 from ..errors import ParameterError
 from ..models import load
 from ..models.load import page_of
 from ..progress import show_progress
 from . import options as o
-from .output import print_json, show, write
+from .output import print_json, wrapped, write
 
-_STYLES = {
-    "confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red",
-    "reproduced": "green", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red",
+#: Arguments of click.style.
+Style: TypeAlias = Mapping[str, Any]
+_GOOD, _OPEN, _BAD, _DIM = {"fg": "green"}, {"fg": "cyan"}, {"fg": "red", "bold": True}, {"dim": True}
+_STYLES: Mapping[str, Style] = {
+    "confirmed": _GOOD, "misprint": {"fg": "yellow"}, "approximation": _OPEN, "definition": _DIM, "failed": _BAD,
+    "reproduced": _GOOD, "corrected": {"fg": "magenta"}, "input not stated": _OPEN, "not reproduced": _BAD,
 }  # fmt: skip
 
 
@@ -140,31 +144,28 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    styles = {variant_models.HOLDS: "green", variant_models.FAILS: "bold red", variant_models.NO_MEANING: "dim"}
+    styles: Mapping[str, Style] = {variant_models.HOLDS: _GOOD, variant_models.FAILS: _BAD, variant_models.NO_MEANING: _DIM}
     _print_rows("model less article", styles, [(row.id, row.where, row.status, row.remark) for row in rows])
     hold, fail, none = (sum(row.status == status for row in rows) for status in styles)
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
 
 
-def _print_rows(last: str, styles: Mapping[str, str], rows: Sequence[tuple[str, str, str, str]]) -> None:
+def _print_rows(last: str, styles: Mapping[str, Style], rows: Sequence[tuple[str, str, str, str]]) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table("row", "where", "status", last, box=None, pad_edge=False)
-    for id, where, status, remark in rows:
-        table.add_row(id, where, Text(status, style=styles[status]), Text(remark))
-    show(table)
+    table = [("row", "where", "status", last), *rows]
+    lines = aligned(list(zip(*table, strict=True))[:3])
+    begin = max(map(len, lines)) + 2
+    for line, (*_, status, remark) in zip(lines, table, strict=True):
+        styled = line.removesuffix(status) + click.style(status, **styles.get(status, {"bold": True}))
+        click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
 
 
 def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
     """Equations with the remark of each; of the text's statements the outcome."""
-    from rich.text import Text
-
     remarks = ("outcome", "cause", "limit", "note")
     shown = [(row["id"], row["where"], row["status"], next((row[key] for key in remarks if row.get(key)), "")) for row in rows]
     _print_rows("remark", _STYLES, shown)
     for row in rows:
         if row.get("consequence"):
             right = f": right is {row['derived']}" if "derived" in row else ""
-            show(Text(f"\n{row['id']}{right}\n  {row['consequence']}"))
+            click.echo(f"\n{wrapped(row['id'] + right)}\n  {wrapped(row['consequence'], 2)}")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
+import shutil
 import sys
+import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..display import aligned
 from ..errors import ParameterError, TargetError
 from ..files.stored import overwriting
 from ..files.writing import probe, put
@@ -19,37 +23,26 @@ from ..numerics.decimals import upward
 from ..progress import show_progress
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from ..figures.labels import Shown
     from ..figures.style import Sheet
 
-#: Width of the output in a pipe: so wide that no line is broken.
-PLAIN_WIDTH = 100_000
 #: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
+#: Least width of a text beside others.
+LEAST_WIDTH = 20
 #: Most and fewest digits of a number in a table: as many as the line has room for.
 MOST_DIGITS, LEAST_DIGITS = 12, 5
 
 
-def show(thing: RenderableType, whole: bool = False) -> None:
-    """Print a table or a styled text on stdout, in a pipe without styles and without blanks at the ends of lines.
+def line_width() -> int:
+    """Width of the terminal; 0 in a pipe, where no line is broken."""
+    return shutil.get_terminal_size().columns if sys.stdout is not None and sys.stdout.isatty() else 0
 
-    If ``whole``, it is not squeezed into a narrow terminal, which then breaks the lines itself.
-    """
-    from rich.console import Console
-    from rich.measure import Measurement
 
-    wide = Console(highlight=False, width=PLAIN_WIDTH)
-    if wide.is_terminal:
-        out = Console(highlight=False)
-        out.width = max(out.width, Measurement.get(wide, wide.options, thing).maximum if whole else 0)
-        out.print(thing)
-        return
-    with wide.capture() as captured:
-        wide.print(thing)
-    for line in captured.get().splitlines():
-        click.echo(line.rstrip())
+def wrapped(text: str, indent: int = 0) -> str:
+    """A text for a line of the terminal, of which the first characters are taken; further lines begin below its first word."""
+    room = max(line_width() - indent, LEAST_WIDTH)
+    return f"\n{' ' * indent}".join(textwrap.wrap(text, room)) if line_width() else text
 
 
 def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence[str] = ()) -> None:
@@ -63,47 +56,30 @@ def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[objec
     Floats get as many digits as the line has room for, up to twelve; columns that are ``optional`` are left out, the first of
     them first, while it has none. ``--json`` gives all.
     """
-    from rich.table import Table
-    from rich.text import Text
-
     if title:
-        show(Text(title, style="bold") if rows else Text(f"{title}: none"))
+        click.echo(click.style(title, bold=True) if rows else f"{title}: none")
     if not rows:
         return
-    (written, fits), header = _fitted(header, rows), list(header)
-    for name in optional:
-        if not fits and name in header:
-            place = header.index(name)
-            del header[place]
-            rows = [[*row[:place], *row[place + 1 :]] for row in rows]
-            written, fits = _fitted(header, rows)
-    table = Table(box=None, pad_edge=False)
-    for name in header:
-        table.add_column(Text(name), no_wrap=True)
-    for row in written:
-        table.add_row(*(cell if isinstance(cell, Text) else Text(str(cell)) for cell in row))
-    show(table, whole=True)
+    head, *lines = aligned(_fitted(list(zip(header, zip(*rows, strict=True), strict=True)), optional))
+    click.secho(head, bold=True)
+    click.echo("\n".join(lines))
 
 
-def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> tuple[list[list[object]], bool]:
-    """The rows with their floats written so that the table is no wider than the line, and whether it is not."""
-    from rich.cells import cell_len
-    from rich.console import Console
-
-    console = Console()
-    room = max(WIDTH, console.width if console.is_terminal else 0)
-    for digits in range(MOST_DIGITS, LEAST_DIGITS - 1, -1):
-        written = [
-            [
-                cell if not isinstance(cell, float) else upward(cell) if name == "error" else f"{cell:.{digits}g}"
-                for name, cell in zip(header, row, strict=True)
-            ]
-            for row in rows
-        ]
-        widths = [max(cell_len(str(cell)) for cell in column) for column in zip(header, *written, strict=True)]
-        if fits := sum(widths) + 2 * (len(widths) - 1) <= room:
+def _fitted(columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str]) -> list[list[str]]:
+    """Each column as its name and its cells, together no wider than the line if that can be."""
+    written: list[list[str]] = []
+    for left_out, digits in itertools.product(range(len(optional) + 1), range(MOST_DIGITS, LEAST_DIGITS - 1, -1)):
+        used = ((name, cells) for name, cells in columns if name not in optional[:left_out])
+        written = [[name, *(_written(name, cell, digits) for cell in cells)] for name, cells in used]
+        if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(WIDTH, line_width()):
             break
-    return written, fits
+    return written
+
+
+def _written(name: str, cell: object, digits: int) -> str:
+    if not isinstance(cell, float):
+        return str(cell)
+    return upward(cell) if name == "error" else f"{cell:.{digits}g}"
 
 
 def print_json(thing: Any) -> None:

@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import main
-from spragsym.cli.output import show
+from spragsym.cli.output import wrapped
 from spragsym.remarks import At, Remark
 from tests.conftest import Run
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_posix
@@ -203,11 +203,10 @@ def test_exit_codes(error: BaseException, code: int, words: str, monkeypatch: py
     assert ("--debug" in said) == ("unexpected" in words)
 
 
-def test_a_text_is_wrapped_on_a_narrow_terminal(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setenv("FORCE_COLOR", "1")
+def test_a_text_is_wrapped_on_a_narrow_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
     monkeypatch.setenv("COLUMNS", "40")
-    show("word " * 20)
-    assert max(map(len, capsys.readouterr().out.splitlines())) <= 40
+    assert max(map(len, wrapped("word " * 20).splitlines())) <= 40
 
 
 def test_help_tells_the_value_of_an_option_that_is_left_out(run: Run) -> None:

@@ -18,7 +18,6 @@ from scipy.optimize import fsolve
 import spragsym as ss
 from benchmarks.timing import best
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
-from spragsym.kang_nam.folds import fold_curves
 from spragsym.kang_nam.folds.fixed_parameters import Fixed
 
 BASE = ss.Parameters.article()
@@ -30,7 +29,6 @@ def main() -> None:
     points = sum(curve.theta.size for curve in ss.bifurcation_set(BASE, n=5000).curves)
     found = continuation()
     rows: list[tuple[str, int, float]] = [
-        ("ours: all fold curves", points, best(lambda: fold_curves.strands(_FIXED, 5000))),
         ("ours: fold curves and cusps, proved", points, best(lambda: ss.bifurcation_set(BASE, n=5000))),
         ("ours: all folds at one friction, proved", 2, best(lambda: ss.folds(BASE))),
         ("ours: all cusps, proved", 4, best(lambda: ss.cusps(BASE))),

@@ -19,14 +19,14 @@ def walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
     """Chains of a graph, open ones from an end, closed ones from anywhere and back to there."""
     seen: set[int] = set()
     chains = []
-    for start in sorted(range(len(links)), key=lambda i: len(links[i])):
+    for start in sorted(range(len(links)), key=[*map(len, links)].__getitem__):
         if start in seen:
             continue
         chain = [start]
         seen.add(start)
-        while ahead := [i for i in sorted(links[chain[-1]]) if i not in seen]:
-            chain.append(ahead[0])
-            seen.add(ahead[0])
+        while ahead := links[chain[-1]] - seen:
+            chain.append(min(ahead))
+            seen.add(chain[-1])
         if len(links[start]) == 2 and start in links[chain[-1]] and len(chain) > 2:
             chain.append(start)
         chains.append(np.array(chain))

@@ -14,10 +14,11 @@ from ...numerics.half_angle import on_circle
 from ...questions import NotInClosedForm
 from ...results.bifurcation_sets import BifurcationSet, Curve
 from ..quartic import kernel
-from . import fold_curves
 from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed
+from .fold_events import directions
 from .fold_points import folds
+from .plane_curves import Condition, curves
 
 #: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
 _LIGHT = 1e-4
@@ -25,6 +26,8 @@ _LIGHT = 1e-4
 _TOO_LIGHT = 1e-8
 #: Frictions at which curves are compared with proved folds.
 _SAMPLED = (0.11, 1.3, 7.1)
+#: Logarithm of the largest t = tan(θ/2) in which folds are looked for.
+_FAR = 17.0
 
 
 def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | None = None) -> BifurcationSet:
@@ -32,8 +35,9 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
 
     Notes
     -----
-    Source: f = f′ = 0; see :mod:`.fold_curves`. Where curves begin, end, turn back in θ and reach μ₀ = 0 is
-    isolated exactly, so that none is missed, however small; their points are float64, and satisfy the condition to rounding.
+    Source: f = f′ = 0, two lines in μ₀ at a given direction θ; without it a conic in (cos θ₀, sin θ₀). Where curves begin, end,
+    turn back in θ and reach μ₀ = 0 is isolated exactly, so that none is missed, however small; their points are float64, and
+    satisfy the condition to rounding. See :mod:`.plane_curves`.
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
@@ -42,18 +46,31 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
     if preload < _TOO_LIGHT:
         raise _indistinct(fixed.kappa, "they all but coincide")
-    curves = []
-    for strand in fold_curves.strands(fixed, n):
-        c, s = np.cos(strand.theta), np.sin(strand.theta)
-        _, x, y = kernel.state(c, s, np.cos(strand.theta0), np.sin(strand.theta0), fixed.kappa, fixed.sigma, fixed.beta, 1)
+    found = []
+    for points in curves(_FOLD, fixed, np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), directions(fixed)]), 4 / n):
+        curve = _curve(points, fixed)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
-        if y[y.size // 2] < 0:
-            curves.append(_curve(strand, x, y, fixed))
+        if curve.y[len(curve) // 2] < 0:
+            found.append(curve)
     if preload < _LIGHT:
-        _compare(curves, p)
-    found = cusps(p)
-    ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & (found.mu0 >= 0)
-    return BifurcationSet(("theta0", "mu0"), tuple(curves), found.select(ahead), True)
+        _compare(found, p)
+    on_them = cusps(p)
+    ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
+    return BifurcationSet(("theta0", "mu0"), tuple(found), on_them.select(ahead), True)
+
+
+def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:
+    e0, e1, e2, ec = _catastrophe.fold_conic(c, s, *fixed)
+    return e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec
+
+
+def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
+    """From the relation that does not lose it: the first has the factor cos θ."""
+    u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, np.cos(theta0), np.sin(theta0), *fixed)
+    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]  # NumPy gives Any
+
+
+_FOLD = Condition(_polynomial, _friction)
 
 
 def _compare(curves: list[Curve], p: Parameters) -> None:
@@ -72,18 +89,22 @@ def _indistinct(kappa: float, reason: str) -> ConvergenceError:
     )
 
 
-def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixed) -> Curve:
-    """A strand with what ends on it, and where that jumps to."""
-    c, s, c0, s0 = np.cos(strand.theta), np.sin(strand.theta), np.cos(strand.theta0), np.sin(strand.theta0)
+def _curve(points: FloatArray, fixed: Fixed) -> Curve:
+    """A curve with what ends on it, and where that jumps to."""
+    t, theta0, mu0 = points
+    c, s, _ = on_circle(t)
+    c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(all="ignore"):  # at the ends of a curve θ₀ may be 0 or π
-        trig = kernel.f_coefficients(c0, s0, strand.mu0, *fixed, 1)
+        trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
         curvature = np.sign(kernel.f_curvature(c, s, *trig))
-        changes = _catastrophe.unfolding(c, s, c0, s0, strand.mu0, *fixed)
-        after = on_circle(kernel.landing(np.tan(0.5 * strand.theta), trig, np.sqrt))
-        _, x_after, y_after = kernel.state(after.cosine, after.sine, c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1)
+        changes = _catastrophe.unfolding(c, s, c0, s0, mu0, *fixed)
+        after = on_circle(kernel.landing(t, trig, np.sqrt))
+        (_, x, y), (_, x_after, y_after) = (
+            kernel.state(*at[:2], c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1) for at in ((c, s), after)
+        )
     by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
-    theta_after = np.arctan2(after.sine, after.cosine)
     return Curve({
-        "theta0": strand.theta0, "mu0": strand.mu0, "theta": strand.theta, "x": x, "y": y, "upper": curvature > 0,
-        "when_theta0": by_angle, "when_mu0": by_friction, "theta_after": theta_after, "x_after": x_after, "y_after": y_after,
+        "theta0": theta0, "mu0": mu0, "theta": 2 * np.arctan(t), "x": x, "y": y, "upper": curvature > 0,
+        "when_theta0": by_angle, "when_mu0": by_friction, "theta_after": np.arctan2(after.sine, after.cosine),
+        "x_after": x_after, "y_after": y_after,
     })  # fmt: skip

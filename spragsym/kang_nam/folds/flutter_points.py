@@ -15,14 +15,18 @@ from ...generated import kernel as solver
 from ...generated import stability as _stability
 from ...models.parameters import FloatArray, Parameters, as_count
 from ...numerics.adaptive_bits import as_floats, with_enough_bits
+from ...numerics.half_angle import on_circle
 from ...questions import NotInClosedForm, of_article
 from ...results.points import in_closed_form
 from ...results.result import Result
 from ..quartic import kernel
 from .fixed_parameters import FIXED, Fixed
-from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
 from .fold_points import STATE, in_ranges
+from .plane_curves import Condition, curves
+
+#: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at least.
+_FAR = 20.0
 
 
 def flutter_onsets(
@@ -125,7 +129,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     Notes
     -----
     Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15): at each θ a polynomial of degree 6 in tan(θ₀/2), all positive roots of
-    which are taken; see ``flutter_curves``. The curves are sampled in θ: one that begins and ends between two
+    which are taken; see ``plane_curves``. The curves are sampled in θ: one that begins and ends between two
     neighbours is not seen. Whether an onset exists at a given friction is for :func:`flutter_onsets` to say, which misses none.
 
     Examples
@@ -136,20 +140,34 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     """
     as_count("n", n, 2)
     fixed = Fixed(*p.scalars(*FIXED))
-    kappa, alpha, sigma, beta = fixed
+    kappa, _, sigma, beta = fixed
     found = []
-    for number, points in enumerate(curves(fixed, int(n))):
-        theta, theta0 = points
-        c, s = np.cos(theta), np.sin(theta)
+    directions = 1 + np.exp(np.linspace(-_FAR, _FAR, n // 2))  # flutter needs π/2 < θ < π
+    for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 8 / n)):
         with np.errstate(all="ignore"):
-            L, x, y = kernel.state(c, s, np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
-            mu0 = _stability.flutter_friction(c, s, L, alpha, sigma, beta)
-        good = (y < 0) & (mu0 > 0) & np.isfinite(mu0)
-        found.append(np.stack([theta0, mu0, theta, L, x, y, np.full(theta.size, number)])[:, good])
+            L, x, y = kernel.state(*on_circle(t)[:2], np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
+        good = (y < 0) & (mu0 > 0)
+        found.append(np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good])
     theta0, mu0, theta, L, x, y, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
     branch, count = _rank(fixed, theta0, mu0, theta)
     _, curve = np.unique(curve, return_inverse=True)
     return FlutterBoundary(theta0, mu0, theta, L, x, y, branch, count, curve)
+
+
+def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:
+    """Derived: ``flutter_cubic``."""
+    g0, g1, k0, k1, k2, k3 = _stability.flutter_cubic(c, s, *fixed)
+    middle = 3 * k0 + 4 * k2
+    return g0 - k0, 2 * (g1 - k1), g0 - middle, -4 * k1 - 8 * k3, -g0 - middle, -2 * (g1 + k1), -g0 - k0
+
+
+def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
+    kappa, alpha, sigma, beta = fixed
+    L, _, _ = kernel.state(c, s, np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
+    return _stability.flutter_friction(c, s, L, alpha, sigma, beta)  # type: ignore[no-any-return]  # NumPy gives Any
+
+
+_ONSET = Condition(_polynomial, _friction)
 
 
 def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

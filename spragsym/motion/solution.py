@@ -35,9 +35,9 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
         if not own or not border.crossings[0]:
             continue
         level = np.asarray(border.level(states, problem.constants, problem.field.modes[0]))
-        sure = np.flatnonzero(np.abs(level) > least)
-        side = np.zeros(len(own) + 1)
-        side[np.searchsorted([crossing.t for crossing in own], t[sure])] = np.sign(level[sure])
+        stretches = [0, *np.searchsorted(t, [crossing.t for crossing in own])]
+        highest, lowest = (part.reduceat(level, stretches) for part in (np.maximum, np.minimum))
+        side = np.where(highest > least, 1, np.where(lowest < -least, -1, 0)).tolist()
         before = side[0] or -own[0].sign
         for crossing, after in zip(own, side[1:], strict=True):
             if after in (0, before):

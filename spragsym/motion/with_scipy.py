@@ -129,7 +129,7 @@ class Flight:
         """Steps, none of which leaves its mode; a step that would is cut at the border."""
         m, clock = self.field.size, 0.0
         first: float | None = None
-        mode, looked, steps = self.field.initial_mode(whole[:m], constants), 0.0, 0
+        mode, looked, steps = self.field.initial_mode(whole[:m].tolist(), constants), 0.0, 0
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             rates, bound = self.rates(constants, mode, directions), duration - clock

@@ -11,8 +11,7 @@ import numpy as np
 
 from ..display import named_fields
 from ..models.field import SETTLED, apart
-from ..names import hint
-from ..results.result import Result
+from ..results.named_columns import Named
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
 SAME = 1e-6
@@ -45,7 +44,7 @@ ATTRACTOR = {
 
 
 @dataclass(frozen=True)
-class Outcome(Result):
+class Outcome(Named):
     """The attractor that a motion reaches or approaches, and how fast.
 
     A number of ``rest`` or ``cycle`` is an attribute of its name too, as ``rest_x``, ``rest_y`` and ``cycle_vy``; NaN for none.
@@ -82,14 +81,18 @@ class Outcome(Result):
     cycle: tuple[float, ...] = ()
     names: tuple[str, ...] = ()
 
-    def __getattr__(self, name: str) -> float:
-        names = self.__dict__.get("names", ())
-        numbers = {f"rest_{each}": i for i, each in enumerate(names[: len(names) // 2])}
-        numbers |= {f"cycle_{each}": i for i, each in enumerate(names)}
-        if name not in numbers:
-            raise AttributeError(f"an outcome has no {name!r}{hint(name, numbers)}")
-        found = self.rest if name.startswith("rest_") else self.cycle
-        return found[numbers[name]] if found else np.nan
+    @property
+    def offered(self) -> tuple[str, ...]:
+        return tuple(self._places())
+
+    def _asked(self, name: str) -> float | None:
+        return self._places().get(name)
+
+    def _places(self) -> dict[str, float]:
+        """The numbers of ``rest`` and ``cycle`` by their names."""
+        n = len(self.names) // 2
+        names = (*(f"rest_{name}" for name in self.names[:n]), *(f"cycle_{name}" for name in self.names))
+        return dict(zip(names, (*(self.rest or (np.nan,) * n), *(self.cycle or (np.nan,) * 2 * n)), strict=True))
 
     @property
     def limit(self) -> Regime:
@@ -98,9 +101,9 @@ class Outcome(Result):
 
     def table_values(self) -> dict[str, Any]:
         values = named_fields(self)
-        names, rest, cycle = (values.pop(key) for key in ("names", "rest", "cycle"))
-        values |= {f"rest_{name}": value for name, value in zip(names, rest, strict=False)}
-        return values | {f"cycle_{name}": value for name, value in zip(names, cycle, strict=False)}
+        for key in ("names", "rest", "cycle"):
+            del values[key]
+        return values | {name: value for name, value in self._places().items() if not np.isnan(value)}
 
     @property
     def cycle_spread(self) -> float:

@@ -16,8 +16,7 @@ from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers, degrees
-from ..names import hint
-from ..results.result import Result
+from ..results.named_columns import Named
 from ..statics.search import rest_index
 from . import pictures, spectra
 from .classify import classify
@@ -30,7 +29,7 @@ from .regimes import Outcome, Regime
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory(Result):
+class Trajectory(Named):
     """A motion in time, as accurate between the samples as on them.
 
     The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
@@ -80,15 +79,10 @@ class Trajectory(Result):
 
     def data(self) -> dict[str, Any]:
         """Time and every component, at the samples."""
-        return {"t": self.t, **{name: getattr(self, name) for name in self.components}}
+        return {"t": self.t, **dict(zip(self.components, self.state, strict=True))}
 
-    def __getattr__(self, name: str) -> FloatArray:
-        if "model" not in self.__dict__:  # while it is copied or unpickled
-            raise AttributeError(name)
-        if name.startswith("_") or name not in self.components:
-            raise AttributeError(f"a motion of {self.model.name} has no {name!r}{hint(name, self.components)}")
-        row: FloatArray = self.state[self.components.index(name)]
-        return row
+    def _asked(self, name: str) -> Any:
+        return self.data().get(name)
 
     def as_table(self) -> Table:
         """First, smallest, largest and last value of each coordinate and rate, in place of all samples."""

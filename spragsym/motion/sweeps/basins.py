@@ -11,15 +11,14 @@ from numpy.typing import NDArray
 from ...display import named_fields
 from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
-from ...names import hint
-from ...results.result import Result
+from ...results.named_columns import Named
 from ..regimes import Outcome, Regime, same_limit
 from .many import rms_sweep
 from .result import Sweep
 
 
 @dataclass(frozen=True, eq=False)
-class Basin(Result):
+class Basin(Named):
     """Basins of attraction: the attractor that each initial state reaches, over two axes of starts, named as x and vx.
 
     Attributes
@@ -51,11 +50,12 @@ class Basin(Result):
         values = named_fields(self)
         return dict(zip(values.pop("plane"), values.pop("starts"), strict=True)) | values
 
-    def __getattr__(self, name: str) -> FloatArray:
-        plane = self.__dict__.get("plane", ())  # while it is copied or unpickled there is none
-        if name not in plane:
-            raise AttributeError(f"a basin over {' and '.join(plane)} has no {name!r}{hint(name, plane)}")
-        return self.starts[plane.index(name)]
+    @property
+    def offered(self) -> tuple[str, ...]:
+        return self.plane
+
+    def _asked(self, name: str) -> Any:
+        return dict(zip(self.plane, self.starts, strict=True)).get(name)
 
 
 def basin(

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from ...files import storage
 from ...files.journal import Record
 from ...models.parameters import FloatArray, degrees
-from ...names import hint
-from ...results.result import Result
+from ...results.named_columns import Columns
 from ...statics.search import rest_index
 from .. import integrators
 from ..regimes import Outcome, Regime
@@ -23,7 +22,7 @@ from .measure import Settings, reported
 
 
 @dataclass(frozen=True, eq=False)
-class Sweep(Result):
+class Sweep(Columns, held_in="measured"):
     """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
 
     Attributes
@@ -72,16 +71,6 @@ class Sweep(Result):
     equilibrium: NDArray[np.int8]
     reason: NDArray[np.str_]
     model: Any
-
-    def __getattr__(self, name: str) -> FloatArray:
-        measured: dict[str, FloatArray] = self.__dict__.get("measured", {})
-        if name not in measured:
-            raise AttributeError(f"a sweep has no {name!r}{hint(name, measured)}")
-        return measured[name]
-
-    @property
-    def offered(self) -> tuple[str, ...]:
-        return tuple(self.measured)
 
     def outcome(self, index: Any) -> Outcome:
         """What one motion comes to."""

@@ -56,8 +56,8 @@ class Border:
         Whether the field has a kink there; False where two modes differ by less than rounding.
     crossings : tuple of str
         What crossing it is called, to positive and to negative levels.
-    watched : callable or None
-        ``watched(state, constants, mode)``: what a Taylor method watches in the place of the level, zero where the mode is left.
+    scale : float
+        What makes the level small beside the state: the error of a Taylor method is relative to the largest of all.
     jumps : callable or None
         ``jumps(state, constants)``: whether the field jumps where a motion leaves through the border; None where it never does.
     """
@@ -69,7 +69,7 @@ class Border:
     beyond: Callable[[Mode], Mode]
     kink: bool = True
     crossings: tuple[str, str] = ("", "")
-    watched: Callable[..., Any] | None = None
+    scale: float = 1e-3
     jumps: Callable[..., bool] | None = None
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import inspect
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -32,33 +32,22 @@ def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
 @cache
 def field_of(model: Model, reach: float) -> Field:
     """The field whose exponentials are left out where they are below exp(−reach)."""
-    layers = model.about["layers"]
-    contact, slip = model.about["contact"], model.about["friction"]
-    borders: list[Border] = []
-    if contact["gap"] is not None and contact["unilateral"]:
-        borders.append(_contact(model))
-    if slip is not None:
-        borders.append(_slip(model))
-    borders += [_layer(model, number, reach) for number in range(layers)]
-    turns = _turns(model)
-    borders += [_turn(model) for _ in range(turns)]
-    torsions = len(model.about.get("torsions", ()))
-    borders += [_way(model, number, torsions) for number in range(torsions)]
+    motion = _Motion(model, reach)
     return Field(
         f"{model.where}:{model.about['source']}:{reach!r}",
         model.coordinates,
         model.parameters,
-        _constants(model),
-        _in_mode(model, "regime_rhs"),
-        _in_mode(model, "regime_jacobian"),
-        _in_mode(model, "regime_by_parameters"),
-        tuple(borders),
-        _initial_mode(model, reach),
-        tuple(itertools.product((1, 0), (1, -1), *((1, 0),) * layers, *((1, -1),) * (turns + torsions))),
+        motion.constants,
+        motion.in_mode("regime_rhs"),
+        motion.in_mode("regime_jacobian"),
+        motion.in_mode("regime_by_parameters"),
+        tuple(motion.borders()),
+        motion.initial_mode,
+        tuple(itertools.product((1, 0), (1, -1), *((1, 0),) * motion.layers, *((1, -1),) * (motion.turns + motion.torsions))),
         model.Parameters,
-        lambda mode: (*mode[:2], *(1 for _ in range(layers)), *mode[2 + layers :]),
+        lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
         again=(__name__, "exact_field", model.where),
-        ways=torsions,
+        ways=motion.torsions,
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
         around=tuple(place for place, entry in enumerate(model.about["coordinates"]) if entry.get("comes_around")),
@@ -83,16 +72,125 @@ def exact_field(where: str) -> Field:
     return model.field
 
 
-def _in_mode(model: Model, name: str) -> Callable[..., Any]:
-    plain = undecorated(getattr(model.algebra, name))
-    rooted = not model.about["contact"]["polynomial"]
-    turn = 2 + model.about["layers"]
-    after = turn + _turns(model)
+class _Motion:
+    """The functions of a field, from those that were generated for a model.
 
-    def call(state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any) -> Any:
-        return plain(*state, *constants, *mode[:turn], *mode[after:], xp=_Rooted(xp) if rooted else xp)
+    Where the law of contact has a root, as Hertz's, and a coordinate is the gap, a motion is stopped at each turn of it. Where
+    the mass only just touches, the depth goes with (t − t_0)² and its power 3/2 with |t − t_0|³. Before t_0 the series is that
+    of −(t − t_0)³, which nothing shows to be wrong beyond: so a step ends at t_0.
+    """
 
-    return call
+    def __init__(self, model: Model, reach: float) -> None:
+        about = model.about
+        self.model, self.reach, self.contact = model, reach, about["contact"]
+        self.layers, self.torsions = about["layers"], len(about.get("torsions", ()))
+        self.rooted = not self.contact["polynomial"]
+        self.turns = int(self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates)
+        #: Places in a mode of the turn of the gap, and of the first torsion spring.
+        self.turn = 2 + self.layers
+        self.way = self.turn + self.turns
+
+    def constants(self, values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
+        """What the functions take, from values of the parameters."""
+        # Of NumPy by one number at a time, so that no bit depends on where it stands in an array.
+        cos, sin = (xp.cos, xp.sin) if xp is not None else (lambda v: float(np.cos(v)), lambda v: float(np.sin(v)))
+        known = dict(zip(self.model.parameters, values, strict=True))
+        for angle, names in self.model.about["angles"].items():
+            known |= zip(names, (cos(known[angle]), sin(known[angle])), strict=True)
+        return tuple(known[name] for name in self.model.about["arguments"]["motion"])
+
+    def in_mode(self, name: str) -> Callable[..., Any]:
+        """A generated function of the state, the constants and the numbers of the mode that it takes."""
+        plain = undecorated(getattr(self.model.algebra, name))
+        turn, way, rooted = self.turn, self.way, self.rooted
+
+        def call(state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any) -> Any:
+            return plain(*state, *constants, *mode[:turn], *mode[way:], xp=_Rooted(xp) if rooted else xp)
+
+        return call
+
+    def initial_mode(self, state: Sequence[Any], constants: Sequence[Any]) -> Any:
+        """The mode of a state, or of columns of many."""
+        algebra, n = self.model.algebra, len(self.model.coordinates)
+        gap, slip = undecorated(algebra.borders)(*state, *constants)
+        side = 2 * (slip >= 0) - 1
+        near = (1 * (depth <= self.reach) for depth in undecorated(algebra.layers)(*state, *constants, side))
+        turn = [2 * (state[n + self._gap] >= 0) - 1] if self.turns else []
+        ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
+        # A law that is no polynomial begins without contact on the border itself.
+        return 1 * (gap <= -2 * GAP * self.rooted) if self.contact["unilateral"] else 1, side, *near, *turn, *ways
+
+    @property
+    def _gap(self) -> int:
+        return self.model.coordinates.index(self.contact["gap"])
+
+    def _turned(self, state: Sequence[float], constants: Sequence[float]) -> list[tuple[float, float]]:
+        """Sine and cosine of every turning."""
+        if not self.torsions:
+            return []
+        level = undecorated(self.model.algebra.turning_borders)
+        forward, backward = (level(*state, *constants, *(way,) * self.torsions) for way in (1, -1))
+        return [((one - other) / 4, (one + other) / 2 - 1) for one, other in zip(forward, backward, strict=True)]
+
+    def borders(self) -> Iterator[Border]:
+        """All borders between modes."""
+        of_gap, of_slip, reach = self.contact["gap"], self.model.about["friction"], self.reach
+        if of_gap is not None and self.contact["unilateral"]:
+            # A law that is no polynomial may have no continuation beyond its border: it is left GAP before.
+            levels = self._generated("borders", "border_rates", 0, shift=lambda _: 2 * GAP * self.rooted)
+            yield Border(f"{of_gap} = 0", *levels, *_side(0, 1), crossings=("contact_lost", "contact_regained"))
+        if of_slip is not None:
+            along = of_slip["along"]
+            name = f"{along if along.isidentifier() else f'({along})'}' = {of_slip['belt']}"
+            levels = self._generated("borders", "border_rates", 1)
+            yield Border(name, *levels, *_side(1, 0), crossings=("belt_overtakes", "mass_overtakes"))
+        for k in range(self.layers):  # exponentials of the sliding speed, where they are about to be felt
+
+            def shift(mode: Any, place: int = 2 + k) -> Any:
+                return -reach - WIDTH * mode[place]
+
+            levels = self._generated("layers", "layer_rates", k, lambda mode: mode[1:2], shift)
+            yield Border(f"layer {k + 1}", *levels, *_side(2 + k, 1), kink=False, scale=1e-3 / reach)
+        if self.turns:
+            rate = len(self.model.coordinates) + self._gap
+            yield Border(
+                "gap' = 0", lambda state, *_: state[rate], lambda _, accelerations, *__: accelerations[self._gap],
+                *_side(self.turn, 0),
+            )  # fmt: skip
+        for k in range(self.torsions):
+            # Where a turning comes to π times its way, or to −0.93 times it: from there the other way counts it. Each way is
+            # smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
+            levels = self._generated("turning_borders", "turning_rates", k, lambda mode: mode[self.way :])
+            _, beyond = _side(self.way + k, 0)
+
+            def jumps(state: Any, constants: Any, k: int = k) -> bool:
+                return bool(self._turned(state, constants)[k][1] < 0)
+
+            yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps)
+
+    def _generated(
+        self, level: str, rate: str, row: int, taken: Callable[[Any], Any] = lambda _: (),
+        shift: Callable[[Any], Any] | None = None,
+    ) -> tuple[Callable[..., Any], Callable[..., Any]]:  # fmt: skip
+        """Level and rate of a border: a row of two generated functions, which may take numbers of the mode too."""
+        of_level, of_rate = (undecorated(getattr(self.model.algebra, name)) for name in (level, rate))
+
+        def level_of(state: Any, constants: Any, mode: Any) -> Any:
+            value = of_level(*state, *constants, *taken(mode), xp=_namespace(state))[row]
+            return value + shift(mode) if shift else value
+
+        def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+            return of_rate(*state, *accelerations, *constants, *taken(mode), xp=_namespace(state))[row]
+
+        return level_of, rate_of
+
+
+def _side(place: int, both: int) -> tuple[Callable[[Any], Any], Callable[[Mode], Mode]]:
+    """Sign and other side of a border at which a number of the mode becomes the other one of two that add up to ``both``."""
+    return (
+        lambda mode: 1 - 2 * mode[place] if both else mode[place],
+        lambda mode: (*mode[:place], both - mode[place], *mode[place + 1 :]),
+    )
 
 
 class _Rooted:
@@ -120,113 +218,6 @@ class _Rooted:
         return self._xp.sqrt(value)
 
 
-def _generated(
-    model: Model, names: tuple[str, str], row: int, taken: Callable[[Any], Sequence[Any]] = lambda mode: ()
-) -> tuple[Callable[..., Any], Callable[..., Any]]:  # fmt: skip
-    """Level and rate of a border: a row of two generated functions, which may take numbers of the mode too."""
-    level, rate = (undecorated(getattr(model.algebra, name)) for name in names)
-
-    def level_of(state: Any, constants: Any, mode: Any) -> Any:
-        return level(*state, *constants, *taken(mode), xp=_namespace(state))[row]
-
-    def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-        return rate(*state, *accelerations, *constants, *taken(mode), xp=_namespace(state))[row]
-
-    return level_of, rate_of
-
-
-def _other(place: int, both: int) -> Callable[[Mode], Mode]:
-    """The mode whose number at a place is the other one of two that add up to ``both``."""
-    return lambda mode: (*mode[:place], both - mode[place], *mode[place + 1 :])
-
-
-def _contact(model: Model) -> Border:
-    """Where the gap is zero. A law that is no polynomial may have no continuation beyond: it is left GAP before its border."""
-    level, rate = _generated(model, ("borders", "border_rates"), 0)
-    shift, name = 0.0 if model.about["contact"]["polynomial"] else 2 * GAP, f"{model.about['contact']['gap']} = 0"
-
-    def shifted(state: Any, constants: Any, mode: Any) -> Any:
-        return level(state, constants, mode) + shift
-
-    return Border(
-        name, shifted if shift else level, rate, lambda mode: 1 - 2 * mode[0], _other(0, 1),
-        crossings=("contact_lost", "contact_regained"),
-    )  # fmt: skip
-
-
-def _slip(model: Model) -> Border:
-    """Where the sliding speed is zero."""
-    level, rate = _generated(model, ("borders", "border_rates"), 1)
-    along, belt = (model.about["friction"][name] for name in ("along", "belt"))
-    name = f"{along if along.isidentifier() else f'({along})'}' = {belt}"
-    return Border(
-        name, level, rate, lambda mode: mode[1], _other(1, 0),
-        crossings=("belt_overtakes", "mass_overtakes"),
-    )  # fmt: skip
-
-
-def _layer(model: Model, number: int, reach: float) -> Border:
-    """Where one of the exponentials of the sliding speed is about to be felt."""
-    place = 2 + number
-    depth, rate = _generated(model, ("layers", "layer_rates"), number, lambda mode: (mode[1],))
-
-    def level(state: Any, constants: Any, mode: Any) -> Any:
-        return depth(state, constants, mode) - reach - WIDTH * mode[place]
-
-    def watched(state: Any, constants: Any, mode: Any) -> Any:
-        return 1e-3 * level(state, constants, mode) / reach
-
-    return Border(
-        f"layer {number + 1}", level, rate, lambda mode: 1 - 2 * mode[place], _other(place, 1), kink=False, watched=watched,
-    )  # fmt: skip
-
-
-def _turns(model: Model) -> int:
-    """1 where a motion is stopped at each turn of the gap: of a law with a root, as Hertz's, at a coordinate that is the gap.
-
-    Where the mass only just touches, the depth goes with (t − t_0)² and its power 3/2 with |t − t_0|³. Before t_0 the series
-    is that of −(t − t_0)³, which nothing shows to be wrong beyond: so a step ends at t_0.
-    """
-    contact = model.about["contact"]
-    return int(not contact["polynomial"] and contact["unilateral"] and contact["gap"] in model.coordinates)
-
-
-def _turn(model: Model) -> Border:
-    """Where the gap is largest or smallest."""
-    row, n, place = model.coordinates.index(model.about["contact"]["gap"]), len(model.coordinates), 2 + model.about["layers"]
-    return Border(
-        "gap' = 0", lambda state, *_: state[n + row], lambda _, accelerations, *__: accelerations[row], lambda mode: mode[place],
-        _other(place, 0),
-    )  # fmt: skip
-
-
-def _way(model: Model, number: int, torsions: int) -> Border:
-    """Where the turning of a torsion spring comes to π times its way, or to −0.93 times it: from there the other way counts it.
-
-    Each way is smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
-    """
-    first = 2 + model.about["layers"] + _turns(model)
-    names, place = ("turning_borders", "turning_rates"), first + number
-    level, rate = _generated(model, names, number, lambda mode: mode[first : first + torsions])
-
-    def jumps(state: Any, constants: Any) -> bool:
-        return bool(_turned(model, state, constants)[number][1] < 0)
-
-    return Border(
-        f"turning {number + 1}", level, rate, lambda mode: 1, _other(place, 0), jumps=jumps,
-    )  # fmt: skip
-
-
-def _turned(model: Model, state: Sequence[float], constants: Sequence[float]) -> list[tuple[float, float]]:
-    """Sine and cosine of every turning."""
-    count = len(model.about.get("torsions", ()))
-    if not count:
-        return []
-    level = undecorated(model.algebra.turning_borders)
-    forward, backward = (level(*state, *constants, *(way,) * count) for way in (1, -1))
-    return [((one - other) / 4, (one + other) / 2 - 1) for one, other in zip(forward, backward, strict=True)]
-
-
 def _namespace(state: Any) -> Any:
     """Where functions of a state's numbers are: in NumPy, or heyoka for its expressions."""
     if not type(state[0]).__module__.startswith("heyoka"):
@@ -234,34 +225,3 @@ def _namespace(state: Any) -> Any:
     from .heyoka_library import library
 
     return library()
-
-
-def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
-    borders, layers = map(undecorated, (model.algebra.borders, model.algebra.layers))
-    lifts, turns = model.about["contact"]["unilateral"], _turns(model)
-    fallen = len(model.coordinates) + model.coordinates.index(model.about["contact"]["gap"]) if turns else 0
-    # A law that is no polynomial begins without contact on the border itself.
-    highest = 0.0 if model.about["contact"]["polynomial"] else -2 * GAP
-
-    def mode(state: Sequence[Any], constants: Sequence[Any]) -> Any:
-        gap, slip = borders(*state, *constants)
-        side = 2 * (slip >= 0) - 1
-        near = (1 * (depth <= reach) for depth in layers(*state, *constants, side))
-        turn = [2 * (state[fallen] >= 0) - 1] * turns
-        ways = (2 * (sine >= 0) - 1 for sine, _ in _turned(model, state, constants))
-        return 1 * (gap <= highest) if lifts else 1, side, *near, *turn, *ways
-
-    return mode
-
-
-def _constants(model: Model) -> Callable[..., tuple[Any, ...]]:
-    angles = {name: (angle, part) for angle, pair in model.about["angles"].items() for part, name in enumerate(pair)}
-
-    def constants(values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
-        # Of NumPy by one number at a time, so that no bit depends on where it stands in an array.
-        cos, sin = (xp.cos, xp.sin) if xp is not None else (lambda v: float(np.cos(v)), lambda v: float(np.sin(v)))
-        known = dict(zip(model.parameters, values, strict=True))
-        known |= {name: (cos, sin)[part](known[angle]) for name, (angle, part) in angles.items()}
-        return tuple(known[name] for name in model.about["arguments"]["motion"])
-
-    return constants

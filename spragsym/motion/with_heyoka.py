@@ -11,7 +11,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Border, Field, Mode
+from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.heyoka_library import XP, Functions, library
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
@@ -135,10 +135,13 @@ class Equations:
         step, and its way up is no event.
         """
         event, ways = library().t_event_batch, library().event_direction
-        inside = [border.sign(self.seen[2]) * watched(border, *self.seen) for border in field.borders]
+        inside = [(border, border.sign(self.seen[2]), border.level(*self.seen)) for border in field.borders]
         return [
-            event(value, callback=partial(cross, row), cooldown=0.0, direction=ways.negative if border.jumps else ways.any)
-            for row, (border, value) in enumerate(zip(field.borders, inside, strict=True))
+            event(
+                sign * border.scale * (level + GAP * sign * border.kink), callback=partial(cross, row), cooldown=0.0,
+                direction=ways.negative if border.jumps else ways.any,
+            )
+            for row, (border, sign, level) in enumerate(inside)
         ] + [
             event(each.watched, callback=partial(passing, each), direction=ways.positive) for each in self.approaches
         ]  # fmt: skip
@@ -324,13 +327,6 @@ def put(pars: Any, begin: int, values: Sequence[float]) -> None:
     end = min(begin + len(values), len(pars))
     if end > begin:
         pars[begin:end] = values[: end - begin]
-
-
-def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:
-    """What is zero where a mode is left, small beside the state: heyoka's error is relative to the largest of all."""
-    if border.watched is not None:
-        return border.watched(state, constants, mode)
-    return 1e-3 * (border.level(state, constants, mode) + (GAP * border.sign(mode) if border.kink else 0.0))
 
 
 def _sampled(output: Any) -> Samples:

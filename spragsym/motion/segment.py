@@ -6,6 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
+import numpy as np
+
+from ..models.field import Field, Mode
 from ..models.parameters import FloatArray
 
 
@@ -16,6 +19,12 @@ class Crossing(NamedTuple):
     border: int
     sign: int
     state: FloatArray
+
+
+def crossed(field: Field, border: int, mode: Mode, t: float, state: FloatArray) -> tuple[Crossing, ...]:
+    """The crossing of a border into a mode; none where there is no kink."""
+    passed = field.borders[border]
+    return (Crossing(t, border, int(passed.sign(mode)), state.copy()),) if passed.kink else ()
 
 
 class Turn(NamedTuple):
@@ -30,6 +39,16 @@ class Turn(NamedTuple):
     state: FloatArray
     by_state: FloatArray
     by_parameters: FloatArray
+
+
+def parted(state: FloatArray, columns: FloatArray | None) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """A state and its derivatives by the start and by the parameters, 0 where there are no columns for these; empty for none."""
+    if columns is None:
+        return state.copy(), np.empty((0, 0)), np.empty((0, 0))
+    m = len(state)
+    whole = np.zeros((m, m + 2))
+    whole[:, : columns.shape[1]] = columns
+    return state.copy(), whole[:, :m], whole[:, m:]
 
 
 @dataclass(frozen=True)

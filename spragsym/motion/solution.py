@@ -52,4 +52,6 @@ def assembled(t: FloatArray, states: FloatArray, crossings: Sequence[Crossing], 
         np.append(t[:, :-1].ravel(), t[-1, -1]),
         np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),
     )
+    if t_record > t[0, 0]:
+        samples = samples.after(t_record)
     return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))

@@ -15,7 +15,7 @@ from ..models.parameters import FloatArray
 from . import with_scipy
 from .lobatto import unit_points
 from .problem import Problem, check_stiffness, out_of_range, too_many_steps
-from .segment import Crossing
+from .segment import Crossing, crossed
 from .solution import Solution, assembled
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
@@ -80,9 +80,7 @@ def integrate(problem: Problem) -> Solution:
             raise ConvergenceError(f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol")
         if outcome == ENDED:
             break
-        passed = problem.field.borders[border]
-        mode = passed.beyond(mode)
-        if passed.kink:
-            crossings.append(Crossing(elapsed, border, int(passed.sign(mode)), state.copy()))
+        mode = problem.field.borders[border].beyond(mode)
+        crossings += crossed(problem.field, border, mode, elapsed, state)
     found_times, found_states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     return assembled(found_times, found_states, crossings, problem.t_record)

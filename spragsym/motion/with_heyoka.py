@@ -16,7 +16,7 @@ from ..models.heyoka_library import XP, Functions, library
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .problem import Problem, StiffError, check_stiffness, out_of_range, too_many_steps
-from .segment import Crossing, Passage, Turn
+from .segment import Crossing, Passage, Turn, crossed, parted
 from .solution import Solution, assembled
 from .with_scipy import IMPLICIT, Flight
 
@@ -228,22 +228,15 @@ class Taylor(Carrier):
         self.turns: list[Turn] = []
 
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
-        border = self.field.borders[row]
-        if border.kink:
-            sign = int(border.sign(self.modes[lane]))
-            self.crossings.append(Crossing(float(self.solver.time[lane]), row, sign, state.copy()))
+        self.crossings += crossed(self.field, row, self.modes[lane], float(self.solver.time[lane]), state)
 
     def _turn(self, border: int, solver: Any, t: float, direction: int, _: int) -> None:
         solver.update_d_output(t)
         self.turns.append(Turn(t, border, direction, *self._split(solver.d_output[:, 0])))
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        m = self.m
-        if not self.derivatives:
-            return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
-        columns = np.zeros((m, m + 2))
-        columns[:, : m + self.directions] = values[m : m * (1 + m + self.directions)].reshape(m + self.directions, m).T / UNIT
-        return values[:m].copy(), columns[:, :m], columns[:, m:]
+        m, count = self.m, self.m + self.directions
+        return parted(values[:m], values[m : m + m * count].reshape(count, m).T / UNIT if self.derivatives else None)
 
     def begin(self, start: Any, constants: tuple[float, ...], directions: Any = ()) -> None:
         """Stand at the start of a motion, with no events recorded."""

@@ -16,7 +16,7 @@ from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, StiffError, check_stiffness, out_of_range, too_many_steps
-from .segment import Crossing, Passage, Turn
+from .segment import Crossing, Passage, Turn, crossed, parted
 from .solution import Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
@@ -35,21 +35,25 @@ MAX_STEPS, LOOK = 200_000, 2000
 #: Coordinates and rates that are larger where steps have become as small as floats grow beyond all bounds in a finite time.
 LARGE = 1e12
 
-#: Each step is searched for crossings, and for zeros of rates, on so many intervals, and between them at extrema.
-_CROSSINGS, _TURNS = (np.linspace(0.0, 1.0, count + 1) for count in (8, 12))
-
 
 @dataclass(frozen=True)
 class _Piece:
-    """One step within a mode, in time from ``clock`` on."""
+    """One step within a mode, by samples at its Lobatto points ``t``, from ``clock`` on, and what is crossed at its end."""
 
     clock: float
-    begin: float
-    end: float
-    state: FloatArray
+    t: FloatArray
+    samples: FloatArray
     dense: Callable[[Any], FloatArray]
     mode: Mode
-    border: int | None = None
+    crossings: tuple[Crossing, ...] = ()
+
+    @classmethod
+    def of(cls, clock: float, begin: float, end: float, last: FloatArray, dense: Any, mode: Mode) -> _Piece:
+        """A step from its dense output and its last state."""
+        t = sample_times(begin, end)
+        samples = dense(t)
+        samples[:, -1] = last
+        return cls(clock, t, samples, dense, mode)
 
 
 @dataclass(frozen=True)
@@ -73,60 +77,40 @@ class Flight:
         if self.directions and not directions.any():
             return replace(self, directions=0).fly(state, constants, duration, directions)
         m = self.field.size
-        crossings: list[Crossing] = []
-        turns: list[Turn] = []
+        crossings, turns = list[Crossing](), list[Turn]()
         whole = np.asarray(state, dtype=float)
         if self.derivatives:
             whole = np.concatenate([whole, np.eye(m, m + self.directions).ravel()])
         try:
-            for steps, piece in enumerate(self._pieces(whole, constants, duration, directions)):
-                if steps >= MAX_STEPS:
-                    raise too_many_steps(MAX_STEPS, piece.clock + piece.end, duration, self.rtol, given=False)
+            for piece in self._pieces(whole, constants, duration, directions):
                 turns += self._turns(piece, constants)
-                crossings += self._crossed(piece)
-                whole = piece.state
+                crossings += piece.crossings
+                whole = piece.samples[:, -1]
         except StiffError:
             return replace(self, stiff=True, rtol=max(self.rtol, IMPLICIT)).fly(state, constants, duration, directions)
         return Passage(*self._split(whole), tuple(crossings), tuple(turns))
 
     def motion(
-        self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int = MAX_STEPS
+        self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int | None = None
     ) -> Solution:  # fmt: skip
         """A motion by its samples, from ``t_record`` on, without derivatives."""
         flight, times, states, crossings = replace(self, derivatives=False, directions=0), [], [], list[Crossing]()
         with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
-            for steps, piece in enumerate(flight._pieces(np.array(start, dtype=float), constants, t_end, np.empty(0)), 1):
-                if steps > max_steps:
-                    raise too_many_steps(max_steps, piece.clock + piece.end, t_end, self.rtol, given=not self.stiff)
-                begin = max(piece.begin, t_record - piece.clock)
-                if piece.end > begin:
-                    t = sample_times(begin, piece.end)
-                    times.append(piece.clock + t)
-                    states.append(piece.dense(t))
-                    states[-1][:, -1] = piece.state
-                crossings += flight._crossed(piece)
+            for piece in flight._pieces(np.array(start, dtype=float), constants, t_end, np.empty(0), max_steps):
+                crossings += piece.crossings
+                if piece.t[-1] > max(piece.t[0], t_record - piece.clock):
+                    times.append(piece.clock + piece.t)
+                    states.append(piece.samples)
         return replace(assembled(np.array(times), np.array(states), crossings, t_record), implicit=self.stiff)
-
-    def _crossed(self, piece: _Piece) -> list[Crossing]:
-        """The crossing of a kink at the end of a step."""
-        if piece.border is None or not self.field.borders[piece.border].kink:
-            return []
-        border = self.field.borders[piece.border]
-        sign, state = int(border.sign(border.beyond(piece.mode))), piece.state[: self.field.size].copy()
-        return [Crossing(piece.clock + piece.end, piece.border, sign, state)]
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         m = self.field.size
-        if not self.derivatives:
-            return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
-        columns = np.zeros((m, m + 2))
-        columns[:, : m + self.directions] = values[m:].reshape(m, m + self.directions)
-        return values[:m].copy(), columns[:, :m], columns[:, m:]
+        return parted(values[:m], values[m:].reshape(m, m + self.directions) if self.derivatives else None)
 
     def _pieces(
-        self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray
+        self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray, most: int | None = None
     ) -> Iterator[_Piece]:  # fmt: skip
-        """Steps, none of which leaves its mode; a step that would is cut at the border."""
+        """Steps, none of which leaves its mode; a step that would is cut at the border. An error after ``most``, if given."""
         m, clock = self.field.size, 0.0
         first: float | None = None
         mode, looked, steps = self.field.initial_mode(whole[:m].tolist(), constants), 0.0, 0
@@ -150,30 +134,31 @@ class Flight:
                     raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")
                 if not np.isfinite(solver.y).all():
                     raise out_of_range()
-                dense, begin, end = solver.dense_output(), solver.t_old, solver.t
-                found = first_crossing(self.field, constants, mode, dense, begin, end)
+                dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
+                if steps > (most or MAX_STEPS):
+                    raise too_many_steps(most or MAX_STEPS, clock + end, duration, self.rtol, given=most is not None)
+                piece = _Piece.of(clock, begin, end, solver.y, dense, mode)
+                found = self._first_crossing(piece, constants)
                 if found is None:
-                    yield _Piece(clock, begin, end, solver.y.copy(), dense, mode)
-                steps += 1
+                    yield piece
                 if steps % LOOK == 0 and not self.stiff:
                     step, looked, left = (clock + end - looked) / LOOK, clock + end, bound - end
                     check_stiffness(self.field, solver.y[:m], constants, step, left, MOST / 10)
             if found is None:
                 return
-            at, border = found
-            first = solver.step_size
+            at, row = found
+            first, border = solver.step_size, self.field.borders[row]
             reached = partial(_stepped, method, rates, begin, before, options=options)
             whole = dense(at) if self.interpolated else reached(at)
             for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
-                clear, rate = clearances(self.field, constants, mode, whole[:m])[border].tolist()
+                clear, rate = clearances(self.field, constants, mode, whole[:m])[row].tolist()
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = reached(at)
-            jumps = self.field.borders[border].jumps
-            if self.derivatives and jumps is not None and jumps(whole[:m].tolist(), constants):
+            if self.derivatives and border.jumps is not None and border.jumps(whole[:m].tolist(), constants):
                 raise ConvergenceError(JUMPED)
-            yield _Piece(clock, begin, at, whole, dense, mode, border)
-            clock, mode = clock + at, self.field.borders[border].beyond(mode)
+            cut, clock, mode = _Piece.of(clock, begin, at, whole, dense, mode), clock + at, border.beyond(mode)
+            yield replace(cut, crossings=crossed(self.field, row, mode, clock, whole[:m]))
 
     def rates(
         self, constants: tuple[float, ...], mode: Mode, directions: FloatArray
@@ -208,33 +193,37 @@ class Flight:
 
         return matrix
 
-    def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
-        """Zeros of the rates within a step."""
-        grid = piece.begin + _TURNS * (piece.end - piece.begin)
-        borders, values = self._watched(piece.dense(grid), constants, piece.mode)
+    def _first_crossing(self, piece: _Piece, constants: tuple[float, ...]) -> tuple[float, int] | None:
+        """When the motion first leaves its mode, and through which border."""
+
+        def border(row: int, part: int, t: float) -> float:
+            """Distance from one of the borders (part 0), or its rate (part 1)."""
+            return float(clearances(self.field, constants, piece.mode, piece.dense(np.asarray(t))[: self.field.size])[row, part])
+
         found = []
+        for row, (clear, rate) in enumerate(clearances(self.field, constants, piece.mode, piece.samples[: self.field.size])):
+            bracket = _bracket(piece.t, clear, rate, partial(border, row))
+            if bracket is not None:
+                found.append((_root(partial(border, row, 0), *bracket), row))
+        return min(found, default=None)
 
-        def at(row: int, t: float) -> float:
-            return float(self._watched(piece.dense(t), constants, piece.mode)[1][row])
+    def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
+        """Zeros of the rates within a step: of the first coordinate, numbered −1, and of levels where there is a kink."""
+        field, found = self.field, list[Turn]()
+        watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
 
-        changes = (values[:, :-1] < 0) != (values[:, 1:] < 0)
-        for row, i in np.argwhere(changes).tolist():
-            t = _root(partial(at, row), float(grid[i]), float(grid[i + 1]))
-            found.append(Turn(piece.clock + t, borders[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))
+        def rates(states: FloatArray) -> FloatArray:
+            of_levels = levels(field, constants, piece.mode, states[: field.size])[:, 1]
+            return np.array([*of_levels, states[len(field.coordinates)]])[watched]
+
+        def rate(row: int, t: float) -> float:
+            return float(rates(piece.dense(np.asarray(t)))[row])
+
+        values = rates(piece.samples)
+        for row, i in np.argwhere((values[:, :-1] < 0) != (values[:, 1:] < 0)).tolist():
+            t = _root(partial(rate, row), *piece.t[i : i + 2].tolist())
+            found.append(Turn(piece.clock + t, watched[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))
         return sorted(found, key=lambda turn: turn.t)
-
-    def _watched(self, whole: FloatArray, constants: tuple[float, ...], mode: Mode) -> tuple[list[int], FloatArray]:
-        """Numbers of borders, −1 for the first coordinate, and the rates whose zeros are turns: shape (rows, …)."""
-        states, n = whole[: self.field.size], len(self.field.coordinates)
-        kinks = [i for i, border in enumerate(self.field.borders) if border.kink]
-        values = np.empty((1 + len(kinks), *states.shape[1:]))
-        values[0] = states[n]
-        if kinks:
-            numbers, xp = (states, ARRAYS) if states.ndim > 1 else (states.tolist(), FLOATS)
-            accelerations = self.field.acceleration(numbers, constants, mode, xp)
-            for row, i in enumerate(kinks, 1):
-                values[row] = self.field.borders[i].rate(numbers, accelerations, constants, mode)
-        return [-1, *kinks], values
 
 
 def integrate(problem: Problem, *, stiff: bool = False) -> Solution:
@@ -253,40 +242,29 @@ def first_step(problem: Problem, mode: Mode) -> float:
     return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
 
 
-def clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
-    """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
+def levels(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
+    """Levels of the borders of a mode and their rates: shape (borders, 2, …)."""
     accelerations = field.acceleration(states, constants, mode, ARRAYS)
     found = np.empty((len(field.borders), 2, *states.shape[1:]))
     for row, border in zip(found, field.borders, strict=True):
-        sign = border.sign(mode)
-        row[0] = sign * border.level(states, constants, mode) + GAP * border.kink
-        row[1] = sign * border.rate(states, accelerations, constants, mode)
+        row[0], row[1] = border.level(states, constants, mode), border.rate(states, accelerations, constants, mode)
     return found
 
 
-def first_crossing(
-    field: Field, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
-) -> tuple[float, int] | None:  # fmt: skip
-    """When, within a step, the motion first leaves its mode, and through which border."""
-
-    def border(row: int, part: int, t: float) -> float:
-        """Distance from one of the borders (part 0), or its rate (part 1)."""
-        return float(clearances(field, constants, mode, dense(np.asarray(t))[: field.size])[row, part])
-
-    grid = begin + _CROSSINGS * (end - begin)
-    found = []
-    for row, (distance, rate) in enumerate(clearances(field, constants, mode, dense(grid)[: field.size])):
-        bracket = _bracket(grid, distance, rate, partial(border, row))
-        if bracket is not None:
-            found.append((_root(partial(border, row, 0), *bracket), row))
-    return min(found, default=None)
+def clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
+    """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
+    found = levels(field, constants, mode, states)
+    for row, border in zip(found, field.borders, strict=True):
+        row *= border.sign(mode)
+        row[0] += GAP * border.kink
+    return found
 
 
 def _bracket(
     grid: FloatArray, value: FloatArray, rate: FloatArray, border: Callable[[int, float], float]
 ) -> tuple[float, float] | None:  # fmt: skip
     """The first interval where ``value`` goes from not negative to negative, dips between points included."""
-    if value.min() > np.abs(rate).max() * (grid[1] - grid[0]):
+    if value.min() > np.abs(rate).max() * np.diff(grid).max():
         return None
     for i in range(len(grid) - 1):
         if value[i + 1] < 0:

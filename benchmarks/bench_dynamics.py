@@ -19,7 +19,7 @@ from scipy.integrate import simpson, solve_ivp
 import spragsym as ss
 from spragsym.motion import integrators, periodic_orbit, simulate
 from spragsym.motion.classify import classify
-from spragsym.motion.problem import Motions, Problem, prepare
+from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
 from spragsym.motion.sweeps.workers import pool
 from spragsym.motion.with_heyoka import taylor_for
@@ -154,7 +154,7 @@ def overhead_table() -> None:
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
             problem = prepare(p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
-            motions, flow = Motions.of([problem]), periodic_orbit.Onward(problem, "heyoka")
+            motions, flow = [problem], periodic_orbit.Onward(problem, "heyoka")
             course = integrators.measure(motions, "heyoka")[0]
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)

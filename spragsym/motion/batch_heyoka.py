@@ -7,6 +7,7 @@ begun again without it, since nothing says what its last step has done to them.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -16,7 +17,7 @@ from ..models.field import Field, Mode
 from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course, Turns
-from .problem import Event, Motions, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
+from .problem import Event, Problem, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
 from .with_heyoka import CHUNK, Carrier, Equations, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
@@ -36,7 +37,8 @@ EVENTS = len(Event)
 class Stage:
     """Motions on their way: what is carried of each (rows), its mode, its steps so far, and why those stopped that did."""
 
-    motions: Motions
+    problems: Sequence[Problem]
+    constants: FloatArray
     carried: FloatArray
     modes: list[Mode]
     steps: list[int]
@@ -47,10 +49,11 @@ class Stage:
     resting: set[int] = field(default_factory=set)
 
     @classmethod
-    def of(cls, motions: Motions) -> Stage:
+    def of(cls, problems: Sequence[Problem]) -> Stage:
         """All of them at their starts."""
-        modes = motions.field.initial_modes(motions.starts, motions.constants)
-        return cls(motions, motions.starts, modes, [0] * len(modes))
+        constants, starts = (np.array([getattr(each, name) for each in problems], dtype=float) for name in ("constants", "start"))
+        modes = problems[0].field.initial_modes(starts, constants)
+        return cls(problems, constants, starts, modes, [0] * len(modes))
 
 
 @dataclass
@@ -116,7 +119,7 @@ class Lanes(Carrier):
             self.solver.propagate_until(end, max_steps=BURST)
             self._sort_out(run, end)
         states, modes = run.after.carried[:, : self.m].T, np.array(run.after.modes).T
-        for row in np.flatnonzero(~stage.motions.field.are_inside(states, stage.motions.constants.T, modes)).tolist():
+        for row in np.flatnonzero(~self.field.are_inside(states, stage.constants.T, modes)).tolist():
             stage.errors.setdefault(row, missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
         return run.after
 
@@ -125,7 +128,7 @@ class Lanes(Carrier):
         state = np.zeros((len(self.state), count))
         state[: self.m] = stage.carried[:, : self.m].T
         watching = [stage.carried[:, 0], np.full(count, _scale(duration))] if self.watch else []
-        pars = np.vstack([stage.motions.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
+        pars = np.vstack([stage.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
         pars = pars[: len(self.pars)]
         waiting = [row for row in reversed(range(count)) if row not in stage.errors]
         after = replace(
@@ -166,15 +169,15 @@ class Lanes(Carrier):
     def _count(self, run: _Run, lane: int, row: int, results: Any) -> bool:
         """Count the steps of a motion; whether they are too many, or have collapsed."""
         run.after.steps[row] += results[lane][3]
-        steps, motions, t = run.after.steps[row], run.stage.motions, float(self.solver.time[lane])
+        steps, problem, t = run.after.steps[row], run.stage.problems[row], float(self.solver.time[lane])
         before, counted = self.looked[lane]
-        if steps > motions.max_steps:
-            run.stage.errors[row] = too_many_steps(motions.max_steps, t, motions.t_end, motions.rtol)
+        if steps > problem.max_steps:
+            run.stage.errors[row] = too_many_steps(problem.max_steps, t, problem.t_end, problem.rtol)
         elif steps - counted >= CHUNK:
             self.looked[lane] = t, steps
             state, step = self.state[: self.m, lane], (t - before) / (steps - counted)
             try:
-                check_stiffness(motions.field, state, motions.constants[row].tolist(), step, motions.t_end - t)
+                check_stiffness(self.field, state, problem.constants, step, problem.t_end - t)
             except StiffError as error:
                 run.stage.errors[row] = error
         return row in run.stage.errors
@@ -208,24 +211,25 @@ def _scale(duration: float) -> float:
     return 1e-3 / duration
 
 
-def ends(motions: Motions) -> FloatArray:
+def ends(problems: Sequence[Problem]) -> FloatArray:
     """States at ``t_end``; an error where one of them stops."""
-    stage = compiled(Lanes, motions.field, motions.rtol, watch=False).carry(Stage.of(motions), 0.0, motions.t_end)
+    one = problems[0]
+    stage = compiled(Lanes, one.field, one.rtol, watch=False).carry(Stage.of(problems), 0.0, one.t_end)
     for error in stage.errors.values():
         raise error
     return stage.carried
 
 
-def watch(motions: Motions) -> tuple[list[Course | Exception], list[int]]:
+def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[int]]:
     """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept; or why there is none.
 
     And the rows of those that are to be measured from samples.
     """
-    stage = Stage.of(motions)
-    if motions.t_record > 0:
-        stage = compiled(Lanes, motions.field, motions.rtol, watch=False).carry(stage, 0.0, motions.t_record)
-    first, begin, end = stage.carried, motions.t_record, motions.t_end
-    stage = compiled(Lanes, motions.field, motions.rtol, watch=True).carry(stage, begin, end)
+    stage, one = Stage.of(problems), problems[0]
+    if one.t_record > 0:
+        stage = compiled(Lanes, one.field, one.rtol, watch=False).carry(stage, 0.0, one.t_record)
+    first, begin, end = stage.carried, one.t_record, one.t_end
+    stage = compiled(Lanes, one.field, one.rtol, watch=True).carry(stage, begin, end)
     size, scale = first.shape[1], _scale(end - begin)
 
     def course(row: int) -> Course:
@@ -239,6 +243,6 @@ def watch(motions: Motions) -> tuple[list[Course | Exception], list[int]]:
             np.array(stage.counts[row]), (low, high),
         )  # fmt: skip
 
-    found = [stage.errors.get(row) or course(row) for row in range(len(motions))]
+    found = [stage.errors.get(row) or course(row) for row in range(len(problems))]
     stiff = {row for row, error in stage.errors.items() if isinstance(error, StiffError)}
     return found, sorted(stiff | (stage.resting - stage.errors.keys()))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
+from collections.abc import Sequence
 from types import ModuleType
 
 import numpy as np
@@ -17,7 +18,7 @@ from ..models.model import Model
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .events import events_of
 from .measures import Course, course_of
-from .problem import Event, Motions, Problem, StiffError
+from .problem import Event, Problem, StiffError
 from .solution import Solution, without_chatter
 
 #: In the order in which they are preferred.
@@ -69,22 +70,24 @@ def integrate(problem: Problem, backend: str) -> Solution:
     return without_chatter(solution, problem)
 
 
-def measure(motions: Motions, backend: str) -> list[Course | Exception]:
-    """What is measured of many motions after ``t_record``, from their samples, or why there is nothing.
+def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exception]:
+    """What is measured of motions after ``t_record``, from their samples, or why there is nothing.
+
+    The problems share all but their constants and starts.
 
     heyoka measures while it integrates, but where steps collapse, and where a motion may rest on a border, whose crossings only
     the samples tell from chatter.
     """
     found: dict[int, Course | Exception] = {}
-    rows = list(range(len(motions)))
+    rows = list(range(len(problems)))
     if backend == "heyoka":
-        watched, rows = batch_heyoka.watch(motions)
+        watched, rows = batch_heyoka.watch(problems)
         found = dict(enumerate(watched))
     for row in rows:
         try:
-            solution = integrate(motions.problem(row), backend)
-            counts = np.bincount(events_of(motions.field, solution.crossings).which, minlength=len(Event))
+            solution = integrate(problems[row], backend)
+            counts = np.bincount(events_of(problems[row].field, solution.crossings).which, minlength=len(Event))
             found[row] = course_of(solution.samples, counts)
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
-    return [found[row] for row in range(len(motions))]
+    return [found[row] for row in range(len(problems))]

@@ -13,7 +13,7 @@ from ..models.parameters import FloatArray
 from . import batch_heyoka, integrators
 from .flows import Flow
 from .measures import Course
-from .problem import Motions, Problem
+from .problem import Problem
 from .segment import Fly, Passage, Turn
 from .shooting import CLOSED, Guess, Loop, once_round, rate, solved, through
 from .with_heyoka import taylor_of
@@ -60,9 +60,8 @@ class Onward:
         """The field of the motion, with its own constants."""
         return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
-    def _motions(self, states: FloatArray, duration: float) -> Motions:
-        one = Motions.of([self.problem])
-        return replace(one, constants=one.constants[[0] * len(states)], starts=states, t_end=duration, t_record=0.0)
+    def _motions(self, states: FloatArray, duration: float) -> list[Problem]:
+        return [replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0) for state in states.tolist()]
 
     def courses(self, states: FloatArray, duration: float) -> list[Course]:
         """What is measured on the way from each of many states; an error where one of them cannot be continued."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property, partial
@@ -63,8 +63,8 @@ class Problem:
 
     @property
     def reach(self) -> float:
-        """Minus the exponent of an exponential of the friction law beyond which it is left out."""
-        return reach_of(self.rtol)
+        """Minus the exponent of an exponential of the friction law beyond which it is left out, below the tolerance."""
+        return 5 - math.log(self.rtol)
 
     @cached_property
     def field(self) -> Field:
@@ -77,49 +77,6 @@ class Problem:
         still = [0.0] * self.field.size
         slip = next((border for border in self.field.borders if "mass_overtakes" in border.crossings), None)
         return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
-
-
-@dataclass(frozen=True)
-class Motions:
-    """Motions that share all but their constants (N, C) and initial states (N, 2 n)."""
-
-    constants: FloatArray
-    starts: FloatArray
-    t_end: float
-    t_record: float
-    rtol: float
-    max_steps: int
-    field_of: Callable[[float], Field]
-
-    def __len__(self) -> int:
-        return len(self.starts)
-
-    @classmethod
-    def of(cls, problems: Sequence[Problem]) -> Motions:
-        """Common data of problems that share all but constants and starts."""
-        one = problems[0]
-        return cls(
-            np.array([problem.constants for problem in problems], dtype=np.float64),
-            np.array([problem.start for problem in problems], dtype=np.float64),
-            one.t_end, one.t_record, one.rtol, one.max_steps, one.field_of,
-        )  # fmt: skip
-
-    def problem(self, row: int) -> Problem:
-        """The problem of one row."""
-        return Problem(
-            tuple(self.constants[row].tolist()), tuple(self.starts[row].tolist()), self.t_end, self.t_record, self.rtol,
-            self.max_steps, self.field_of,
-        )  # fmt: skip
-
-    @cached_property
-    def field(self) -> Field:
-        """The field of all."""
-        return self.field_of(reach_of(self.rtol))
-
-
-def reach_of(rtol: float) -> float:
-    """Minus the exponent of an exponential of the friction law beyond which it is below a tolerance."""
-    return 5 - math.log(rtol)
 
 
 def too_many_steps(max_steps: int, t: float, t_end: float, rtol: float, *, given: bool = True) -> ConvergenceError:

@@ -83,12 +83,12 @@ class Outcome(Named):
 
     @property
     def offered(self) -> tuple[str, ...]:
-        return tuple(self._places())
+        return tuple(self.places())
 
     def _asked(self, name: str) -> float | None:
-        return self._places().get(name)
+        return self.places().get(name)
 
-    def _places(self) -> dict[str, float]:
+    def places(self) -> dict[str, float]:
         """The numbers of ``rest`` and ``cycle`` by their names."""
         n = len(self.names) // 2
         names = (*(f"rest_{name}" for name in self.names[:n]), *(f"cycle_{name}" for name in self.names))
@@ -103,7 +103,7 @@ class Outcome(Named):
         values = named_fields(self)
         for key in ("names", "rest", "cycle"):
             del values[key]
-        return values | {name: value for name, value in self._places().items() if not np.isnan(value)}
+        return values | {name: value for name, value in self.places().items() if not np.isnan(value)}
 
     @property
     def cycle_spread(self) -> float:

@@ -83,7 +83,7 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
 
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
-    still = bool(is_still(course.last[0] - course.first[0], course.reach[1] - course.reach[0], tol))
+    still = abs(course.last[0] - course.first[0]) <= 4 * tol and course.reach[1] - course.reach[0] <= 4 * tol
     decaying = len(course.maxima) >= FEW and not _kinks(course, problem)
     if not (still or decaying):
         return None
@@ -101,11 +101,6 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
         return Outcome(regime, rest=place, rate=-growth, distance=distance)
     return None
-
-
-def is_still(moved: Any, extent: Any, tol: float) -> Any:
-    """Whether x has hardly moved over a motion, at its ends as in between."""
-    return (np.abs(moved) <= 4 * tol) & (extent <= 4 * tol)
 
 
 def _stays(course: Course, problem: Problem, rest: Rest) -> bool:

@@ -125,7 +125,7 @@ importlib.import_module("heyoka")
 from spragsym.motion import integrators
 measure, begun = integrators.measure, [1]  # this is imported within the first motion
 def killed(motions, backend):
-    begun[0] += motions.t_record > 0  # a motion of the sweep, none that its judgement runs on
+    begun[0] += motions[0].t_record > 0  # a motion of the sweep, none that its judgement runs on
     if begun[0] == 4:
         os.kill(os.getpid(), signal.SIGKILL)
     return measure(motions, backend)

@@ -12,7 +12,7 @@ import spragsym as ss
 from spragsym.errors import SweepError
 from spragsym.models.field import Field
 from spragsym.motion import Event, batch_heyoka, integrators, simulate
-from spragsym.motion.problem import Motions, Problem, prepare
+from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep
 from spragsym.motion.with_heyoka import taylor_for
 
@@ -38,9 +38,9 @@ def broken(problem: Problem) -> Problem:
     return replace(problem, start=(0.1, 0.1, 1e200, 0.0))
 
 
-def watched(motions: Motions) -> list[Any]:
+def watched(some: list[Problem]) -> list[Any]:
     """What is measured while motions are integrated, or why there is nothing."""
-    return batch_heyoka.watch(motions)[0]
+    return batch_heyoka.watch(some)[0]
 
 
 def assert_same(left: Any, right: Any) -> None:
@@ -56,13 +56,13 @@ def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyP
         batch_heyoka, "BURST", burst
     )  # the shorter it is, the more often some lanes are filled while others go on
     some = problems(21)  # more than two fillings, and a rest
-    together = watched(Motions.of(some))
+    together = watched(some)
     order = RNG.permutation(len(some)).tolist()
-    shuffled = watched(Motions.of([some[row] for row in order]))
+    shuffled = watched([some[row] for row in order])
     for place, row in enumerate(order):
         assert_same(together[row], shuffled[place])
     for row in (0, 7, 20):
-        assert_same(together[row], watched(Motions.of([some[row]]))[0])
+        assert_same(together[row], watched([some[row]])[0])
 
 
 @pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
@@ -74,7 +74,7 @@ def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.Monkey
     some = good.copy()
     for place in (0, 3, 4, 12, len(some)):
         some.insert(place, broken(good[0]))
-    found, expected = watched(Motions.of(some)), watched(Motions.of(good))
+    found, expected = watched(some), watched(good)
     bad = [row for row, problem in enumerate(some) if problem.start[2] == 1e200]
     assert all("left the range of numbers" in str(found[row]) for row in bad)
     for place, row in enumerate(row for row in range(len(some)) if row not in bad):
@@ -85,14 +85,14 @@ def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.Monk
     """A motion that begins in another mode than its own passes y = 0 in the wrong direction."""
     some = problems(9)
     some[4] = replace(some[4], start=(0.0, 0.2, 0.0, -0.3))
-    expected, initial_modes = watched(Motions.of(some)), Field.initial_modes
+    expected, initial_modes = watched(some), Field.initial_modes
 
     def wrong(*arguments: Any) -> list[tuple[int, ...]]:
         modes = initial_modes(*arguments)
         return [*modes[:4], (1, *modes[4][1:]), *modes[5:]]
 
     monkeypatch.setattr(Field, "initial_modes", wrong)
-    found = watched(Motions.of(some))
+    found = watched(some)
     assert "missed a kink" in str(found[4])
     for row in (0, 1, 2, 3, 5, 6, 7, 8):
         assert_same(found[row], expected[row])
@@ -108,7 +108,7 @@ def simulate_steps(problem: Problem) -> int:
 @pytest.mark.thorough
 def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
-    found = watched(Motions.of(some))
+    found = watched(some)
     for course, problem in zip(found, some, strict=True):
         p = ss.Parameters.article(theta0=np.arctan2(problem.constants[1], problem.constants[0]), mu0=problem.constants[2])
         x0, y0, vx0, vy0 = problem.start

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from ...errors import ConvergenceError
 from ...files.journal import Record
 from ...models.model_field import field_of
-from ...models.parameters import FloatArray
 from .. import integrators
-from ..classify import classified
+from ..classify import classify
 from ..measures import Course
-from ..problem import MAX_STEPS, Motions, out_of_range, without_direction
-from ..regimes import Regime
+from ..periodic_orbit import Onward
+from ..problem import MAX_STEPS, Problem, out_of_range, without_direction
 
 
 def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
@@ -47,44 +47,35 @@ class Settings:
 def measured(model: Any, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     count = len(model.parameters)
-    constants = np.array([model.field.constants(point[:count]) for point in points], dtype=np.float64)
-    starts = np.array([point[count:] for point in points], dtype=np.float64)
-    records = {i: _no_result(error) for i, error in without_direction(model, constants.T, starts.T).items()}
+    constants, starts = [model.field.constants(point[:count]) for point in points], [point[count:] for point in points]
+    records = {i: _no_result(error) for i, error in without_direction(model, np.array(constants).T, np.array(starts).T).items()}
     if kept := [i for i in range(len(points)) if i not in records]:
-        given = settings.t_end, settings.transient, settings.rtol, settings.max_steps
+        given = settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
+        problems = [Problem(constants[i], starts[i], *given) for i in kept]
         with np.errstate(all="ignore"):  # numbers out of range show in the result
-            table, errors = _values(Motions(constants[kept], starts[kept], *given, partial(field_of, model)), settings.backend)
-        for row, (i, values) in enumerate(zip(kept, table.tolist(), strict=True)):
-            records[i] = _no_result(errors[row]) if row in errors else (values, "")
+            for i, problem, course in zip(kept, problems, integrators.measure(problems, settings.backend), strict=True):
+                records[i] = _record(course, problem, settings.backend)
     return [records[i] for i in range(len(points))]
+
+
+def _record(course: Course | Exception, problem: Problem, backend: str) -> Record:
+    if isinstance(course, Exception):
+        return _no_result(course)
+    values, names, n = _averages(course), problem.field.components, len(problem.field.coordinates)
+    if not np.isfinite(values).all():
+        return _no_result(out_of_range())
+    try:
+        outcome = classify(course, problem, Onward(problem, backend))
+    except (ConvergenceError, ArithmeticError) as error:
+        return _no_result(error)
+    told = vars(outcome) | outcome.places()
+    of_limit = (told[name] for name in (*reported(names[:n], names[n:])[len(values) :], "regime"))
+    return [float(value) for value in (*values, *of_limit)], ""
 
 
 def _no_result(error: Exception) -> Record:
     error = out_of_range() if isinstance(error, ArithmeticError) else error
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
-
-
-def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:
-    """What records of motions hold, a row each, and why there is none."""
-    found, names, n = integrators.measure(motions, backend), motions.field.components, len(motions.field.coordinates)
-    told = reported(names[:n], names[n:])
-    table, errors = np.full((len(motions), len(told) + 1), np.nan), dict[int, Exception]()
-    table[:, -1] = Regime.UNSETTLED
-    for row, course in enumerate(found):
-        if isinstance(course, Exception):
-            errors[row] = course
-            continue
-        first = _averages(course)
-        table[row, : len(first)] = first
-        if not np.isfinite(first).all():
-            errors[row] = out_of_range()
-    after = 5 + n
-    for row, outcome in classified(found, motions, backend):
-        if isinstance(outcome, Exception):
-            errors.setdefault(row, outcome)
-        else:
-            table[row, after:] = [getattr(outcome, name) for name in (*told[after:], "regime")]
-    return table, errors
 
 
 def _averages(course: Course) -> list[float]:

@@ -6,12 +6,14 @@ within its tolerances refutes is not given: it goes on until the proof is found,
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import spragsym as ss
 
@@ -29,8 +31,9 @@ _SHARE, _ANGLE = 0.1, math.radians(1.0)
 FACTOR = 3.0
 #: By how much of the least joint change it may go further.
 _STRETCH = 2.0
-#: Shares of what is left of the way at which corners of the tolerances are looked at, and how often what they leave is halved.
-_SHARES, _HALVINGS = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0), 6
+#: Shares of what is left of the way at which corners of the tolerances are looked at, and into how many parts, twice, the first
+#: that they leave is cut.
+_SHARES, _PARTS = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0), 8
 #: Digits of a new value.
 _DIGITS = 3
 
@@ -120,11 +123,17 @@ class _Search:
         alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
-    def _keeps(self, changed: Mapping[str, float]) -> bool:
-        """Whether a design jumps at the target at the earliest, and at no corner of its tolerances."""
-        rows = {name: np.full(1, changed.get(name, value)) for name, value in self.study.values.items()}
-        about = values_at(self.study.changed(changed), self.corners)
-        return all((ending(self.study, values, at, hasty=True) == 0).all() for values, at in ((rows, self.target), (about, None)))
+    def _keep(self, designs: Sequence[Mapping[str, float]]) -> NDArray[np.bool_]:
+        """Whether each of some designs may be, jumps at the target at the earliest, and at no corner of its tolerances."""
+        kept = np.array([all(self._may_be(*item) for item in one.items()) for one in designs])
+        for shares, target in (None, self.target), (self.corners, None):
+            new = [self.study.changed(one) for one in itertools.compress(designs, kept)]
+            if new:
+                around = [one.values if shares is None else values_at(one, shares) for one in new]
+                values = {name: np.concatenate([np.atleast_1d(one[name]) for one in around]) for name in self.study.values}
+                ended = ending(self.study, values, target, hasty=True)
+                kept[kept] = (ended.reshape(len(new), -1) == 0).all(axis=1)
+        return kept
 
     def singles(self) -> list[Change]:
         """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
@@ -171,12 +180,16 @@ class _Search:
         def at(share: float) -> dict[str, float]:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
 
-        low, high = 0.0, next((share for share in _SHARES if self._keeps(at(share))), None)
-        if high is None:
-            return
-        for _ in range(_HALVINGS if high else 0):
-            middle = 0.5 * (low + high)
-            low, high = (low, middle) if self._keeps(at(middle)) else (middle, high)
+        tried, low = np.array(_SHARES), 0.0
+        for _ in range(3):
+            kept = self._keep([at(share) for share in tried.tolist()])
+            if not kept.any():
+                return
+            first = int(np.argmax(kept))
+            low, high = (float(tried[first - 1]) if first and tried[0] else low), float(tried[first])
+            if not high:
+                break
+            tried = np.linspace(low, high, _PARTS + 1)[1:]
         yield from (at(high + share * (1 - high)) for share in self.effort.further)
 
     def _movers(self) -> tuple[str, ...]:
@@ -209,7 +222,7 @@ class _Search:
             kept = all(
                 self._inside(name, new[name].low, new[name].high) and self._may_be(name, value) for name, value in rounded.items()
             )
-            if kept and self._keeps(rounded):
+            if kept and self._keep([rounded]).all():
                 return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
 

@@ -36,6 +36,9 @@ STRAIGHT = 0.97
 #: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
 FINE = 1e-15
 
+#: A zero of a test function is located to this, in units of the arc.
+LOCATED = 1e-11
+
 #: A branch is not followed to a value of the parameter by steps that are a smaller share of the way.
 LEAST_SHARE = 1e-3
 
@@ -87,6 +90,11 @@ class Point:
         return self.loop.guess.values[self.setting.free[0]]
 
     @property
+    def coordinates(self) -> FloatArray:
+        """States, period and free parameters."""
+        return self.loop.guess.coordinates(self.setting.free)
+
+    @property
     def weights(self) -> FloatArray:
         """Units of the arc's length."""
         return self.setting.weights(len(self.loop.guess.states))
@@ -94,7 +102,7 @@ class Point:
     @property
     def place(self) -> FloatArray:
         """States, period and free parameters in these units."""
-        return self.weights * self.loop.guess.coordinates(self.setting.free)
+        return self.weights * self.coordinates
 
     @property
     def way(self) -> FloatArray:
@@ -169,7 +177,7 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
     """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
-    conditions = in_phase(replace(setting, free=()), loop, loop.guess.vector)
+    conditions = replace(setting, free=()).equations(loop, loop.guess.vector)
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
@@ -180,6 +188,40 @@ def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
     # Exactly, since there may be no parameters beyond.
     near = setting.looped(point.loop.guess.moved(step, setting.free).at(setting.free[0], value))
     return point_of(setting, fixed(setting, near), point.tangent)
+
+
+def within(point: Point, length: float, to: tuple[float, float], reach: float = np.inf) -> Point:
+    """The point a length of arc ahead, or at the end of a range of the first free parameter where the tangent leads beyond it.
+
+    There may be no parameters beyond. ConvergenceError where the branch itself leads beyond it.
+    """
+    aim = point.value + length * turning(point)
+    end = min(max(aim, to[0]), to[1])
+    found = corrected(point, length, reach=reach) if end == aim else placed(point, end)
+    moved = 0.0 if end == aim else float(np.abs(found.loop.guess.states - point.loop.guess.states).max())
+    if moved > reach or not to[0] <= found.value <= to[1]:
+        raise ConvergenceError("the end of the range is nearer, or farther, than a step")
+    return found
+
+
+def turning(point: Point) -> float:
+    """How much of the first free parameter is in the direction of a branch: 0 where it turns back."""
+    return float(point.tangent[-len(point.setting.free)])
+
+
+def zero_of(test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED) -> Point:
+    """Where a test function is zero between two points, by bracketing along the arc; ConvergenceError, ValueError without."""
+    from scipy.optimize import brentq
+
+    known = {0.0: one, length: other}
+
+    def value(arc: float) -> float:
+        if arc not in known:
+            known[arc] = corrected(one, arc)
+        return test(known[arc])
+
+    root = float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))
+    return known[root] if root in known else corrected(one, root)
 
 
 def along(point: Point, value: float) -> Point:

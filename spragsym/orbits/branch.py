@@ -15,7 +15,7 @@ from ..motion.shooting import Loop, extent, rate
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
-from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
+from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, cut_finer, placed, started, within
 from .halving import between_halves, due, halved, in_halves, meets, parted
 from .inspection import Finding, NotLocated, Seen, findings, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
@@ -254,7 +254,7 @@ class _Trace:
         while count < self.points:
             try:
                 with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, point.value):
-                    ahead = self._last(point, length) or corrected(point, length, reach=_reach(point))
+                    ahead = within(point, length, self.to, _reach(point))
             except ConvergenceError as error:
                 length /= 3
                 if length < SHORTEST:
@@ -265,13 +265,11 @@ class _Trace:
             if straight < STRAIGHT and length > 1e-6:
                 length /= 2.5
                 continue
-            stop = self._beyond(point, ahead)
-            if stop is not None:
-                if aligned(point, stop) < STRAIGHT and length > 1e-6:
-                    length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
-                    continue
-                ahead = stop
-            arc = length if stop is None else between(point, ahead)
+            stops = ahead.value in self.to
+            if stops and aligned(point, ahead) < STRAIGHT and length > 1e-6:
+                length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
+                continue
+            arc = between(point, ahead) if stops else length
             over, last = meets(point, ahead) is not None, last or self._merged(point, ahead)
             if over and last is not None and arc < COARSE:
                 yield last
@@ -295,7 +293,7 @@ class _Trace:
             if vertical(seen, after, arc):
                 yield Finding("end", ahead.loop, abs(ahead.value - point.value), how=VERTICAL)
                 return
-            if stop is not None:
+            if stops:
                 yield Finding("end", ahead.loop, 0.0, how="the range ends")
                 return
             end = self._ends(start, point, ahead, count)
@@ -337,31 +335,6 @@ class _Trace:
         first, square = (extent(each.loop) ** 2 for each in (before.point, last))
         off = square * (last.value - before.point.value) / (square - first)
         return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
-
-    def _last(self, point: Point, length: float) -> Point | None:
-        """The point at the end of the range, where the tangent leads beyond it: there may be no parameters beyond."""
-        ahead = point.value + length * float(point.tangent[-1])
-        if self.to[0] <= ahead <= self.to[1] or point.value in self.to:
-            return None
-        return self._at(point, self.to[ahead > self.to[1]], point.tangent)
-
-    def _beyond(self, point: Point, ahead: Point) -> Point | None:
-        """The point at the end of the range, if it was reached or passed."""
-        if ahead.value in self.to:
-            return ahead
-        if self.to[0] <= ahead.value <= self.to[1]:
-            return None
-        bound, free = self.to[ahead.value > self.to[1]], point.setting.free
-        if point.value == bound:
-            return point
-        return self._at(point, bound, ahead.loop.guess.coordinates(free) - point.loop.guess.coordinates(free))
-
-    def _at(self, point: Point, value: float, way: FloatArray) -> Point:
-        """The point at a value of the parameter, a step along a way from another point."""
-        found = placed(point, value, way)
-        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > _reach(point):
-            raise ConvergenceError("the end of the range is farther than a step")
-        return found
 
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
         loop, moved = ahead.loop, abs(ahead.value - point.value)

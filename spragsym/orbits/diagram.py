@@ -10,8 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
-from functools import partial
+from dataclasses import dataclass, field, replace
 from itertools import combinations, pairwise
 from typing import Any, ClassVar
 
@@ -20,13 +19,16 @@ from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
-from ..models.field import GAP, Mode, apart
+from ..models.field import GAP, Field, Mode, apart
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
+from ..motion.segment import Passage
+from ..motion.shooting import Conditions, Guess, Loop
 from ..questions import model_of
 from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
+from .arclength import Point, Setting, angle, between, placed, started, turning, within, zero_of
 from .attractors import same_cycle
 from .finding import cycle_near
 from .system import System
@@ -215,144 +217,107 @@ def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str
 
 @dataclass(frozen=True)
 class _Rest:
-    """Equilibria between the kinks of a field: points are coordinates, then the parameter ``vary`` in units of ``half``."""
+    """Equilibria between the kinks of a field: fixed points of the map that adds to a state its rates, in place of a flow."""
 
-    system: System
-    vary: str
-    to: FloatArray
-    half: float
+    field: Field
     mode: Mode
 
-    @classmethod
-    def of(cls, system: System, vary: str, to: tuple[float, float], state: FloatArray) -> _Rest:
-        """Equilibria in the mode of a state, with the terms that motions leave out where they are below rounding."""
-        half = (to[1] - to[0]) / 2
-        mode = system.field.exact(system.field.initial_mode(state.tolist(), system.constants))
-        return cls(system, vary, np.array(to) / half, half, mode)
+    def at(self, state: FloatArray, constants: tuple[float, ...]) -> tuple[list[float], tuple[float, ...], Mode]:
+        """State, constants and mode, whose last numbers go with the place."""
+        numbers, kept = state.tolist(), len(self.mode) - self.field.ways
+        return numbers, constants, self.mode[:kept] + self.field.initial_mode(numbers, constants)[kept:]
 
-    def at(self, point: FloatArray) -> tuple[list[float], tuple[float, ...], Mode]:
-        """State, constants and mode of a point."""
-        field = self.system.field
-        values = [point[-1] * self.half if name == self.vary else own for name, own in self.system.named()]
-        constants, state = field.constants(values), [*point[:-1].tolist(), *[0.0] * (len(point) - 1)]
-        ways = len(self.mode) - field.ways
-        return state, constants, self.mode[:ways] + field.initial_mode(state, constants)[ways:]
+    def fly(self, state: FloatArray, constants: tuple[float, ...], _: float, directions: FloatArray) -> Passage:
+        """The map with its derivatives."""
+        there, by_parameters = self.at(state, constants), np.zeros((self.field.size, 2))
+        n = len(self.field.coordinates)
+        try:
+            force = self.field.acceleration(*there, math)
+            by_state = np.eye(self.field.size) + self.field.matrix(*there)
+            by_parameters[n:] = np.array(self.field.by_parameters(*there, math), dtype=float) @ directions.T
+        except ArithmeticError as error:
+            raise ConvergenceError("there is no motion") from error
+        return Passage(state + np.append(state[n:], force), by_state, by_parameters, (), ())
 
-    def slopes(self, point: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Accelerations, and their derivatives by the point."""
-        field, there = self.system.field, self.at(point)
-        force, by_state, by_values = (
-            np.array(function(*there, math), dtype=float)
-            for function in (field.acceleration, field.jacobian, field.by_parameters)
-        )
-        by_value = by_values[:, field.parameters.index(self.vary)] * self.half
-        return force, np.column_stack([by_state[:, : len(force)], by_value])
-
-    def eigenvalues(self, point: FloatArray) -> list[complex]:
+    def eigenvalues(self, point: Point) -> list[complex]:
         """Eigenvalues of the linearized motion."""
-        return [complex(value) for value in np.linalg.eigvals(self.system.field.matrix(*self.at(point)))]
+        there = self.at(point.loop.guess.states[0], point.loop.constants)
+        return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
 
-    def pairs(self, point: FloatArray) -> float:
+    def pairs(self, point: Point) -> float:
         """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
         pairs = combinations(self.eigenvalues(point), 2)
         return float(math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real)
 
-    def turning(self, along: FloatArray, point: FloatArray) -> float:
-        """How much of the parameter is in the direction of the branch: 0 where it turns back."""
-        return float(self.tangent(point, along)[-1])
-
-    def tangent(self, point: FloatArray, along: FloatArray) -> FloatArray:
-        """Direction of the branch, of length 1."""
-        tangent: FloatArray = np.linalg.svd(self.slopes(point)[1])[2][-1]
-        return -tangent if tangent @ along < 0 else tangent
-
-    def corrected(self, guess: FloatArray, row: FloatArray | None = None) -> FloatArray:
-        """Newton's method from a guess within the plane across a row, by default at the same value of the parameter."""
-        point, row = guess, np.eye(len(guess))[-1] if row is None else row
-        for _ in range(12):
-            try:
-                force, slopes = self.slopes(point)
-                step = np.linalg.solve(np.vstack([slopes, row]), -np.append(force, row @ (point - guess)))
-            except (np.linalg.LinAlgError, ArithmeticError):
-                break
-            point = point + step
-            if not np.abs(point - guess).max() < 0.5:
-                break
-            if np.abs(step).max() < 1e-13 * (1 + np.abs(point).max()):
-                return point
-        raise ConvergenceError("there is no equilibrium near")
-
-    def inside(self, point: FloatArray) -> bool:
+    def inside(self, point: Point) -> bool:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
-        state, constants, mode = self.at(point)
-        kinks = (border for border in self.system.field.borders if border.kink and border.jumps is None)
+        state, constants, mode = self.at(point.loop.guess.states[0], point.loop.constants)
+        kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
 
-    def follow(self, begin: FloatArray, sign: float) -> Iterator[FloatArray]:
-        """Points in one direction, to the end of the range, of the mode, or of the steps."""
-        point, length, tangent = begin, LONGEST / 8, self.tangent(begin, sign * np.eye(len(begin))[-1])
+    def follow(self, point: Point, to: tuple[float, float]) -> Iterator[Point]:
+        """Points ahead, to the end of the range, of the mode, or of the steps."""
+        length = LONGEST / 8
         for _ in range(STEPS):
             try:
-                ahead = self.corrected(point + length * tangent, tangent)
-                onward = self.tangent(ahead, tangent)
+                ahead = within(point, length, to, reach=0.5)
+                agrees = angle(point, ahead) > 0.98 and self.inside(ahead)
             except ConvergenceError:
-                onward = -tangent
-            if onward @ tangent < 0.98 or not self.inside(ahead):
-                length /= 2
-                if length < SHORTEST:
+                agrees = False
+            if agrees:
+                if ahead.value != point.value or ahead.value not in to:
+                    yield ahead
+                if ahead.value in to:
                     return
-                continue
-            bound = float(np.clip(ahead[-1], *self.to))
-            if ahead[-1] != bound:
-                guess = point + (bound - point[-1]) / (ahead[-1] - point[-1]) * (ahead - point)
-                with suppress(ConvergenceError):
-                    if bound != point[-1]:
-                        yield self.corrected(np.append(guess[:-1], bound))
+                point, length = ahead, min(1.5 * length, LONGEST)
+            elif (length := length / 2) < SHORTEST:
                 return
-            yield ahead
-            point, tangent, length = ahead, onward, min(1.5 * length, LONGEST)
 
-    def passes(self, line: FloatArray, point: FloatArray) -> bool:
-        """Whether a branch passes through a point."""
-        for one, other in pairwise(line):
-            there, (low, high) = one + apart(point, one, self.system.field.around), sorted((one[-1], other[-1]))
-            if low - 1e-12 <= there[-1] <= high + 1e-12 and low != high:
-                guess = one + (there[-1] - one[-1]) / (other[-1] - one[-1]) * (other - one)
-                with suppress(ConvergenceError):
-                    if np.abs(guess - there).max() < LONGEST and np.abs(self.corrected(guess) - there).max() < ONE:
-                        return True
-        return False
-
-    def located(self, one: FloatArray, other: FloatArray, test: Callable[[FloatArray], float]) -> FloatArray | None:
+    def located(self, one: Point, other: Point, test: Callable[[Point], float]) -> Point | None:
         """The point between two where a test function changes its sign; None if it does not."""
-        from scipy.optimize import brentq
-
-        first, last, length = test(one), test(other), float(np.linalg.norm(other - one))
+        first, last = test(one), test(other)
         if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
             return None
-        chord = (other - one) / length
         with suppress(ConvergenceError, ValueError):
-            arc = brentq(lambda arc: test(self.corrected(one + arc * chord, chord)), 0.0, length, xtol=1e-15)
-            return self.corrected(one + float(arc) * chord, chord)
+            return zero_of(test, one, other, between(one, other), xtol=1e-15)
         return None
 
-    def labels(self, line: FloatArray, number: int) -> Iterator[Label]:
+    def labels(self, line: Sequence[Point], number: int) -> Iterator[Label]:
         """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary axis."""
         for one, other in pairwise(line):
-            fold, hopf = (self.located(one, other, test) for test in (partial(self.turning, other - one), self.pairs))
+            fold, hopf = (self.located(one, other, test) for test in (turning, self.pairs))
             if hopf is not None:
                 total, pair = min((abs(a + b), abs(a.imag)) for a, b in combinations(self.eigenvalues(hopf), 2))
                 hopf = hopf if pair > 1e-6 > total else None
             for label, place in (("LP", fold), ("H", hopf)):
                 if place is not None:
-                    yield Label(label, float(place[-1]) * self.half, float(place[0]), "equilibria", number)
+                    yield Label(label, place.value, float(place.loop.guess.states[0, 0]), "equilibria", number)
+
+
+def _one_time(setting: Setting, near: Loop, _: FloatArray) -> Conditions:
+    """An equilibrium has no period: it stays 1."""
+    row = np.eye(1, len(near.guess.coordinates(setting.free)), near.guess.states.size)
+    return lambda loop: (np.array([loop.guess.period - 1.0]), row)
+
+
+def _passes(line: Sequence[Point], point: Point) -> bool:
+    """Whether a branch passes through a point."""
+    place, around = point.loop.guess.states[0], point.setting.field.around
+    for one, other in pairwise(line):
+        near = np.abs(apart(place, one.loop.guess.states[0], around)).max() < 2 * LONGEST
+        if near and (one.value - point.value) * (other.value - point.value) <= 0 and one.value != other.value:
+            with suppress(ConvergenceError):
+                met = placed(one, point.value, other.coordinates - one.coordinates).loop.guess.states[0]
+                if np.abs(apart(place, met, around)).max() < ONE:
+                    return True
+    return False
 
 
 def _equilibria(
     p: ParameterSet, vary: str, to: tuple[float, float]
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:  # fmt: skip
     """All branches on which there is an equilibrium at one of some values of the parameter, with their labels."""
-    model, found = p.model, list[tuple[bool, _Rest, FloatArray]]()
+    model, found = p.model, list[tuple[bool, list[Point]]]()
     grid = np.linspace(*to, SEEDS)
     for contact in (True, False):
         try:
@@ -366,16 +331,22 @@ def _equilibria(
                 state = system.equilibrium(places[i, j])
             except ConvergenceError:
                 continue
-            rest = _Rest.of(system, vary, to, state)
-            point = np.append(state[: len(model.coordinates)], grid[i] / rest.half)
-            if any(pushed == contact and other.passes(line, point) for pushed, other, line in found):
+            rest = _Rest(system.field, system.field.exact(system.field.initial_mode(state.tolist(), system.constants)))
+            flow, half = replace(system.flow, other=rest.fly), (to[1] - to[0]) / 2
+            setting = Setting(flow, (model.parameters.index(vary),), 1.0, (half,), event=_one_time)
+            point = started(setting, Guess(state[None], 1.0, system.values))
+            if any(pushed == contact and _passes(line, point) for pushed, line in found):
                 continue
-            back, forth = (list(rest.follow(point, sign)) for sign in (-1.0, 1.0))
-            line = np.array([*reversed(back), point, *forth])
+            back, forth = (list(rest.follow(point.turned(sign), to)) for sign in (-1.0, 1.0))
+            line = [*(each.turned(-1.0) for each in reversed(back)), point, *forth]
+            states = np.array([each.loop.guess.states[0, : len(model.coordinates)] for each in line])
             stable = np.array([max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line])
-            branch = EquilibriumBranch(line[:, -1] * rest.half, line[:, :-1], stable, "contact" if contact else "lift-off")
-            yield branch, list(rest.labels(line, len(found)))
-            found.append((contact, rest, line))
+            values = np.array([each.value for each in line])
+            yield (
+                EquilibriumBranch(values, states, stable, "contact" if contact else "lift-off"),
+                list(rest.labels(line, len(found))),
+            )
+            found.append((contact, line))
 
 
 # ------------------------------------------------------------------------------------------------------------------ cycles

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Loop
-from .arclength import Point, between, corrected, placed, uncertainty
+from .arclength import LOCATED, Point, between, corrected, placed, turning, uncertainty, zero_of
 from .grazing import Touch, grazing, may_have_touched, may_touch, paired, signature, touches
 
 #: What test functions tell, a grazing apart.
@@ -24,9 +24,6 @@ DEEPEST = 9
 
 #: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a fold.
 FLAT = 1e-6
-
-#: An event is located to this, in units of the arc.
-LOCATED = 1e-11
 
 
 #: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a double multiplier is found; and
@@ -75,9 +72,9 @@ class Seen:
 def criterion(kind: str, point: Point) -> float:
     """A test function along a branch: at a fold the parameter itself turns back; where another branch crosses, it does not."""
     if kind == "fold":
-        return float(point.tangent[-1])
+        return turning(point)
     if kind == "crossing":
-        return CRITERIA["fold"](point.loop) * float(np.sign(point.tangent[-1]))
+        return CRITERIA["fold"](point.loop) * float(np.sign(turning(point)))
     return CRITERIA[kind](point.loop)
 
 
@@ -192,17 +189,9 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
 
 def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Finding]:
     """Where a test function is zero, by bracketing along the arc."""
-    from scipy.optimize import brentq
-
-    known, width = {0.0: one.point, length: other.point}, abs(one.point.value - other.point.value)
-
-    def value(arc: float) -> float:
-        if arc not in known:
-            known[arc] = corrected(one.point, arc)
-        return criterion(kind, known[arc])
-
+    width = abs(one.point.value - other.point.value)
     try:
-        root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
+        point = zero_of(partial(criterion, kind), one.point, other.point, length)
     except (ConvergenceError, ValueError) as error:
         if length > FINEST:
             raise NotLocated(kind) from error  # the two points may lie on different branches: shorter steps tell
@@ -210,7 +199,6 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
             return
         yield Finding(kind, other.point.loop, width)
         return
-    point = known[root] if root in known else corrected(one.point, root)
     if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):
         return
     if kind == "torus" and not is_complex_pair(point.loop):

@@ -220,30 +220,24 @@ def through(place: FloatArray, normal: FloatArray, unknowns: int) -> Conditions:
     return lambda loop: (np.array([normal @ (loop.guess.states[0] - place)]), row)
 
 
-def across(field: Field, guess: Guess) -> Conditions:
-    """The plane through the first state of a guess across the flow there."""
-    normal = rate(field, guess.states[0], field.constants(guess.values))
-    return through(guess.states[0], normal / np.linalg.norm(normal), guess.states.size + 1)
+def across(loop: Loop, place: FloatArray | None = None, parameters: int = 0) -> Conditions:
+    """The plane across the flow at the first state of a loop, through that or another place."""
+    first = loop.guess.states[0]
+    normal = rate(loop.field, first, loop.constants)
+    place = first if place is None else place
+    return through(place, normal / np.linalg.norm(normal), loop.guess.states.size + 1 + parameters)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
     """The phase of a guess at an orbit: where the first coordinate is largest, or as it is where that only turns around."""
-    unknowns, m = guess.states.size + 1, loop.field.size
+    m = loop.field.size
     if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
-        return across(loop.field, guess)
-    return through(np.zeros(m), np.eye(m)[m // 2], unknowns)
-
-
-def divided(flow: Flow, guess: Guess, pieces: int) -> Guess:
-    """The loop cut into ``pieces`` equal stretches, from its first state on."""
-    constants, states = flow.field.constants(guess.values), [guess.states[0]]
-    for _ in range(pieces - 1):
-        states.append(flow.fly(states[-1], constants, guess.period / pieces).state)
-    return Guess(np.array(states), guess.period, guess.values)
+        return across(replace(loop, guess=guess))
+    return through(np.zeros(m), np.eye(m)[m // 2], guess.states.size + 1)
 
 
 def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
-    """A closed loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
+    """A loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
 
     Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
     """
@@ -263,7 +257,7 @@ def split(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
     loop, pieces = looped(flow, guess, free), len(guess.states)
     while growth(loop) > LARGEST_GROWTH and pieces < SPLIT:
         pieces *= 2
-        loop = looped(flow, divided(flow, Guess(guess.states[:1], guess.period, guess.values), pieces), free)
+        loop = looped(flow, recut(loop, pieces), free)
     return loop
 
 

@@ -19,9 +19,9 @@ from ..motion.shooting import (
     Conditions,
     Guess,
     Loop,
+    across,
     growth,
     looped,
-    rate,
     recut,
     rounding,
     solved,
@@ -124,18 +124,9 @@ def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> P
     return point.turned(-1.0 if ahead < 0 else 1.0)
 
 
-def phase_row(setting: Setting, loop: Loop) -> FloatArray:
-    """The row of Newton's matrix that keeps the first state in the plane across the flow."""
-    row = np.zeros((1, loop.guess.states.size + 1 + len(setting.free)))
-    flow = rate(setting.field, loop.guess.states[0], loop.constants)
-    row[0, : setting.field.size] = flow / np.linalg.norm(flow)
-    return row
-
-
 def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
     """The first state stays in the plane across the flow at a loop, through a target."""
-    row = phase_row(setting, near)
-    return lambda loop: (row @ (loop.guess.coordinates(setting.free) - target), row)
+    return across(near, target[: setting.field.size], len(setting.free))
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
@@ -244,7 +235,8 @@ def along(point: Point, value: float) -> Point:
             point, length = cut_finer(found), 2 * length
         elif length < LEAST_SHARE * whole:
             name = point.setting.field.parameters[point.setting.free[0]]
-            raise ConvergenceError(f"the cycle ends near {name} = {point.value:.10g} on the way")
+            what = "cycle" if point.setting.event is None else "equilibrium"
+            raise ConvergenceError(f"the {what} ends near {name} = {point.value:.10g} on the way")
         else:
             length /= 3
     return point
@@ -254,7 +246,7 @@ def cut_finer(point: Point) -> Point:
     """The point in more stretches, where the derivatives over one of them have grown large."""
     loop, setting = point.loop, point.setting
     pieces, size = len(loop.guess.states), setting.field.size
-    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
+    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES or setting.event is not None:
         return point
     finer = setting.looped(recut(loop, 2 * pieces))
     # The old tangent by its first state, period and parameter.
@@ -266,7 +258,8 @@ def cut_finer(point: Point) -> Point:
 def uncertainty(point: Point) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
     setting, loop = point.setting, point.loop
-    rows = np.vstack([loop.slopes(len(setting.free)), phase_row(setting, loop), (point.way * point.weights)[None]])
+    _, phase = in_phase(setting, loop, point.coordinates)(loop)
+    rows = np.vstack([loop.slopes(len(setting.free)), phase, (point.way * point.weights)[None]])
     return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
 
 

@@ -18,6 +18,7 @@ from ..motion.regimes import Outcome, Regime
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of
+from .rests import Rest
 from .saddles import rounding_of
 from .system import System
 
@@ -38,12 +39,6 @@ SAME = 1e-6
 
 #: A cycle's state lies on another one, of the same averages, if it is nearer to its samples than this share of its extent.
 ON = 0.05
-
-#: An equilibrium that is followed moves by no more than this in one step.
-NEAR = 0.1
-
-#: Nor may the one at the middle of the step lie farther off the straight line, as a share of the step.
-BENT = 0.25
 
 
 @dataclass(frozen=True)
@@ -145,35 +140,22 @@ def followed(known: Attractor, system: System) -> Attractor:
     if known.orbit is not None:
         orbit = followed_cycle(known.orbit, system.values)
         return _stable(Attractor(known.kind, system, orbit.state, orbit))
-    begin, end = np.array(known.system.values), np.array(system.values)
-
-    def at(share: float, near: FloatArray) -> FloatArray:
-        return replace(system, values=tuple(((1 - share) * begin + share * end).tolist())).equilibrium(near)
-
-    state, share, step = known.state, 0.0, 1.0
-    while share < 1:
-        ahead = min(share + step, 1.0)
-        try:
-            middle = at((share + ahead) / 2, state)
-            place = at(ahead, middle)
-        except ConvergenceError:
-            place = middle = np.full_like(state, np.inf)
-        with np.errstate(invalid="ignore"):
-            moved, bent = np.abs(place - state).max(), np.abs(2 * middle - state - place).max()
-        if moved <= NEAR and bent <= BENT * moved + SAME:
-            state, share, step = place, ahead, 2 * step
-        elif step < 1e-3:
-            raise ConvergenceError("the equilibrium ends on the way")
-        else:
-            step /= 2
-    return _at_rest(system, state)
+    index, span = _varied(known.system.values, system.values)
+    point = along(Rest(system.field).started(known.system, known.state, index, span), system.values[index])
+    return _at_rest(system, point.loop.guess.states[0])
 
 
 def followed_cycle(known: Cycle, values: tuple[float, ...]) -> Cycle:
     """The cycle continued to another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
-    (index,) = (i for i, (now, then) in enumerate(zip(known.values, values, strict=True)) if now != then)
-    setting = Setting(known.loop.flow, (index,), known.period, (abs(values[index] - known.values[index]),))
+    index, span = _varied(known.values, values)
+    setting = Setting(known.loop.flow, (index,), known.period, (span,))
     return cycle_of(along(started(setting, known.loop.guess), values[index]).loop)
+
+
+def _varied(now: tuple[float, ...], then: tuple[float, ...]) -> tuple[int, float]:
+    """Which one parameter differs, and by how much."""
+    ((index, span),) = ((i, abs(b - a)) for i, (a, b) in enumerate(zip(now, then, strict=True)) if a != b)
+    return index, span
 
 
 def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArray]:

@@ -47,15 +47,8 @@ class TooWide(NotProved):
     """What a smaller set of starts, carried with more digits, may show."""
 
 
-@contextmanager
-def bits(count: int) -> Iterator[None]:
-    """Balls of ``count`` bits for as long as the context lasts."""
-    before = ctx.prec
-    ctx.prec = count
-    try:
-        yield
-    finally:
-        ctx.prec = before
+#: Balls of so many bits for as long as the context lasts.
+bits = ctx.workprec
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     slopes = np.array(claim["slopes"])
     if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
         raise NotProved("a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone")
-    inverse = [[arb(value) for value in row] for row in np.linalg.inv(slopes).tolist()]
+    inverse = arb_mat(np.linalg.inv(slopes).tolist())
     state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, digits)
 
     start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
@@ -132,7 +132,7 @@ def _exactly(value: Any) -> Any:
 
 def _refined(
     field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]],
-    inverse: list[list[Any]], moved: list[int], digits: int,
+    inverse: Any, moved: list[int], digits: int,
 ) -> tuple[list[Any], Any, list[tuple[int, Any]]]:  # fmt: skip
     """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
 
@@ -144,7 +144,7 @@ def _refined(
         with bits(accuracy_for(now).bits):
             end, times = _traced(field, constants, state, period, mode, crossings, now)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]
-        steps = [sum((row[j] * gaps[j] for j in range(len(gaps))), arb(0)).mid() for row in inverse]
+        steps = [step.mid() for step in (inverse * arb_mat([[gap] for gap in gaps])).entries()]
         for i, column in enumerate(moved):
             state[column] = (state[column] - steps[i]).mid()
         period = (period - steps[-1]).mid()
@@ -224,9 +224,7 @@ def touched(border: Any) -> str:
 # -------------------------------------------------------------------------------------------------- the theorem
 
 
-def _krawczyk(
-    balls: Balls, state: list[Any], period: Any, radius: Any, inverse: list[list[Any]], moved: list[int]
-) -> dict[str, Any]:  # fmt: skip
+def _krawczyk(balls: Balls, state: list[Any], period: Any, radius: Any, inverse: Any, moved: list[int]) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
     field, m = balls.field, balls.field.size
     around = [value + arb(0, arb(1e-6)) for value in balls.box]
@@ -237,29 +235,25 @@ def _krawczyk(
         raise NotProved("the period's ball is too wide")
     # Over the ball of the period the derivative of the flow changes by no more than this share.
     share = ((slope * radius).exp() - 1).abs_upper()
-    sizes = [sum((abs(balls.matrix[k, j]).abs_upper() for k in range(m)), arb(0)) for j in range(m)]
-    monodromy = arb_mat(m, m, [balls.matrix[i, j] + arb(0, (share * sizes[j]).abs_upper()) for i in range(m) for j in range(m)])
-    gaps = [value - begun for value, begun in zip(balls.point, state, strict=True)]
-    corrections = [sum((inverse[i][k] * gaps[k] for k in range(m)), arb(0)) for i in range(m)]
-    widths = []
-    for i in range(m):
-        row = [
-            (1 if i == column else 0) - sum((inverse[i][k] * (monodromy[k, j] - int(k == j)) for k in range(m)), arb(0))
-            for column, j in enumerate(moved)
-        ]
-        row.append((1 if i == m - 1 else 0) - sum((inverse[i][k] * rates[k] for k in range(m)), arb(0)))
-        widths.append(sum((abs(value).abs_upper() for value in row), arb(0)) * radius)
-    inside = [abs(c).abs_upper() + w for c, w in zip(corrections, widths, strict=True)]
+    rows = balls.matrix.tolist()
+    sizes = [sum((abs(value).abs_upper() for value in column), arb(0)) for column in zip(*rows, strict=True)]
+    monodromy = [[value + arb(0, (share * size).abs_upper()) for value, size in zip(row, sizes, strict=True)] for row in rows]
+    slopes = [[*(row[j] - int(i == j) for j in moved), rate] for i, (row, rate) in enumerate(zip(monodromy, rates, strict=True))]
+    gaps = [[value - begun] for value, begun in zip(balls.point, state, strict=True)]
+    corrections, off = (inverse * arb_mat(gaps)).entries(), (unit(m) - inverse * arb_mat(slopes)).tolist()
+    inside = [
+        abs(correction).abs_upper() + sum((abs(value).abs_upper() for value in row), arb(0)) * radius
+        for correction, row in zip(corrections, off, strict=True)
+    ]
     if not all(value < radius for value in inside):
         worst = max(float((value / radius).mid()) for value in inside)
         raise TooWide(f"Newton's operator does not map the box into itself: {worst:.3g} times its size")
-    return _told(balls, monodromy, state, period, inside)
+    return _told(monodromy, state, period, inside)
 
 
-def _told(balls: Balls, monodromy: Any, state: list[Any], period: Any, inside: list[Any]) -> dict[str, Any]:
-    m = balls.field.size
+def _told(monodromy: list[list[Any]], state: list[Any], period: Any, inside: list[Any]) -> dict[str, Any]:
     try:
-        eigenvalues = acb_mat(m, m, [monodromy[i, j] for i in range(m) for j in range(m)]).eig()
+        eigenvalues = acb_mat(monodromy).eig()
     except (ValueError, ArithmeticError):
         eigenvalues = []
     trivial = [i for i, value in enumerate(eigenvalues) if (value - 1).contains(0)]

@@ -7,10 +7,9 @@ followed from every Hopf point along the parameter, from starts that are given, 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import combinations, pairwise
 from typing import Any, ClassVar
 
@@ -19,18 +18,17 @@ from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
-from ..models.field import GAP, Field, Mode, apart
+from ..models.field import apart
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
-from ..motion.segment import Passage
-from ..motion.shooting import Conditions, Guess, Loop
 from ..questions import model_of
 from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
-from .arclength import Point, Setting, angle, between, placed, started, turning, within, zero_of
+from .arclength import Point, angle, between, placed, turning, within, zero_of
 from .attractors import same_cycle
 from .finding import cycle_near
+from .rests import Rest
 from .system import System
 
 #: Values of the parameter at which the statics say where equilibria are.
@@ -215,89 +213,45 @@ def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str
 # -------------------------------------------------------------------------------------------------------------- equilibria
 
 
-@dataclass(frozen=True)
-class _Rest:
-    """Equilibria between the kinks of a field: fixed points of the map that adds to a state its rates, in place of a flow."""
-
-    field: Field
-    mode: Mode
-
-    def at(self, state: FloatArray, constants: tuple[float, ...]) -> tuple[list[float], tuple[float, ...], Mode]:
-        """State, constants and mode, whose last numbers go with the place."""
-        numbers, kept = state.tolist(), len(self.mode) - self.field.ways
-        return numbers, constants, self.mode[:kept] + self.field.initial_mode(numbers, constants)[kept:]
-
-    def fly(self, state: FloatArray, constants: tuple[float, ...], _: float, directions: FloatArray) -> Passage:
-        """The map with its derivatives."""
-        there, by_parameters = self.at(state, constants), np.zeros((self.field.size, 2))
-        n = len(self.field.coordinates)
+def _followed(rest: Rest, point: Point, to: tuple[float, float]) -> Iterator[Point]:
+    """Points ahead, to the end of the range, of the mode, or of the steps."""
+    length = LONGEST / 8
+    for _ in range(STEPS):
         try:
-            force = self.field.acceleration(*there, math)
-            by_state = np.eye(self.field.size) + self.field.matrix(*there)
-            by_parameters[n:] = np.array(self.field.by_parameters(*there, math), dtype=float) @ directions.T
-        except ArithmeticError as error:
-            raise ConvergenceError("there is no motion") from error
-        return Passage(state + np.append(state[n:], force), by_state, by_parameters, (), ())
-
-    def eigenvalues(self, point: Point) -> list[complex]:
-        """Eigenvalues of the linearized motion."""
-        there = self.at(point.loop.guess.states[0], point.loop.constants)
-        return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
-
-    def pairs(self, point: Point) -> float:
-        """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
-        pairs = combinations(self.eigenvalues(point), 2)
-        return float(math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real)
-
-    def inside(self, point: Point) -> bool:
-        """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
-        state, constants, mode = self.at(point.loop.guess.states[0], point.loop.constants)
-        kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
-        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
-
-    def follow(self, point: Point, to: tuple[float, float]) -> Iterator[Point]:
-        """Points ahead, to the end of the range, of the mode, or of the steps."""
-        length = LONGEST / 8
-        for _ in range(STEPS):
-            try:
-                ahead = within(point, length, to, reach=0.5)
-                agrees = angle(point, ahead) > 0.98 and self.inside(ahead)
-            except ConvergenceError:
-                agrees = False
-            if agrees:
-                if ahead.value != point.value or ahead.value not in to:
-                    yield ahead
-                if ahead.value in to:
-                    return
-                point, length = ahead, min(1.5 * length, LONGEST)
-            elif (length := length / 2) < SHORTEST:
+            ahead = within(point, length, to, reach=0.5)
+            agrees = angle(point, ahead) > 0.98 and rest.inside(ahead)
+        except ConvergenceError:
+            agrees = False
+        if agrees:
+            if ahead.value != point.value or ahead.value not in to:
+                yield ahead
+            if ahead.value in to:
                 return
+            point, length = ahead, min(1.5 * length, LONGEST)
+        elif (length := length / 2) < SHORTEST:
+            return
 
-    def located(self, one: Point, other: Point, test: Callable[[Point], float]) -> Point | None:
-        """The point between two where a test function changes its sign; None if it does not."""
-        first, last = test(one), test(other)
-        if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
-            return None
-        with suppress(ConvergenceError, ValueError):
-            return zero_of(test, one, other, between(one, other), xtol=1e-15)
+
+def _located(one: Point, other: Point, test: Callable[[Point], float]) -> Point | None:
+    """The point between two where a test function changes its sign; None if it does not."""
+    first, last = test(one), test(other)
+    if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
         return None
-
-    def labels(self, line: Sequence[Point], number: int) -> Iterator[Label]:
-        """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary axis."""
-        for one, other in pairwise(line):
-            fold, hopf = (self.located(one, other, test) for test in (turning, self.pairs))
-            if hopf is not None:
-                total, pair = min((abs(a + b), abs(a.imag)) for a, b in combinations(self.eigenvalues(hopf), 2))
-                hopf = hopf if pair > 1e-6 > total else None
-            for label, place in (("LP", fold), ("H", hopf)):
-                if place is not None:
-                    yield Label(label, place.value, float(place.loop.guess.states[0, 0]), "equilibria", number)
+    with suppress(ConvergenceError, ValueError):
+        return zero_of(test, one, other, between(one, other), xtol=1e-15)
+    return None
 
 
-def _one_time(setting: Setting, near: Loop, _: FloatArray) -> Conditions:
-    """An equilibrium has no period: it stays 1."""
-    row = np.eye(1, len(near.guess.coordinates(setting.free)), near.guess.states.size)
-    return lambda loop: (np.array([loop.guess.period - 1.0]), row)
+def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
+    """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary axis."""
+    for one, other in pairwise(line):
+        fold, hopf = (_located(one, other, test) for test in (turning, rest.pairs))
+        if hopf is not None:
+            total, pair = min((abs(a + b), abs(a.imag)) for a, b in combinations(rest.eigenvalues(hopf), 2))
+            hopf = hopf if pair > 1e-6 > total else None
+        for label, place in (("LP", fold), ("H", hopf)):
+            if place is not None:
+                yield Label(label, place.value, float(place.loop.guess.states[0, 0]), "equilibria", number)
 
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
@@ -331,21 +285,17 @@ def _equilibria(
                 state = system.equilibrium(places[i, j])
             except ConvergenceError:
                 continue
-            rest = _Rest(system.field, system.field.exact(system.field.initial_mode(state.tolist(), system.constants)))
-            flow, half = replace(system.flow, other=rest.fly), (to[1] - to[0]) / 2
-            setting = Setting(flow, (model.parameters.index(vary),), 1.0, (half,), event=_one_time)
-            point = started(setting, Guess(state[None], 1.0, system.values))
+            rest = Rest(system.field, system.field.exact(system.field.initial_mode(state.tolist(), system.constants)))
+            point = rest.started(system, state, model.parameters.index(vary), (to[1] - to[0]) / 2)
             if any(pushed == contact and _passes(line, point) for pushed, line in found):
                 continue
-            back, forth = (list(rest.follow(point.turned(sign), to)) for sign in (-1.0, 1.0))
+            back, forth = (list(_followed(rest, point.turned(sign), to)) for sign in (-1.0, 1.0))
             line = [*(each.turned(-1.0) for each in reversed(back)), point, *forth]
             states = np.array([each.loop.guess.states[0, : len(model.coordinates)] for each in line])
             stable = np.array([max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line])
             values = np.array([each.value for each in line])
-            yield (
-                EquilibriumBranch(values, states, stable, "contact" if contact else "lift-off"),
-                list(rest.labels(line, len(found))),
-            )
+            branch = EquilibriumBranch(values, states, stable, "contact" if contact else "lift-off")
+            yield branch, list(_labels(rest, line, len(found)))
             found.append((contact, line))
 
 

@@ -111,7 +111,7 @@ def lyapunov(
     whole = rates_along(system, state, t_end)
     late = whole.part(len(whole.logs) // 2)
     times = late.stretch * np.arange(1, len(late.logs) + 1)
-    order = np.argsort(-late.exponents, kind="stable")
+    order = late.order
     zero = np.abs(late.exponents) <= PROVED * late.error
     zero[0] |= late.moves
     kind, why, limit = _kind(system, state, t_end)
@@ -120,7 +120,7 @@ def lyapunov(
         kind = "undecided" if why else "chaotic"
         why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     return Lyapunov(
-        late.exponents[order], late.error[order], zero[order], int(np.flatnonzero(order == 0)[0]) if late.moves else -1,
+        late.exponents[order], late.error[order], zero[order], late.trivial,
         float(late.volumes.sum() / late.span), np.asarray(t_end - late.span + times),
         np.asarray(np.cumsum(late.logs, axis=0) / times[:, None])[:, order], kind, why, limit, late.end,
     )  # fmt: skip

@@ -247,7 +247,7 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
     turns = [turn.state for turn in loop.turns()]
     # A guess that begins at a turn may count it at neither end.
     reach = 0.5 * float(np.ptp([loop.guess.states[0], *turns], axis=0).max()) if turns else np.inf
-    return solved(flow, loop.guess, across(flow.field, loop.guess), reach=reach)
+    return solved(flow, loop.guess, across(loop), reach=reach)
 
 
 def _why(system: System, state: FloatArray, span: float, outcome: Outcome) -> str:

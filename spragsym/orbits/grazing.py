@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.segment import Turn
-from ..motion.shooting import Conditions, Guess, Loop, divided, solved
+from ..motion.shooting import Conditions, Guess, Loop, recut, solved
 from .arclength import Point, Setting
 from .system import differences
 
@@ -100,7 +100,7 @@ def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Tou
 def grazing(near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
     setting, known = near.setting, near.loop.guess
-    guess = divided(setting.flow, replace(known, states=touch.turn.state[None]), len(known.states))
+    guess = recut(near.loop, len(known.states), touch.turn.t)
     loop = solved(setting.flow, guess, touching(touch.turn.border, setting), setting.free, reach=0.5)
     if abs(loop.guess.period / known.period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from ..errors import ConvergenceError, ParameterError
@@ -92,6 +93,16 @@ class Rates:
         if self.moves:
             found[0] = float(np.ptp(self.flow)) / self.span
         return np.maximum(found, FLOOR)
+
+    @property
+    def order(self) -> NDArray[np.intp]:
+        """Places of the exponents, largest first."""
+        return np.argsort(-self.exponents, kind="stable")
+
+    @property
+    def trivial(self) -> int:
+        """Which one of these, largest first, is the trivial one; −1 at rest."""
+        return int(np.flatnonzero(self.order == 0)[0]) if self.moves else -1
 
     def undecided(self, before: float) -> str:
         """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it was followed before."""

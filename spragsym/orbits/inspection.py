@@ -61,7 +61,7 @@ class Seen:
     @cached_property
     def lost(self) -> frozenset[str]:
         """Kinds of event whose test functions have lost their sign: nothing is concluded from these."""
-        return frozenset(kind for kind in KINDS if kind != "fold" and is_lost(self.point.loop, _of_multipliers(kind)))
+        return frozenset(kind for kind in KINDS if kind != "fold" and is_lost(self.point.loop, kind))
 
     @cached_property
     def touches(self) -> list[Touch]:
@@ -76,11 +76,6 @@ def criterion(kind: str, point: Point) -> float:
     if kind == "crossing":
         return CRITERIA["fold"](point.loop) * float(np.sign(turning(point)))
     return CRITERIA[kind](point.loop)
-
-
-def _of_multipliers(kind: str) -> str:
-    """The test function of multipliers that a kind of event is told by."""
-    return "fold" if kind == "crossing" else kind
 
 
 @dataclass(frozen=True)
@@ -106,8 +101,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     told = [kind for kind in KINDS if kind not in lost]
     changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
     quiet = set(told) - set(changed)
-    pairs = list(paired(one.touches, other.touches)) if len(one.touches) == len(other.touches) else []
-    pairs = pairs or list(paired(one.touches, other.touches))
+    pairs = list(paired(one.touches, other.touches))
     through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
     kinks = sum(abs(a - b) for a, b in zip(signature(one.point), signature(other.point), strict=True)) // 2
     hidden = (
@@ -199,7 +193,7 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
             return
         yield Finding(kind, other.point.loop, width)
         return
-    if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):
+    if kind != "fold" and is_lost(point.loop, kind):
         return
     if kind == "torus" and not is_complex_pair(point.loop):
         return
@@ -212,7 +206,7 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         if length > FINEST:
             raise NotLocated(kind)
         off, how = max(off, width), JUMPED
-    yield Finding(_of_multipliers(kind), point.loop, off, crossed=crossed, how=how)
+    yield Finding("fold" if crossed is not None else kind, point.loop, off, crossed=crossed, how=how)
 
 
 def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:
@@ -221,7 +215,7 @@ def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> fl
     if kind == "fold":
         return own  # the parameter is extremal there
     change = abs(one.criteria[kind] - other.criteria[kind])
-    place = LOCATED + unsure(point.loop, _of_multipliers(kind)) * length / change
+    place = LOCATED + unsure(point.loop, kind) * length / change
     return own + abs(float(point.tangent[-1])) * place + SCATTER * _scatter(kind, one, other, point) / change
 
 

@@ -92,8 +92,7 @@ class FateMap(Result):
         names = (f"{name}0" for name in (*self.model.coordinates, *self.model.rates))
         made = {
             **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
-            "backend": self.backend,
-            "fingerprint": _fingerprint(self.model, self.inputs, self.start, self.t_end, self.backend),
+            "backend": self.backend, "fingerprint": _Asked(self.model, self.start, self.t_end, self.backend).key(self.inputs),
         }  # fmt: skip
         storage.write(path, dict, self._columns, made, explained)
 
@@ -150,39 +149,43 @@ def fate_map(
     t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
-    made, key = partial(_made, model, inputs, state, t_end, name), partial(_fingerprint, model, inputs, state, t_end, name)
-    work = partial(_records, model, state, t_end, name)
-    return made_or_loaded(inputs, work, made, MEASURED, "why", key, FateMap.save, workers, progress, store)
+    asked = _Asked(model, state, t_end, name)
+    made, key = partial(asked.made, inputs), partial(asked.key, inputs)
+    return made_or_loaded(inputs, asked.records, made, MEASURED, "why", key, FateMap.save, workers, progress, store)
 
 
-def _records(
-    model: Any, start: tuple[float, ...], t_end: float, backend: str, points: Sequence[tuple[float, ...]]
-) -> list[Record]:
-    """What is said of each point, a task of its own; what makes its motion impossible is why it is undecided."""
-    (values,) = points
-    try:
-        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
-        found = fate(p, start=start, t_end=t_end, backend=backend)
-    except (ParameterError, ArithmeticError) as error:
-        return [([float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}")]
-    kind = Kind[found.kind.upper().replace("-", "_")]
-    across = [i for i in range(len(found.exponents)) if i != found.trivial]
-    largest, width = float(found.exponents[across[0]]), float(found.error[across[0]])
-    return [([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)]
+@dataclass(frozen=True)
+class _Asked:
+    """What is the same at every point."""
 
+    model: Any
+    start: tuple[float, ...]
+    t_end: float
+    backend: str
 
-def _fingerprint(model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str) -> str:
-    """A hash of everything that decides the bits of a map."""
-    return fingerprint(model, inputs, {"start": start, "t_end": t_end, "backend": backend}, "orbits")
+    def records(self, points: Sequence[tuple[float, ...]]) -> list[Record]:
+        """What is said of each point, a task of its own; what makes its motion impossible is why it is undecided."""
+        (values,) = points
+        try:
+            p = self.model.Parameters(**dict(zip(self.model.parameters, values, strict=True)))
+            found = fate(p, start=self.start, t_end=self.t_end, backend=self.backend)
+        except (ParameterError, ArithmeticError) as error:
+            return [([float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}")]
+        kind = Kind[found.kind.upper().replace("-", "_")]
+        which = 1 if found.trivial == 0 else 0
+        largest, width = float(found.exponents[which]), float(found.error[which])
+        return [([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)]
 
+    def key(self, inputs: dict[str, FloatArray]) -> str:
+        """A hash of everything that decides the bits of a map."""
+        settings = {"start": self.start, "t_end": self.t_end, "backend": self.backend}
+        return fingerprint(self.model, inputs, settings, "orbits")
 
-def _made(
-    model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str, records: list[Record],
-    _: Mapping[str, Any],
-) -> FateMap:  # fmt: skip
-    shape = np.broadcast_shapes(*(values.shape for values in inputs.values()))
-    table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
-    columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
-    columns["kind"] = columns["kind"].astype(np.int8)
-    why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
-    return FateMap(inputs, start, t_end, backend, **columns, why=why, model=model)
+    def made(self, inputs: dict[str, FloatArray], records: list[Record], _: Mapping[str, Any]) -> FateMap:
+        """The map of these records."""
+        shape = np.broadcast_shapes(*(values.shape for values in inputs.values()))
+        table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
+        columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
+        columns["kind"] = columns["kind"].astype(np.int8)
+        why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
+        return FateMap(inputs, self.start, self.t_end, self.backend, **columns, why=why, model=self.model)

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
-from ..motion.shooting import Guess, Loop, divided, rate
-from .arclength import Point, Setting, corrected, phase_row, point_of
+from ..motion.shooting import Guess, Loop, across, rate
+from .arclength import Point, Setting, corrected
 from .orbit import Cycle, cycle_of
 
 if TYPE_CHECKING:
@@ -17,9 +17,6 @@ if TYPE_CHECKING:
 
 #: First steps off a branch, in states.
 STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
-
-#: A cycle farther off than this many steps is on a branch that only passes near.
-FAR = 30
 
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
@@ -40,7 +37,7 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     index = cycle.field.parameters.index(branch.vary)
     setting = Setting(event.loop.flow, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
     if event.kind == "fold" and event.crossed is None:
-        return _beyond(branch, setting, event.loop, step)
+        return _beyond(branch, event, step)
     twice = event.kind == "period_doubling"
     guess, direction = _doubled(setting, cycle.loop) if twice else _across(setting, event)
     point = Point(setting, setting.looped(guess), direction)
@@ -64,7 +61,8 @@ def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
     assert event.loop is not None
     loop = setting.looped(event.loop.guess)
     weights = setting.weights(len(loop.guess.states))
-    matrix = np.vstack([loop.slopes(1), phase_row(setting, loop)]) / weights
+    _, phase = across(loop, parameters=1)(loop)
+    matrix = np.vstack([loop.slopes(1), phase]) / weights
     _, _, vectors = np.linalg.svd(matrix)
     along = np.asarray(event.crossed) * weights
     along = along / np.linalg.norm(along)
@@ -73,26 +71,19 @@ def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
     return loop.guess, direction / np.linalg.norm(direction[: setting.field.size])
 
 
-def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float) -> Cycle:
-    """The cycle a step from a fold, on the side that comes later on the branch."""
-    point = point_of(setting, loop)
-
-    def place(cycle: Cycle) -> int:
-        return int(np.argmin([np.abs(cycle.state - other.state).max() for other in branch.cycles]))
-
-    for size in (step, *(each for each in STEPS if each < step)):
-        try:
-            sides = [corrected(point, sign * size, reach=FAR * size).loop for sign in (1.0, -1.0)]
-            return max((cycle_of(side) for side in sides), key=place)
-        except ConvergenceError:
-            continue
-    raise ConvergenceError(f"no cycle beyond the fold was found, by steps from {step:g} down to {min(STEPS):g}")
+def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
+    """The first cycle of the branch behind a fold that is a step off, or the last one."""
+    (place,) = (place for each, place in zip(branch.events, branch.places, strict=True) if each is event)
+    for i in range(place, len(branch.cycles)):
+        found: Cycle = branch.cycles[i]
+        if np.abs(found.state - event.cycle.state).max() >= step:
+            break
+    return found
 
 
 def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
     """Twice round, and the direction that turns over in one round: of unit size in the first state."""
-    pieces, size = 2 * len(loop.guess.states), setting.field.size
-    guess = divided(setting.flow, Guess(loop.guess.states[:1], 2 * loop.guess.period, loop.guess.values), pieces)
+    guess = Guess(np.vstack([loop.guess.states] * 2), 2 * loop.guess.period, loop.guess.values)
     values, vectors = np.linalg.eig(loop.monodromy)
     turning = vectors[:, int(np.argmin(np.abs(values + 1)))].real
     flow = rate(setting.field, guess.states[0], loop.constants)
@@ -102,6 +93,4 @@ def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
     parts = [turning]
     for passage in twice.passages[:-1]:
         parts.append(passage.by_state @ parts[-1])
-    direction = np.zeros(pieces * size + 2)
-    direction[: pieces * size] = np.concatenate(parts)
-    return guess, direction
+    return guess, np.concatenate([*parts, np.zeros(2)])

@@ -151,7 +151,6 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
     if not why:
         why = _transient(system, start, t_end)
     why = why and (stands_still(system, end) or why)
-    order = np.argsort(-rates.exponents)
     near = _near(system, end) if why else ""
     if why and scale < np.inf:
         where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, place, strict=False))
@@ -161,9 +160,8 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
         "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
     )
-    trivial = int(np.flatnonzero(order == 0)[0]) if rates.moves else -1
-    kind, exponents, error = "undecided" if why else "chaotic", rates.exponents[order], rates.error[order]
-    return Fate(kind, told, t, verdict.outcome, exponents, error, trivial, scale, near, end)
+    kind, exponents, error = "undecided" if why else "chaotic", rates.exponents[rates.order], rates.error[rates.order]
+    return Fate(kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, end)
 
 
 def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:

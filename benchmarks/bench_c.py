@@ -11,7 +11,6 @@ import sys
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-import ctypes
 import shutil
 from collections.abc import Callable
 from functools import partial
@@ -22,7 +21,7 @@ import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import best_in_turn, on_backend
 from spragsym.kang_nam.quartic import compiled
-from tests.oracles import c_target
+from tests.oracles import c_target, languages
 from tests.oracles.families import FAMILIES, random
 
 _REPEATS = 7
@@ -75,25 +74,11 @@ def trust(n: int) -> None:
     for place, (family, points) in enumerate(FAMILIES.items()):
         p = points(np.random.default_rng([6, place]), n)
         for contact in (True, False):
-            print(f"| {family} | {'contact' if contact else 'lift-off'} |{_compare(library, p, contact)}", flush=True)
-
-
-def _compare(library: ctypes.CDLL, p: ss.Parameters, contact: bool) -> str:
-    eq = on_backend("numpy", 1, partial(ss.equilibria, contact=contact), p)
-    out = c_target.room(p.shape[0])
-    c_target.solve(library, c_target.table(p), out, contact)
-    found = out.equilibria[:, : eq.theta.shape[1]]
-    vouched = out.status == 0
-    same = vouched & (out.count == eq.count)
-    written = same[:, None] & (np.arange(found.shape[1]) < eq.count[:, None])
-    wrong = np.count_nonzero(vouched & ~same) + np.count_nonzero((found["stability"] != eq.stability) & written)
-    worst = over = 0.0
-    for name in ("theta", "L", "x", "y"):
-        ours, exact = found[name][written], getattr(eq, name)[written]
-        error = np.abs(ours - exact) / np.maximum(1, np.abs(exact))
-        worst = max(worst, float(error.max(initial=0.0)))
-        over = max(over, float((error / (found["error"][written] + eq.error[written])).max(initial=0.0)))
-    return f" {np.mean(vouched):.3%} | {wrong} | {worst:.1e} | {over:.2f} |"
+            out = c_target.room(n)
+            c_target.solve(library, c_target.table(p), out, contact)
+            it = languages.against_python(languages.Found(out.status, out.count, out.equilibria, np.nan), p, contact)
+            cells = f"{np.mean(out.status == 0):.3%} | {it.wrong} | {it.error:.1e} | {it.largest:.2f}"
+            print(f"| {family} | {'contact' if contact else 'lift-off'} | {cells} |", flush=True)
 
 
 if __name__ == "__main__":

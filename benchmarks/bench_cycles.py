@@ -7,12 +7,11 @@ neighbouring one at 0.2 degrees away, as along a branch, and from a state near t
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 import spragsym as ss
+from benchmarks.timing import timed
 
 BELT = {"V": 0.5, "d": 10.0}
 
@@ -23,13 +22,6 @@ CYCLES = (
 )  # fmt: skip
 
 
-def timed(work: Callable[[], Any]) -> tuple[float, Any]:
-    """Seconds of processor time, and what came of it."""
-    begin = time.process_time()
-    found = work()
-    return time.process_time() - begin, found
-
-
 def main() -> None:
     """Print the table."""
     print("| what | seconds |\n|---|---|")
@@ -37,15 +29,16 @@ def main() -> None:
     for degrees, state in CYCLES:
         p = ss.Parameters.article(theta0=np.radians(degrees))
         ss.cycle(p, **BELT, near=state, patient=False)
-        near, cycle = timed(lambda p=p, state=state: ss.cycle(p, **BELT, near=state, patient=False))
+        near, cycle = timed(lambda p=p, state=state: ss.cycle(p, **BELT, near=state, patient=False), time.process_time)
         aside = p.replace(theta0=np.radians(degrees + 0.2))
-        along, _ = timed(lambda p=aside, cycle=cycle: ss.cycle(p, **BELT, near=cycle))
+        along, _ = timed(lambda p=aside, cycle=cycle: ss.cycle(p, **BELT, near=cycle), time.process_time)
         print(f"| cycle of period {cycle.period:.2f} at {degrees:g}°, from its neighbour | {along:.3f} |")
         print(f"| the same, from a state | {near:.3f} |", flush=True)
         known.append(cycle)
     ss.cycle_branch(known[0], "theta0", (np.radians(41.9), np.radians(42.1)), points=1)
     spent, branch = timed(
-        lambda: ss.cycle_branch(known[0], "theta0", (np.radians(1.0), np.radians(75.0)), points=100, longest=0.04)
+        lambda: ss.cycle_branch(known[0], "theta0", (np.radians(1.0), np.radians(75.0)), points=100, longest=0.04),
+        time.process_time,
     )
     count = len(branch.values)
     print(f"| {count} points of its branch with {len(branch.events)} events | {spent:.1f} |")

@@ -17,6 +17,7 @@ import numpy as np
 from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
+from benchmarks.timing import timed
 from spragsym.motion import integrators, periodic_orbit, simulate
 from spragsym.motion.classify import classify
 from spragsym.motion.problem import Problem, prepare
@@ -48,12 +49,6 @@ def plain(theta0: float, rtol: float, method: str) -> float:
 def sweep(angles: np.ndarray, rtol: float, workers: int = 1, backend: str | None = None) -> np.ndarray:
     """The same by this package."""
     return rms_sweep(ss.Parameters.article(theta0=angles), V, D, rtol=rtol, workers=workers, backend=backend).rms
-
-
-def timed(function: Any) -> tuple[Any, float]:
-    begin = time.perf_counter()
-    result = function()
-    return result, time.perf_counter() - begin
 
 
 def base_table() -> None:
@@ -95,11 +90,11 @@ def sweep_table() -> None:
         f"{ours:.1e} here at rtol 1e-10\n"
     )
     print("| `solve_ivp` | rtol | median error | time over ours |\n|---|---|---|---|")
-    _, unit = timed(lambda: sweep(SOME, 1e-10))
+    unit, _ = timed(lambda: sweep(SOME, 1e-10))
     chosen: list[tuple[float, str, float]] = []
     for method in ("DOP853", "LSODA"):
         for rtol in (1e-8, 1e-10, 1e-11, 1e-12, 1e-13):
-            values, seconds = timed(lambda method=method, rtol=rtol: np.array([plain(a, rtol, method) for a in SOME]))
+            seconds, values = timed(lambda method=method, rtol=rtol: np.array([plain(a, rtol, method) for a in SOME]))
             error = error_of(values, reference)
             print(f"| {method} | {rtol:.0e} | {error:.1e} | {seconds / unit:.0f} |", flush=True)
             if error <= ours:
@@ -108,13 +103,13 @@ def sweep_table() -> None:
     if not chosen:
         print("\n`solve_ivp` does not reach that error at any tolerance; compared at its tightest DOP853.")
     _, method, rtol = min(chosen, default=(0.0, "DOP853", 1e-13))
-    one, here = timed(lambda: sweep(ANGLES, 1e-10))
-    theirs, there = timed(lambda: np.array([plain(a, rtol, method) for a in ANGLES]))
-    two, here_two = timed(lambda: sweep(ANGLES, 1e-10, workers=2))
+    here, one = timed(lambda: sweep(ANGLES, 1e-10))
+    there, theirs = timed(lambda: np.array([plain(a, rtol, method) for a in ANGLES]))
+    here_two, two = timed(lambda: sweep(ANGLES, 1e-10, workers=2))
     from benchmarks.bench_dynamics import plain as by_name  # in a worker process __main__ is another module
 
     with pool(2) as both:
-        _, there_two = timed(lambda: list(both(partial(by_name, rtol=rtol, method=method), ANGLES.tolist())))
+        there_two, _ = timed(lambda: list(both(partial(by_name, rtol=rtol, method=method), ANGLES.tolist())))
     print(f"\nAll 181 angles against `solve_ivp` {method} at {rtol:.0e}, which is as accurate:\n")
     print("| | time over ours |\n|---|---|")
     print(f"| one process each | {there / here:.0f} |")
@@ -134,13 +129,8 @@ def overhead_table() -> None:
 
     def fastest(function: Any, times: int) -> float:
         function()
-        seconds = []
-        for _ in range(7):
-            begin = time.process_time()  # others on the machine do not count
-            for _ in range(times):
-                function()
-            seconds.append(time.process_time() - begin)
-        return min(seconds) / times * 1e6
+        # Of the processor: others on the machine do not count.
+        return min(timed(lambda: [function() for _ in range(times)], time.process_time)[0] for _ in range(7)) / times * 1e6
 
     def bare(problem: Problem) -> None:
         compiled = taylor_for(problem)

@@ -19,7 +19,7 @@ import numpy as np
 
 import spragsym as ss
 from benchmarks import rivals
-from benchmarks.timing import best_in_turn, in_process, on_backend, seconds
+from benchmarks.timing import best_in_turn, in_process, on_backend, timed
 from spragsym.kang_nam.quartic import compiled, kernel
 from spragsym.kang_nam.quartic.solver import BLOCK
 from spragsym.models.parameters import NAMES
@@ -53,7 +53,7 @@ def speed(n: int) -> None:
     methods = dict(_rivals(n)) | dict(_ours(n))
     works = {name: partial(method.work, _head(p, method.points)) for name, method in methods.items()}
     once = {name: work for name, work in works.items() if methods[name].points < 100}
-    taken = {name: seconds(work) for name, work in once.items()}
+    taken = {name: timed(work)[0] for name, work in once.items()}
     taken |= best_in_turn({name: work for name, work in works.items() if name not in once}, repeats=3)
     each = {name: taken[name] / methods[name].points for name in methods}
     print(f"{n:,} random points in contact, one thread unless said otherwise, best of three in turn, slow methods on a sample.\n")

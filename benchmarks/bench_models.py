@@ -9,12 +9,14 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from math import isqrt
 from typing import Any
 
 import numpy as np
 
 import spragsym as ss
+from benchmarks.timing import timed
 from tests.oracles.families import FAMILIES
 
 #: Points of random parameters, unless a number is given, and then of one side of a grid.
@@ -32,9 +34,8 @@ def seconds(work: Callable[..., Any], *arguments: Any, **keywords: Any) -> tuple
     """Processor time of a call, and what it returns; the shorter of two times if they are short."""
     spent, result = np.inf, None
     for _ in range(2):
-        begin = time.process_time()
-        result = work(*arguments, **keywords)
-        spent = min(spent, time.process_time() - begin)
+        once, result = timed(partial(work, *arguments, **keywords), time.process_time)
+        spent = min(spent, once)
         if spent > 1:
             break
     return spent, result

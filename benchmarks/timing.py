@@ -15,17 +15,17 @@ import spragsym as ss
 T = TypeVar("T")
 
 
-def seconds(work: Callable[[], object]) -> float:
-    """Time of one call."""
-    begin = time.perf_counter()
-    work()
-    return time.perf_counter() - begin
+def timed(work: Callable[[], T], clock: Callable[[], float] = time.perf_counter) -> tuple[float, T]:
+    """Time of one call, and what it returns."""
+    begin = clock()
+    found = work()
+    return clock() - begin, found
 
 
 def best(work: Callable[[], object], repeats: int = 5) -> float:
     """The shortest of several calls, which other load on the machine disturbs least; the first call is not counted."""
     work()
-    return min(seconds(work) for _ in range(repeats))
+    return min(timed(work)[0] for _ in range(repeats))
 
 
 def best_in_turn(works: Mapping[str, Callable[[], object]], repeats: int = 7) -> dict[str, float]:
@@ -33,7 +33,7 @@ def best_in_turn(works: Mapping[str, Callable[[], object]], repeats: int = 7) ->
     taken = dict.fromkeys(works, np.inf)
     for _ in range(repeats):
         for name, work in works.items():
-            taken[name] = min(taken[name], seconds(work))
+            taken[name] = min(taken[name], timed(work)[0])
     return taken
 
 

@@ -41,7 +41,7 @@ class Found:
 
     status: NDArray[np.int64]
     count: NDArray[np.int64]
-    columns: dict[str, NDArray[np.float64]]
+    columns: Any  #: by their names
     nanoseconds: float  #: a point, without start-up and without reading and writing
 
 
@@ -162,6 +162,7 @@ class Agreement:
 
     wrong: int
     largest: float
+    error: float  #: the largest over max(1, |value|)
 
 
 def against_python(found: Found, p: ss.Parameters, contact: bool) -> Agreement:
@@ -171,15 +172,14 @@ def against_python(found: Found, p: ss.Parameters, contact: bool) -> Agreement:
     vouched = found.status == 0
     same = vouched & (found.count == eq.count)
     written = same[:, None] & (np.arange(slots) < eq.count[:, None])
-    wrong = np.count_nonzero(vouched & ~same)
-    wrong += np.count_nonzero((found.columns["stability"][:, :slots] != eq.stability) & written)
-    largest = 0.0
+    other = (found.columns["stability"][:, :slots] != eq.stability) & written
+    largest = worst = 0.0
     for name in ("theta", "L", "x", "y"):
         ours, exact = found.columns[name][:, :slots][written], getattr(eq, name)[written]
         error = np.abs(ours - exact) / np.maximum(1, np.abs(exact))
-        bound = found.columns["error"][:, :slots][written] + eq.error[written]
-        largest = max(largest, float((error / bound).max(initial=0.0)))
-    return Agreement(int(wrong), largest)
+        largest = max(largest, float((error / (found.columns["error"][:, :slots] + eq.error)[written]).max(initial=0.0)))
+        worst = max(worst, float(error.max(initial=0.0)))
+    return Agreement(int((vouched & ~same).sum() + other.sum()), largest, worst)
 
 
 def unlike_c(found: Found, library: ctypes.CDLL, p: ss.Parameters, contact: bool) -> NDArray[np.bool_]:

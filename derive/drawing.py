@@ -36,7 +36,7 @@ def render(page: Page, docstring: str = "") -> str:
         for row, line in enumerate(typed(docstring) or [page.summary]):
             sheet.typed(line, row)
         return sheet.svg(page.summary)
-    names = [str(it.symbol) for it in page.coordinates]
+    names = list(map(str, page.places))
     if page.normal is not None or page.sliding is not None:
         _belt(sheet, page)
     for it in page.coordinates[:2]:
@@ -61,8 +61,8 @@ def is_drawn(page: Page) -> bool:
     """Whether every statement of the page is one of a mass on a belt, which is what can be drawn."""
     if any(it.unit == "rad" for it in page.coordinates):
         return False
-    symbols = [it.symbol for it in page.coordinates]
-    x, mass = symbols[0], tuple(symbols[:2])
+    symbols = page.places
+    x, mass = symbols[0], symbols[:2]
     ends = [it.ends for it in page.elements if it.ends is not None]
     points = [end for both in ends for end in both] + [force.place for force in page.forces]
     gap = None if page.normal is None else page.normal.gap
@@ -82,7 +82,7 @@ def is_drawn(page: Page) -> bool:
     )
 
 
-def _is_anchor(end: Point, symbols: list[sp.Symbol]) -> bool:
+def _is_anchor(end: Point, symbols: tuple[sp.Symbol, ...]) -> bool:
     """A point that stands still, or runs along the belt with one of the further coordinates."""
     moving = end[0].free_symbols & set(symbols)
     return not end[1].free_symbols & set(symbols) and (
@@ -94,18 +94,14 @@ def _has_one_mass(page: Page) -> bool:
     """Whether the first two coordinates are those of one mass, and the others have masses of their own."""
     if page.inertia is None:
         return True
-    M = sp.hessian(page.inertia[0], [it.rate for it in page.coordinates])
-    return bool(
-        M.is_diagonal()
-        and not M.free_symbols & {it.symbol for it in page.coordinates}
-        and M[0, 0] == M[min(1, M.rows - 1), min(1, M.rows - 1)]
-    )
+    M = sp.hessian(page.inertia[0], page.rates)
+    return bool(M.is_diagonal() and not M.has(*page.places) and M[0, 0] == M[min(1, M.rows - 1), min(1, M.rows - 1)])
 
 
 def _values(page: Page) -> dict[sp.Symbol, float]:
     """Base values, 1 for units of measure, and the mass at its origin."""
     values = {datum.symbol: _INCLINATION if datum.base is None else datum.base for datum in page.parameters}
-    return values | {datum.symbol: 1.0 for datum in page.units} | {it.symbol: 0.0 for it in page.coordinates}
+    return values | {datum.symbol: 1.0 for datum in page.units} | dict.fromkeys(page.places, 0.0)
 
 
 def _letter(expression: sp.Expr) -> str:
@@ -203,7 +199,7 @@ def _between_ends(sheet: Sheet, page: Page) -> None:
     shared: dict[Place, list[Element]] = {}
     movable: dict[Place, Coordinate] = {}
     for part in (it for it in page.elements if it.ends is not None):
-        anchor = next(end for end in part.ends or () if set(end) != {it.symbol for it in page.coordinates[:2]})
+        anchor = next(end for end in part.ends or () if set(end) != set(page.places[:2]))
         x, y = (float(component.subs(values)) for component in anchor)
         place = _LENGTH * x, -_LENGTH * y - _half(page)[1]
         shared.setdefault(place, []).append(part)
@@ -277,14 +273,14 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
 
 def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
     """Slopes of a potential along the coordinates; none where it does not act on a mass in the plane."""
-    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
+    slopes = [sp.diff(energy, symbol) for symbol in page.places]
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
 def _weight(page: Page, energy: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no spring, but an arrow."""
     slopes = _slopes(page, energy)
-    if not slopes or any(slope.has(it.symbol) for slope in slopes for it in page.coordinates):
+    if not slopes or any(slope.has(*page.places) for slope in slopes):
         return None
     return -slopes[0], -slopes[1]
 
@@ -300,7 +296,6 @@ def _ratio(page: Page, energy: sp.Expr) -> sp.Expr | None:
 
 def _leaning(sheet: Sheet, page: Page) -> None:
     """A potential that depends on one combination of x and y: a spring along it that keeps its direction."""
-    symbols = [it.symbol for it in page.coordinates[:2]]
     for energy, _ in page.energies:
         ratio = _ratio(page, energy)
         if ratio is None or _weight(page, energy):
@@ -311,7 +306,7 @@ def _leaning(sheet: Sheet, page: Page) -> None:
         axis = Axis(start, (start[0] + 0.7 * _LENGTH * math.cos(along), start[1] - 0.7 * _LENGTH * math.sin(along)))
         spring(sheet, axis)
         x, y = axis.at(0.5 * axis.length, -26.0)
-        letter = _letter(energy.subs({symbol: index + 1 for index, symbol in enumerate(symbols)}))
+        letter = _letter(energy.subs({symbol: index + 1 for index, symbol in enumerate(page.places[:2])}))
         sheet.name(letter, (x, y), anchor="end")
         _anchor(sheet, axis.end)
 

@@ -5,39 +5,32 @@ from __future__ import annotations
 import sympy as sp
 
 from . import laws
-from .emit.function import Function, Module
+from .emit.function import Function, Module, rows
 from .mechanics import DEPTH, PUSHING, SIDE, Mechanics
 
 
 def damping(model: Mechanics) -> sp.Matrix:
     """C: the dampers, and the slope of the friction law where the belt is faster than the mass, which gives its sign."""
     still = dict.fromkeys(model.rates, sp.S.Zero)
-    rows = [list(row) for row in sp.Matrix(model.resistance).jacobian(model.rates).tolist()]
+    C = sp.Matrix(model.resistance).jacobian(model.rates)
     if model.slide is not None:
         friction = laws.smooth_friction(model, felt=True).subs(SIDE, 1)
-        for i, symbol in enumerate(model.coordinates):
-            push = model.normal * sp.diff(model.slide, symbol)
-            for j, rate in enumerate(model.rates):
-                rows[i][j] -= push * sp.diff(friction, rate)
-    return sp.Matrix(rows).subs(still).applyfunc(model.tidy)
+        slopes = sp.Matrix([model.slide]).jacobian(model.coordinates).T
+        C -= model.normal * slopes * sp.Matrix([friction]).jacobian(model.rates)
+    return C.subs(still).applyfunc(model.tidy)
 
 
 def module(model: Mechanics) -> Module:
     """The generated module."""
-    n = len(model.coordinates)
-
-    def nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
-        return tuple(tuple(matrix.row(row)) for row in range(n))
-
     state = (*model.coordinates, *model.directions, *model.arguments)
     return Module(
         "linearization",
         "Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.",
         (
             Function("mass_matrix", "M of the kinetic energy.", "the page", (*model.coordinates, *model.arguments),
-                     nested(model.mass), "((M_11, …), …)"),
+                     rows(model.mass), "((M_11, …), …)"),
             Function("damping", "C: dampers, and the slope of the friction law at steady sliding.", "the page", (*state, PUSHING),
-                     nested(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}),
+                     rows(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}),
             Function("friction_slope", "Slope of the friction law at steady sliding, by the sliding speed.", "the page",
                      model.arguments, laws.slope_at_rest(model), "dμ/dv"),
             Function("friction_slope_by_sizes", "The slope as a sum of c exp(a), over each of its exponentials.", "the page",

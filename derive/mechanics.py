@@ -300,22 +300,20 @@ def of(page: Page, units: bool = False) -> Mechanics:
     if page.inertia is None:
         raise PageError(0, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
     scaled = _Scaled(page, units)
-    coordinates = tuple(entry.symbol for entry in page.coordinates)
-    rates = tuple(entry.rate for entry in page.coordinates)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
     gap, law = _contact(page, scaled)
     return Mechanics(
         page=page,
-        coordinates=coordinates,
-        rates=rates,
+        coordinates=page.places,
+        rates=page.rates,
         parameters=tuple(page.parameters),
         lines=lines,
         torsions=torsions,
         kinetic=scaled(page.inertia[0]),
         potential=expanded(potential),
         stiffnesses=stiffnesses,
-        applied=_applied(page, scaled, coordinates),
+        applied=_applied(page, scaled),
         dissipation=sp.expand(dissipation),
         gap=gap,
         unilateral=page.normal is not None and page.normal.unilateral,
@@ -419,12 +417,12 @@ def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turni
     return Turning(line, scaled(torsion.strength), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way)
 
 
-def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
+def _applied(page: Page, scaled: _Scaled) -> tuple[sp.Expr, ...]:
     """Generalized forces by virtual work."""
-    forces = [sp.S.Zero] * len(coordinates)
+    forces = [sp.S.Zero] * len(page.places)
     for force in page.forces:
         for component, where in zip(force.components, force.place, strict=True):
-            for row, symbol in enumerate(coordinates):
+            for row, symbol in enumerate(page.places):
                 forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
     return tuple(map(expanded, forces))
 

@@ -190,6 +190,16 @@ class Page:
         _check_texts(summary=self.summary)
 
     @property
+    def places(self) -> tuple[sp.Symbol, ...]:
+        """Symbols of the coordinates."""
+        return tuple(entry.symbol for entry in self.coordinates)
+
+    @property
+    def rates(self) -> tuple[sp.Symbol, ...]:
+        """Symbols of their rates."""
+        return tuple(entry.rate for entry in self.coordinates)
+
+    @property
     def elements(self) -> tuple[Element, ...]:
         """Springs, torsion springs and dampers."""
         return (*self.springs, *self.torsions, *self.dampers)
@@ -331,12 +341,12 @@ class Page:
                 f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model"
             ) from error
         if moving:
-            rates = kind == "friction" or any(str(entry.rate) in moving.split(", ") for entry in self.coordinates)
+            rates = kind == "friction" or any(str(rate) in moving.split(", ") for rate in self.rates)
             raise refused(f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}")
 
     def _check_speeds(self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING) -> None:
         """The normal force follows from the place; the coefficient of a damper holds no speed either."""
-        held = [str(entry.rate) for entry in self.coordinates if expression.has(entry.rate)]
+        held = [str(rate) for rate in self.rates if expression.has(rate)]
         if held:
             raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
@@ -348,8 +358,7 @@ class Page:
 
     def _moving(self, expression: sp.Expr) -> str:
         """The coordinates and rates that an expression holds."""
-        known = {symbol for entry in self.coordinates for symbol in (entry.symbol, entry.rate)}
-        return ", ".join(sorted(map(str, expression.free_symbols & known)))
+        return ", ".join(sorted(map(str, expression.free_symbols & {*self.places, *self.rates})))
 
     def _once(self, name: str) -> None:
         names = [str(entry.symbol) for entry in (*self.units, *self.parameters, *self.coordinates)]

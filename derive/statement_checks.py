@@ -125,8 +125,7 @@ def _instead(name: str) -> str:
 
 def _check_elements(page: Page) -> None:
     seen: dict[object, int] = {}
-    moving = {entry.symbol for entry in page.coordinates}
-    rates = {entry.rate for entry in page.coordinates}
+    moving, rates = set(page.places), set(page.rates)
     for element in page.elements:
         what, strength = element.what, element.strength
         if _is_negative(page, strength):
@@ -204,8 +203,7 @@ def _places(entry: Datum) -> list[sp.Rational]:
 
 
 def _check_places(page: Page) -> None:
-    moving = {entry.symbol for entry in page.coordinates}
-    rates = {entry.rate for entry in page.coordinates}
+    moving, rates = set(page.places), set(page.rates)
     for energy, line in page.energies:
         if energy.free_symbols & rates:
             raise PageError(

@@ -6,7 +6,7 @@ import sympy as sp
 
 from . import laws, balance_rows, symmetry
 from .algebra import fewest_terms
-from .emit.function import Function, Module, Results
+from .emit.function import Function, Module, Results, rows
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
 
@@ -75,7 +75,7 @@ def module(model: Mechanics) -> Module:
         function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,
                  tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(F_1, …)"),
         function("balance_jacobian", "Their derivatives by the coordinates: the same sums of the rows of K.", state,
-                 tuple(tuple(map(model.tidy, row)) for row in (T * sp.Matrix(jacobian(model))).tolist()),
+                 rows((T * sp.Matrix(jacobian(model))).applyfunc(model.tidy)),
                  "((∂F_1/∂q_1, …), …)"),
     )  # fmt: skip
     turned = " A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else ""

@@ -49,6 +49,11 @@ def renamed(function: Function, spelled: Callable[[str], str]) -> Function:
     )
 
 
+def rows(matrix: sp.Matrix) -> Results:
+    """A matrix as a tuple of its rows."""
+    return tuple(map(tuple, matrix.tolist()))
+
+
 @dataclass(frozen=True)
 class Module:
     """One generated module."""

@@ -80,18 +80,12 @@ def straight_line(function: Function) -> Body:
 def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
     """The shorthands that the results use; each comes after the shorthands that it uses itself."""
     ordered: dict[sp.Symbol, sp.Expr] = {}
-
-    def visit(expression: sp.Expr) -> None:
-        for symbol in sorted(expression.free_symbols, key=str):
-            if symbol in function.accepted or symbol in ordered:
-                continue
-            if symbol not in function.shorthands:
-                raise ArithmeticError(f"{function.name}: {symbol} is neither an argument nor a shorthand")
-            visit(function.shorthands[symbol])
-            ordered[symbol] = function.shorthands[symbol]
-
+    shorthands = {symbol: value for symbol, value in function.shorthands.items() if symbol not in function.accepted}
     for leaf in leaves:
-        visit(leaf)
+        _place(leaf, shorthands, ordered)
+    for expression in (*leaves, *ordered.values()):
+        for symbol in expression.free_symbols - {*function.accepted, *ordered}:
+            raise ArithmeticError(f"{function.name}: {symbol} is neither an argument nor a shorthand")
     return list(ordered.items())
 
 

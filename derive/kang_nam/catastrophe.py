@@ -86,7 +86,7 @@ def fold_quartic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     """
     s0, c0 = fold_angles()
     line, parabola = sp.symbols("u:2"), sp.symbols("g:3")
-    sine, cosine = (sum(name * nm.M**power for power, name in enumerate(names)) for names in (line, parabola))
+    sine, cosine = (unit_circles.polynomial(names, nm.M) for names in (line, parabola))
     values = (*unit_circles.ascending(s0, nm.M), *unit_circles.ascending(sp.cancel(c0.subs(nm.s0, sine)), nm.M))
     coefficients = unit_circles.ascending(sp.expand(sine**2 + cosine**2 - 1), nm.M)
     return coefficients, dict(zip((*line, *parabola), map(sp.factor_terms, values), strict=True))
@@ -121,7 +121,7 @@ def fold_conic() -> tuple[sp.Expr, ...]:
         -nm.q * nm.alpha * nm.sigma * nm.s**2 * nm.c,
     )
     (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in fold_residuals())
-    gap = u1 * w2 - u2 * w1 - sum(map(sp.Mul, (1, nm.s0, nm.s0**2, nm.c0), conic))
+    gap = u1 * w2 - u2 * w1 - unit_circles.polynomial(conic[:3], nm.s0) - conic[3] * nm.c0
     unit_circles.require(
         unit_circles.equal(gap.subs(elimination.f_coefficients()).subs(POLES), 0), "the conic of folds at a direction"
     )
@@ -230,7 +230,7 @@ def identities() -> dict[str, bool]:
         ),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
         "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
-            sp.rem(sum(value * nm.s**power for power, value in enumerate(cusp_polynomial())), 3 * nm.s**2 - 2, nm.s)
+            sp.rem(unit_circles.polynomial(cusp_polynomial(), nm.s), 3 * nm.s**2 - 2, nm.s)
             - sp.Rational(16, 27) * nm.sigma**4 * (nm.B - nm.alpha) ** 4
         )
         == 0,

@@ -126,12 +126,12 @@ def resolvent_cubic() -> tuple[sp.Expr, ...]:
 def identities() -> dict[str, bool]:
     """How the two eliminations are related: statements, and whether exact algebra confirms each."""
     t, ell = nm.tt, sp.Symbol("ell")
-    in_t = sp.Poly(sum(value * t**power for power, value in enumerate(quartic_in_t())), t)
-    cubic = sp.Poly(sum(value * ell**power for power, value in enumerate(resolvent_cubic())), ell)
+    in_t = sp.Poly(unit_circles.polynomial(quartic_in_t(), t), t)
+    cubic = sp.Poly(unit_circles.polynomial(resolvent_cubic(), ell), ell)
     length, f = state()[nm.L], f_in_parameters()
 
     # In contact; lift-off is the same with β − 1 for β and μ₀ = 0. M, B and κ stay symbols.
-    in_L = sum(value * nm.L**power for power, value in enumerate(quartic_in_L_shorthand()))
+    in_L = unit_circles.polynomial(quartic_in_L_shorthand(), nm.L)
     published = (nm.q * nm.s) ** 2 * in_L.subs(RIGHT_SIDE).subs(nm.L, length)
     factored = (nm.sigma - nm.q * length) ** 2 * f * f.subs(nm.c, -nm.c)
 

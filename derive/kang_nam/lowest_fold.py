@@ -61,7 +61,7 @@ def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     w, l0, l1 = turning_line()
     (friction,) = sp.solve(catastrophe.fold_residuals()[0], nm.M)
     derived = by_inclination(elimination.f_in_parameters()).subs(nm.M, friction).subs(nm.c0, (l0 + l1 * nm.s0) / (w * nm.c))
-    arranged = sum(value * nm.s0**power for power, value in enumerate(slope)) * nm.alpha / (w * nm.c**2)
+    arranged = unit_circles.polynomial(slope, nm.s0) * nm.alpha / (w * nm.c**2)
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
     gap = sp.numer(sp.together((derived - arranged).subs(elimination.f_coefficients()).subs(POLES)))
     unit_circles.require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
@@ -96,7 +96,7 @@ def identities() -> dict[str, bool]:
     outer, upper, lower = minors(one, two)
     resultant = outer**2 - upper * lower
     root = -outer / upper
-    values = (sum(value * root**power for power, value in enumerate(row)) for row in (one, two))
+    values = (unit_circles.polynomial(row, root) for row in (one, two))
     return {
         "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree 9": len(turning_polynomial()) == 10,
         "two quadratics whose resultant is 0 have the common root that turning_sine names": all(

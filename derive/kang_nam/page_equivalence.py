@@ -9,6 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from .. import algebra, laws, linearization, pages, statics
+from ..emit.definitions import flat
 from ..mechanics import MU, Mechanics
 from ..motion import Motion
 from . import unit_circles, equilibrium, mechanics, stability
@@ -47,7 +48,7 @@ def _equal(model: Mechanics, general: tuple[sp.Expr, ...], special: tuple[sp.Exp
 
 
 def _linearization(model: Mechanics) -> bool:
-    K = tuple(entry.subs(MU, laws.friction_at_rest(model)) for row in statics.jacobian(model) for entry in row)
+    K = tuple(entry.subs(MU, laws.friction_at_rest(model)) for entry in flat(statics.jacobian(model)))
     damped = tuple(linearization.damping(model))
     return _equal(model, K, tuple(stability.stiffness())) and _equal(model, damped, tuple(stability.damping()))
 
@@ -58,7 +59,7 @@ def _reduces(name: str, added: tuple[str, ...]) -> bool:
     without = {known[symbol]: sp.S.Zero for symbol in added}
     pairs = [
         *zip(model.residuals, article.residuals, strict=True),
-        *zip(_flat(statics.jacobian(model)), _flat(statics.jacobian(article)), strict=True),
+        *zip(flat(statics.jacobian(model)), flat(statics.jacobian(article)), strict=True),
         *zip(linearization.damping(model), linearization.damping(article), strict=True),
         *zip(Motion(model).accelerations, Motion(article).accelerations, strict=True),
         (Motion(model).friction, Motion(article).friction),
@@ -66,7 +67,3 @@ def _reduces(name: str, added: tuple[str, ...]) -> bool:
     ]
     unit = tuple((line.c, line.s) for line in article.lines)
     return all(sp.expand(algebra.difference(ours.subs(without), theirs, unit)) == 0 for ours, theirs in pairs)
-
-
-def _flat(rows: tuple[tuple[sp.Expr, ...], ...]) -> list[sp.Expr]:
-    return [entry for row in rows for entry in row]

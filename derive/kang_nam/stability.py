@@ -116,7 +116,7 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     g1 = 2 * (u2 * w2 + nm.alpha**2 * u1 * w1)
     g2 = w2**2 + nm.alpha**2 * w1**2
     X, Y, Z = e0 * g2 - e2 * g0, e2 * g1 - e1 * g2, e1 * g0 - e0 * g1
-    resultant = sp.resultant(e0 + e1 * nm.L + e2 * nm.L**2, g0 + g1 * nm.L + g2 * nm.L**2, nm.L)
+    resultant = sp.resultant(*(unit_circles.polynomial(one, nm.L) for one in (QUADRATIC, (g0, g1, g2))), nm.L)
     unit_circles.require(sp.expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
     return X, Y, Z
 
@@ -175,7 +175,7 @@ def flutter_crossing() -> tuple[tuple[sp.Expr, sp.Expr], dict[sp.Symbol, sp.Expr
 def flutter_friction() -> sp.Expr:
     """M at which an equilibrium with spring length L in direction θ is an onset: the discriminant is linear in M."""
     e0, e1, e2 = flutter_quadratic()
-    (friction,) = sp.solve(e0 + e1 * nm.L + e2 * nm.L**2, nm.M)
+    (friction,) = sp.solve(unit_circles.polynomial((e0, e1, e2), nm.L), nm.M)
     arranged = -(e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2) / (
         4 * nm.sigma * nm.s * nm.c * nm.L
     )

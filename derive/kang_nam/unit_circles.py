@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import sympy as sp
 
 from .. import algebra
@@ -36,6 +38,11 @@ def by_inclination(expression: sp.Expr) -> sp.Expr:
 def ascending(polynomial: sp.Expr, variable: sp.Symbol) -> tuple[sp.Expr, ...]:
     """Coefficients of a polynomial, lowest power first."""
     return tuple(reversed(sp.Poly(polynomial, variable).all_coeffs()))
+
+
+def polynomial(coefficients: Iterable[sp.Expr], variable: sp.Expr) -> sp.Expr:
+    """The polynomial with these coefficients, lowest power first."""
+    return sp.Add(*(value * variable**power for power, value in enumerate(coefficients)))
 
 
 def in_half_angle(expression: sp.Expr, power: int) -> tuple[sp.Expr, ...]:

@@ -13,11 +13,6 @@ STIFFNESS = (nm.alpha, nm.sigma, nm.beta)
 F_COEFFICIENTS = (nm.fa, nm.fb, nm.fd, nm.fm)
 
 
-def nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
-    """A matrix as a tuple of its rows."""
-    return tuple(tuple(matrix.row(row)) for row in range(matrix.rows))
-
-
 def require_same(
     what: str, arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...], names: dict[sp.Symbol, sp.Expr] | None = None
 ) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...emit.function import Function, Module
+from ...emit.function import Function, Module, rows
 from .. import catastrophe, elimination, equilibrium
 from .. import nomenclature as nm
-from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, nested, require_same, shorthands
+from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
 
 
 def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
@@ -37,7 +37,7 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.S
 def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], ...]:
     """D of (18) or (24) with p and q kept together."""
     require_same("D", tuple(elimination.MATRIX), tuple(D))
-    return nested(elimination.MATRIX if case[nm.nbar] else elimination.MATRIX.subs(nm.M, 0))
+    return rows(elimination.MATRIX if case[nm.nbar] else elimination.MATRIX.subs(nm.M, 0))
 
 
 def module() -> Module:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...emit.function import Function, Module
+from ...emit.function import Function, Module, rows
 from .. import equilibrium, stability
 from .. import nomenclature as nm
-from .arrangement import ANGLE, ANGLE0, STIFFNESS, further, nested, require_same, shorthands
+from .arrangement import ANGLE, ANGLE0, STIFFNESS, further, require_same, shorthands
 
 
 def module() -> Module:
@@ -19,11 +19,10 @@ def module() -> Module:
     ])  # fmt: skip
     require_same("K (28)", tuple(arranged), tuple(K))
     entries = (nm.K11, nm.K12, nm.K21, nm.K22)
-    C = stability.damping()
-    generic = sp.Matrix(2, 2, entries)
-    characteristic = sp.Poly(stability.characteristic(generic, sp.diag(nm.C11, 0)), stability.lam).all_coeffs()
-    if C[0, 1] != 0 or C[1, 0] != 0 or C[1, 1] != 0:
-        characteristic = sp.Poly(stability.characteristic(generic, C), stability.lam).all_coeffs()
+    generic, C = sp.Matrix(2, 2, entries), stability.damping()
+    damped = sp.Matrix(C)
+    damped[0, 0] = nm.C11
+    characteristic = sp.Poly(stability.characteristic(generic, damped), stability.lam).all_coeffs()
     determinant = stability.determinant(generic)
     crossing, crossing_names = stability.flutter_crossing()
     cubic, cubic_names = _flutter_cubic()
@@ -34,7 +33,7 @@ def module() -> Module:
         "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
         (
             Function("stiffness", "K, the Jacobian of (F_x, F_y).", "(28)",
-                     (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar), nested(arranged), "((K11, K12), (K21, K22))",
+                     (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar), rows(arranged), "((K11, K12), (K21, K22))",
                      shorthands(None, nm.B, nm.M, nm.p, nm.q)),
             Function("invariants", "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
                      "(27)", entries, (stability.trace(generic), determinant, stability.flutter_discriminant(generic)),

@@ -14,7 +14,6 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass, field
 from io import FileIO
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -44,9 +43,7 @@ def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[i
     path = path_of(target)
     with ExitStack() as stack:
         file, data = _opened(stack, path)
-        found = _understood(data, fingerprint)
-        _begin(file, path, fingerprint, found)
-        done = dict(found.points)
+        done = _begun(file, path, fingerprint, data)
 
         def keep(index: int, record: Record) -> None:
             _append(file, path, _line(fingerprint, [index, *record]))
@@ -113,69 +110,40 @@ def _content(key: str, line: bytes) -> Any:
     return json.loads(text) if checksum == _checksum(key, text) else None
 
 
-@dataclass
-class _Found:
-    """What a journal holds."""
-
-    fingerprint: str | None = None
-    points: dict[int, Record] = field(default_factory=dict)
-    damaged: list[int] = field(default_factory=list)
-    length: int = 0
-    size: int = 0
-
-
-def _understood(data: bytes, fingerprint: str) -> _Found:
-    """Every undamaged line: the head, the writer, points of this sweep; and the numbers of the damaged lines."""
-    *lines, rest = data.split(b"\n")
-    found = _Found(length=len(data) - len(rest), size=len(data))
+def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int, Record]:
+    """Undamaged points of this sweep; the file is made ready to append to, and damage is warned of."""
+    *lines, cut = data.split(b"\n")
+    points, damaged, owner = dict[int, Record](), list[int](), None
     for number, line in enumerate(lines, 1):
         point, other = _content(fingerprint, line), _content("", line)
         if point is not None:
             index, values, reason = point
-            found.points[index] = (values, reason)
+            points[index] = (values, reason)
         elif other is None:
-            found.damaged.append(number)
-        elif "fingerprint" in other:
-            found.fingerprint = other["fingerprint"]
-    return found
-
-
-def _begin(file: FileIO, path: Path, fingerprint: str, found: _Found) -> None:
-    """Make the file ready to append to, and warn about damaged content."""
+            damaged.append(number)
+        else:
+            owner = other.get("fingerprint", owner)
     head = _line("", {"journal": 1, "fingerprint": fingerprint, **provenance()})
-    ours = found.fingerprint == fingerprint or bool(found.points)
-    if not ours and found.fingerprint is not None and found.damaged:
+    ours = owner == fingerprint or bool(points)
+    if not ours and owner is not None and damaged:
         # The lines of another sweep have checksums that only its fingerprint can tell from damage.
         raise ParameterError(f"{path} belongs to another sweep, or to other code; remove it to start anew, or give another path")
-    if not ours and found.fingerprint is None and found.size and not _is_cut(file, head):
+    if not ours and owner is None and not head.startswith(data):  # else a kill or a full disk has left a part of the first line
         raise StoreError(
             f"{path} is damaged, no journal, or one of an older version: its first line is not as it is written, and no "
             "other line is a point of this sweep; remove it to start anew, or give another path"
         )
-    if found.damaged:
-        _warn(path, found)
-    if ours:
-        file.truncate(found.length)  # the beginning of a line, left by a killed process
-        head = b""
-    else:
-        file.truncate(0)
-    _append(file, path, head + _line("", {"pid": os.getpid(), "host": socket.gethostname()}))
-
-
-def _is_cut(file: FileIO, head: bytes) -> bool:
-    """Whether the file holds only a part of the first line, after a kill or on a full disk."""
-    file.seek(0)
-    return head.startswith(file.readall() or b"")
-
-
-def _warn(path: Path, found: _Found) -> None:
-    shown = ", ".join(map(str, found.damaged[:10])) + (", …" if len(found.damaged) > 10 else "")
-    warnings.warn(
-        f"{path}: {len(found.damaged)} damaged line{'s' * (len(found.damaged) > 1)} ({shown}): not as written, by their "
-        f"checksums; the {len(found.points)} points of the other lines are good, and what is lost is computed again",
-        DamageWarning,
-        stacklevel=2,
-    )
+    if damaged:
+        shown = ", ".join(map(str, damaged[:10])) + (", …" if len(damaged) > 10 else "")
+        warnings.warn(
+            f"{path}: {len(damaged)} damaged line{'s' * (len(damaged) > 1)} ({shown}): not as written, by their "
+            f"checksums; the {len(points)} points of the other lines are good, and what is lost is computed again",
+            DamageWarning,
+            stacklevel=2,
+        )
+    file.truncate(len(data) - len(cut) if ours else 0)  # without the beginning of a line that a killed process left
+    _append(file, path, (b"" if ours else head) + _line("", {"pid": os.getpid(), "host": socket.gethostname()}))
+    return points
 
 
 def _append(file: FileIO, path: Path, line: bytes) -> None:

@@ -13,7 +13,9 @@ import io
 import json
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from enum import IntEnum
 from pathlib import Path
 from typing import Any
@@ -68,6 +70,19 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 
 
 # ----------------------------------------------------------------------------------------------- before the work
+
+#: Whether a file that is there is computed anew.
+OVERWRITING: ContextVar[bool] = ContextVar("overwriting", default=False)
+
+
+@contextmanager
+def overwriting(asked: bool = True) -> Iterator[None]:
+    """Within, a file that is there is computed anew; it stays as it is until the new one takes its place."""
+    token = OVERWRITING.set(asked)
+    try:
+        yield
+    finally:
+        OVERWRITING.reset(token)
 
 
 def check_target(path: str | os.PathLike[str], bytes_needed: int) -> Path:

@@ -12,8 +12,8 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 
 from ...files import storage
-from ...files.journal import Record
-from ...files.stored import stored
+from ...files.journal import Record, clear, journal
+from ...files.writing import resolved
 from ...models.parameters import FloatArray, common_shape
 from ...progress import advance
 from . import workers as processes
@@ -63,8 +63,18 @@ def made_or_loaded(
     if store is None:
         records: dict[int, Record] = {}
         return compute(records, records.__setitem__)
-    hashed, count = key(), len(points)
-    return stored(store, hashed, count, 100_000 + 1000 * count, loaded, compute, save)
+    target, hashed, count = resolved(store), key(), len(points)
+    if target.is_file() and not storage.OVERWRITING.get():
+        result = loaded(target)
+        clear(target, hashed, count)
+        return result
+    storage.check_target(target, 100_000 + 1000 * count)
+    with journal(target, hashed, count) as (done, keep):
+        if target.is_file() and not storage.OVERWRITING.get():  # another process has finished it in the meantime
+            return loaded(target)
+        result = compute(done, keep)
+        save(result, target)
+    return result
 
 
 def _told(names: Iterable[str], points: Sequence[Point]) -> str:

@@ -12,7 +12,6 @@ layer (``near``) is one more that the integrator stops at.
 
 from __future__ import annotations
 
-import inspect
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -25,8 +24,8 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Border, Field
 from ..models.model import Model
-from ..models.model_field import field_of
-from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
+from ..models.model_field import field_of, undecorated
+from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
 
 RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
@@ -121,21 +120,18 @@ def prepare(
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
     constants = model.field.constants(p.scalars(*model.parameters))
-    for error in without_direction(model, np.array(constants)[:, None], np.array(start)[:, None]).values():
-        raise error
+    check_direction(model, constants, start)
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
     return Problem(constants, start, t_end, t_record, rtol, as_count("max_steps", max_steps), partial(field_of, model))
 
 
-def without_direction(model: Model, constants: FloatArray, starts: FloatArray) -> dict[int, ParameterError]:
-    """Motions, columns each, whose start leaves a spring without length, and so without direction, and what is said of them."""
-    known, found = dict(zip(model.about["arguments"]["motion"], constants, strict=True)), dict[int, ParameterError]()
-    places, taken = starts[: len(model.coordinates)], [known[name] for name in model.about["arguments"]["statics"]]
-    geometry = inspect.unwrap(model.algebra.geometry)  # its results need no common shape
-    for row, (dx, dy, _) in enumerate(geometry(*places, *taken)):
-        met = (np.asarray(dx) == 0) & (np.asarray(dy) == 0)
-        for i in np.flatnonzero(np.broadcast_to(met, starts.shape[1])).tolist():
-            start, name = tuple(places[:, i].tolist()), model.about["springs"][row]["name"]
-            text = f"the start {start} puts both ends of {name} on one point, where it has no direction; start anywhere else"
-            found.setdefault(i, ParameterError(text))
-    return found
+def check_direction(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> None:
+    """An error where a motion starts with a spring that has no length, and so no direction."""
+    known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
+    place, taken = start[: len(model.coordinates)], (known[name] for name in model.about["arguments"]["statics"])
+    for (dx, dy, _), spring in zip(undecorated(model.algebra.geometry)(*place, *taken), model.about["springs"], strict=True):
+        if dx == dy == 0:
+            name = spring["name"]
+            raise ParameterError(
+                f"the start {place} puts both ends of {name} on one point, where it has no direction; start anywhere else"
+            )

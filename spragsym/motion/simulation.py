@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import ParameterError, ParameterTypeError
 from ..models.field import Field
-from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number, as_numbers
+from ..models.parameters import FloatArray, ParameterSet, as_number, as_numbers
 from ..names import hint
 from ..questions import model_of
 from . import integrators
@@ -96,8 +96,9 @@ def simulate(
     (('x', 'vx'), 0.61)
     """
     model, p = model_of(p), p.given(V=V, d=d)
-    state = tuple(as_number(name, value) for name, value in initial_state(model, start, initial).items())
-    problem = prepare(model, p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
+    problem = prepare(
+        model, p, start=tuple(state_of(model, start, initial).tolist()), t_end=t_end, rtol=rtol, max_steps=max_steps
+    )
     chosen = integrators.choose(backend, integrators.offered_for(model))
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
@@ -126,9 +127,9 @@ def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, Arr
     return {name: as_numbers(name, value) for name, value in values.items()}
 
 
-def state_of(model: Any, start: ArrayLike | None) -> FloatArray:
+def state_of(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike] | None = None) -> FloatArray:
     """One initial state as an array; rest where nothing is given."""
-    return np.array([as_number("start", value, FINITE) for value in initial_state(model, start, {}).values()])
+    return np.array([as_number(name, value) for name, value in initial_state(model, start, initial or {}).items()])
 
 
 def motion_of(field: Field, values: Sequence[float], state: FloatArray, t_end: float, **options: Any) -> Trajectory:

@@ -18,7 +18,7 @@ from ..files import storage
 from ..files.journal import Record
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
-from ..motion.simulation import initial_state
+from ..motion.simulation import state_of
 from ..motion.sweeps.points import made_or_loaded
 from ..motion.sweeps.result import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers
@@ -145,7 +145,7 @@ def fate_map(
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
-    state = tuple(float(value) for value in initial_state(model, start, {}).values())
+    state = tuple(state_of(model, start).tolist())
     t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")

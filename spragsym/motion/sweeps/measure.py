@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import ConvergenceError
+from ...errors import ConvergenceError, ParameterError
 from ...files.journal import Record
 from ...models.model_field import field_of
 from .. import integrators
 from ..classify import classify
 from ..measures import Course
 from ..periodic_orbit import Onward
-from ..problem import MAX_STEPS, Problem, out_of_range, without_direction
+from ..problem import MAX_STEPS, Problem, check_direction, out_of_range
 
 
 def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
@@ -46,15 +46,19 @@ class Settings:
 
 def measured(model: Any, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
-    count = len(model.parameters)
-    constants, starts = [model.field.constants(point[:count]) for point in points], [point[count:] for point in points]
-    records = {i: _no_result(error) for i, error in without_direction(model, np.array(constants).T, np.array(starts).T).items()}
-    if kept := [i for i in range(len(points)) if i not in records]:
-        given = settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
-        problems = [Problem(constants[i], starts[i], *given) for i in kept]
-        with np.errstate(all="ignore"):  # numbers out of range show in the result
-            for i, problem, course in zip(kept, problems, integrators.measure(problems, settings.backend), strict=True):
-                records[i] = _record(course, problem, settings.backend)
+    records, problems, count = dict[int, Record](), dict[int, Problem](), len(model.parameters)
+    given = settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
+    for i, point in enumerate(points):
+        problems[i] = problem = Problem(model.field.constants(point[:count]), point[count:], *given)
+        try:
+            check_direction(model, problem.constants, problem.start)
+        except ParameterError as error:
+            records[i] = _no_result(error)
+            del problems[i]
+    with np.errstate(all="ignore"):  # numbers out of range show in the result
+        courses = integrators.measure(list(problems.values()), settings.backend) if problems else []
+        for (i, problem), course in zip(problems.items(), courses, strict=True):
+            records[i] = _record(course, problem, settings.backend)
     return [records[i] for i in range(len(points))]
 
 

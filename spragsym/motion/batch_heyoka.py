@@ -1,8 +1,8 @@
 """Batch integration by heyoka's Taylor method: many motions at a time, one in each lane of vector instructions.
 
 A lane takes its own steps, meets its own borders, and does the same arithmetic whatever runs beside it, so that the bits of a
-motion depend on the motion alone. One that has ended makes room for the next. One that breaks off stops the others: these are
-begun again without it, since nothing says what its last step has done to them.
+motion depend on the motion alone. One that breaks off stops the others: these are begun again without it, since nothing says what
+its last step has done to them.
 """
 
 from __future__ import annotations
@@ -13,18 +13,19 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import ConvergenceError
 from ..models.field import Field, Mode
 from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course, Turns
 from .problem import Event, Problem, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
-from .with_heyoka import CHUNK, Carrier, Equations, compiled, missed
+from .with_heyoka import Carrier, Equations, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
 
-#: Steps after which lanes that have ended are filled anew; also between two looks at signals, for Python hears Ctrl-C only then.
-BURST = 128
+#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed.
+BURST = 20_000
 
 #: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
 NEAR = 1e-3
@@ -56,18 +57,6 @@ class Stage:
         return cls(problems, constants, starts, modes, [0] * len(modes))
 
 
-@dataclass
-class _Run:
-    """A stage on its way to the next: what all begin with (columns), who waits, and who is in which lane."""
-
-    stage: Stage
-    after: Stage
-    state: FloatArray
-    pars: FloatArray
-    waiting: list[int]
-    running: dict[int, int] = field(default_factory=dict)
-
-
 class Lanes(Carrier):
     """A compiled integrator of :data:`LANES` motions, used again and again.
 
@@ -84,8 +73,6 @@ class Lanes(Carrier):
         #: Where borders were last crossed, and lanes in which that was where they had been crossed before.
         self.crossed: list[dict[int, list[float]]] = [{} for _ in range(LANES)]
         self.resting: set[int] = set()
-        #: Time and steps of each lane when it was last looked at whether steps have collapsed.
-        self.looked: list[tuple[float, int]] = [(0.0, 0)] * LANES
         self.dense, self.look = self.solver.d_output, self.solver.update_d_output
 
     def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
@@ -112,98 +99,74 @@ class Lanes(Carrier):
 
     def carry(self, stage: Stage, begin: float, end: float) -> Stage:
         """Where the motions of a stage are that are carried from ``begin`` to ``end`` and do not stop on the way."""
-        run = self._run(stage, end - begin)
-        while run.waiting or run.running:
-            if len(run.running) < LANES:
-                self._fill(run, begin, end)
-            self.solver.propagate_until(end, max_steps=BURST)
-            self._sort_out(run, end)
-        states, modes = run.after.carried[:, : self.m].T, np.array(run.after.modes).T
-        for row in np.flatnonzero(~self.field.are_inside(states, stage.constants.T, modes)).tolist():
-            stage.errors.setdefault(row, missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
-        return run.after
-
-    def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
-        state = np.zeros((len(self.state), count))
-        state[: self.m] = stage.carried[:, : self.m].T
-        watching = [stage.carried[:, 0], np.full(count, _scale(duration))] if self.watch else []
-        pars = np.vstack([stage.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
-        pars = pars[: len(self.pars)]
-        waiting = [row for row in reversed(range(count)) if row not in stage.errors]
+        watching = [stage.carried[:, :1], np.full((count, 1), _scale(end - begin))] if self.watch else []
+        pars = np.hstack([stage.constants, np.array(stage.modes, dtype=float).reshape(count, -1), *watching])
         after = replace(
             stage, carried=np.full((count, len(self.state)), np.nan), modes=stage.modes.copy(), steps=stage.steps.copy(),
             turns=[None] * count, counts=[[0] * EVENTS] * count,
         )  # fmt: skip
-        return _Run(stage, after, state, pars, waiting)
+        left = [row for row in range(count) if row not in stage.errors]
+        while left:
+            rows, left = left[:LANES], left[LANES:]
+            self._begin(stage, pars, rows, begin, end)
+            if not self._arrived(after, rows, end):
+                left = [row for row in rows if row not in stage.errors] + left
+        states, modes = after.carried[:, : self.m].T, np.array(after.modes).T
+        for row in np.flatnonzero(~self.field.are_inside(states, stage.constants.T, modes)).tolist():
+            stage.errors.setdefault(row, missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
+        return after
 
-    def _fill(self, run: _Run, begin: float, end: float) -> None:
-        """Put waiting motions into lanes that are free; what else is free stands still at the end, where another lane is."""
-        solver, running = self.solver, run.running
-        free = [lane for lane in range(LANES) if lane not in running]
-        lanes = free[: len(run.waiting)]
-        rows = [run.waiting.pop() for _ in lanes]
-        late, early = (part.copy() for part in solver.dtime)
-        late[free], early[free], late[lanes] = end, 0.0, begin
-        self.state[:, lanes], self.pars[:, lanes] = run.state[:, rows], run.pars[:, rows]
-        source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
-        self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
-        solver.set_dtime(late, early)
-        for lane in free if self.eventful else ():
-            solver.reset_cooldowns(lane)
-        for lane, row in zip(lanes, rows, strict=True):
-            running[lane] = row
-            self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
-            self.crossed[lane], self.looked[lane] = {}, (begin, run.after.steps[row])
-            self.resting.discard(lane)
+    def _begin(self, stage: Stage, pars: FloatArray, rows: list[int], begin: float, end: float) -> None:
+        """Put motions into lanes; what else is free stands still at the end, where the first lane is."""
+        filled = [*rows, *rows[:1] * (LANES - len(rows))]
+        self.state[:], self.pars[:] = 0.0, pars[filled, : len(self.pars)].T
+        self.state[: self.m] = stage.carried[filled, : self.m].T
+        self.solver.set_dtime(np.where(np.arange(LANES) < len(rows), begin, end), np.zeros(LANES))
+        if self.eventful:
+            self.solver.reset_cooldowns()
+        self.modes, self.turns = [stage.modes[row] for row in filled], [None] * LANES
+        self.counts, self.crossed = [[0] * EVENTS for _ in filled], [{} for _ in filled]
+        self.resting.clear()
+        self.strays.clear()
 
-    def _arrive(self, after: Stage, lane: int, row: int) -> None:
-        after.carried[row], after.modes[row] = self.state[:, lane], self.modes[lane]
-        if self.watch:
-            after.turns[row], after.counts[row] = self.turns[lane], self.counts[lane]
-            for border in list(self.crossed[lane]):
-                self._rest(lane, border)
-            if lane in self.resting:
-                after.resting.add(row)
-
-    def _count(self, run: _Run, lane: int, row: int, results: Any) -> bool:
-        """Count the steps of a motion; whether they are too many, or have collapsed."""
-        run.after.steps[row] += results[lane][3]
-        steps, problem, t = run.after.steps[row], run.stage.problems[row], float(self.solver.time[lane])
-        before, counted = self.looked[lane]
-        if steps > problem.max_steps:
-            run.stage.errors[row] = too_many_steps(problem.max_steps, t, problem.t_end, problem.rtol)
-        elif steps - counted >= CHUNK:
-            self.looked[lane] = t, steps
-            state, step = self.state[: self.m, lane], (t - before) / (steps - counted)
-            try:
-                check_stiffness(self.field, state, problem.constants, step, problem.t_end - t)
-            except StiffError as error:
-                run.stage.errors[row] = error
-        return row in run.stage.errors
-
-    def _sort_out(self, run: _Run, end: float) -> None:
-        """Free the lanes of motions that have ended; where one broke off, the others under way begin the stage again."""
-        hy = library()
-        overflow, running = hy.taylor_outcome.err_nf_state, run.running
-        results, times = self.solver.propagate_res, self.solver.time.tolist()
-        bad = [lane for lane in running if lane in self.strays or results[lane][0] == overflow]
-        if bad:
-            for lane in bad:
-                stray = self.strays.get(lane)
-                run.stage.errors[running.pop(lane)] = out_of_range() if stray is None else missed(stray)
-            for row in running.values():
-                run.after.steps[row] = run.stage.steps[row]
-            run.waiting += running.values()
-            running.clear()
-            self.strays.clear()
-            return
-        for lane, row in list(running.items()):
-            stopped = self._count(run, lane, row, results)
-            if times[lane] == end:
-                self._arrive(run.after, lane, row)
-            if stopped or times[lane] == end:
-                del running[lane]
+    def _arrived(self, after: Stage, rows: list[int], end: float) -> bool:
+        """Go on to the end; whether all are there: where one breaks off the others begin again."""
+        overflow, steps = library().taylor_outcome.err_nf_state, [after.steps[row] for row in rows]
+        times = self.solver.time.tolist()
+        while min(times) < end:
+            before = times
+            self.solver.propagate_until(end, max_steps=BURST)
+            times, results = self.solver.time.tolist(), self.solver.propagate_res
+            for lane, row in enumerate(rows):
+                outcome, made = results[lane][0], results[lane][3]
+                steps[lane] += made
+                problem = after.problems[row]
+                try:
+                    if lane in self.strays:
+                        raise missed(self.strays[lane])
+                    if outcome == overflow:
+                        raise out_of_range()
+                    if steps[lane] > problem.max_steps:
+                        raise too_many_steps(problem.max_steps, times[lane], end, problem.rtol)
+                    if times[lane] < end:
+                        step = (times[lane] - before[lane]) / max(made, 1)
+                        check_stiffness(
+                            self.field, self.state[: self.m, lane], problem.constants, step, problem.t_end - times[lane]
+                        )
+                except ConvergenceError as error:
+                    after.errors[row] = error
+            if not after.errors.keys().isdisjoint(rows):
+                return False
+        for lane, row in enumerate(rows):
+            after.carried[row], after.modes[row], after.steps[row] = self.state[:, lane], self.modes[lane], steps[lane]
+            if self.watch:
+                after.turns[row], after.counts[row] = self.turns[lane], self.counts[lane]
+                for border in list(self.crossed[lane]):
+                    self._rest(lane, border)
+                if lane in self.resting:
+                    after.resting.add(row)
+        return True
 
 
 def _scale(duration: float) -> float:

@@ -31,47 +31,40 @@ def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatA
     return {**dict(zip(columns_of(model), places, strict=False)), **forces}
 
 
-def spring_forces(model: Any, states: Any, constants: Sequence[Any]) -> tuple[FloatArray, ...]:
-    """Tension k (L − L_0) of every inclined spring, negative where it pushes; ``states`` begin with the coordinates."""
-    tensions: tuple[FloatArray, ...] = model.algebra.spring_forces(*states[: len(model.coordinates)], *_taken(model, constants))
-    return tensions
-
-
 def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArray:
-    """The normal force of the contact: 0 where the gap is open."""
+    """The normal force of the contact: 0 where the gap is open; ``states`` begin with the coordinates."""
     q = states[: len(model.coordinates)]
-    gap = model.algebra.contact_gap(*q, *_taken(model, constants))
+    gap = model.algebra.contact_gap(*q, *of_statics(model, constants))
     closed = np.asarray(gap) <= 0 if model.about["contact"]["unilateral"] else np.ones(np.shape(gap), dtype=bool)
     force: FloatArray = model.algebra.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
     return force
 
 
 def told_of(model: Any) -> dict[str, Callable[[Any, Sequence[Any]], FloatArray]]:
-    """Forces by their names: ``spring_force`` of the only inclined spring, or ``spring_force_1``, …; ``contact_force``."""
+    """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of the only inclined spring, or
+    ``spring_force_1``, …; ``contact_force``."""
+
+    def tension(spring: int, states: Any, constants: Sequence[Any]) -> FloatArray:
+        tensions = model.algebra.spring_forces(*states[: len(model.coordinates)], *of_statics(model, constants))
+        return tensions[spring]  # type: ignore[no-any-return]
+
     count = len(model.about["springs"])
     names = ["spring_force"] if count == 1 else [f"spring_force_{j + 1}" for j in range(count)]
-    found: dict[str, Callable[[Any, Sequence[Any]], FloatArray]] = {
-        name: partial(_spring_force, model, j) for j, name in enumerate(names)
-    }
+    found: dict[str, Callable[[Any, Sequence[Any]], FloatArray]] = {name: partial(tension, j) for j, name in enumerate(names)}
     return found | ({"contact_force": partial(contact_force, model)} if model.about["contact"]["gap"] is not None else {})
 
 
 def spring_named(model: Any, spring: str | None) -> str:
     """The name of the force of a spring: of the only one, or of the one that is named."""
     springs = [entry["name"] for entry in model.about["springs"]]
-    if spring is None and len(springs) == 1:
-        return "spring_force"
+    spring = springs[0] if spring is None and len(springs) == 1 else spring
     if spring not in springs:
         offered = f"one of {', '.join(map(repr, springs))}" if springs else "nothing: there is no inclined spring"
         raise ParameterError(f"spring = {spring!r} of {model.name} is {offered}")
-    return "spring_force" if len(springs) == 1 else f"spring_force_{springs.index(spring) + 1}"
+    return list(told_of(model))[springs.index(spring)]
 
 
-def _spring_force(model: Any, j: int, states: Any, constants: Sequence[Any]) -> FloatArray:
-    return spring_forces(model, states, constants)[j]
-
-
-def _taken(model: Any, constants: Sequence[Any]) -> list[Any]:
+def of_statics(model: Any, constants: Sequence[Any]) -> list[Any]:
     """What functions of the statics take of the arguments of the motion."""
     known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     return [known[name] for name in model.about["arguments"]["statics"]]

@@ -135,7 +135,8 @@ class Lanes(Carrier):
         overflow, steps = library().taylor_outcome.err_nf_state, [after.steps[row] for row in rows]
         times = self.solver.time.tolist()
         while min(times) < end:
-            before = times
+            before, (late, early) = times, self.solver.dtime
+            self.solver.set_dtime(late.copy(), np.where(late == end, 0.0, early))  # who has ended does not move by rounding
             self.solver.propagate_until(end, max_steps=BURST)
             times, results = self.solver.time.tolist(), self.solver.propagate_res
             for lane, row in enumerate(rows):

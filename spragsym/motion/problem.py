@@ -23,6 +23,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Border, Field
+from ..models.forces import of_statics
 from ..models.model import Model
 from ..models.model_field import field_of, undecorated
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
@@ -127,9 +128,8 @@ def prepare(
 
 def check_direction(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> None:
     """An error where a motion starts with a spring that has no length, and so no direction."""
-    known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
-    place, taken = start[: len(model.coordinates)], (known[name] for name in model.about["arguments"]["statics"])
-    for (dx, dy, _), spring in zip(undecorated(model.algebra.geometry)(*place, *taken), model.about["springs"], strict=True):
+    place, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
+    for (dx, dy, _), spring in zip(geometry(*place, *of_statics(model, constants)), model.about["springs"], strict=True):
         if dx == dy == 0:
             name = spring["name"]
             raise ParameterError(

@@ -52,9 +52,7 @@ def assert_same(left: Any, right: Any) -> None:
 
 @pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
 def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
-    monkeypatch.setattr(
-        batch_heyoka, "BURST", burst
-    )  # the shorter it is, the more often some lanes are filled while others go on
+    monkeypatch.setattr(batch_heyoka, "BURST", burst)  # the shorter it is, the more often some have ended while others go on
     some = problems(21)  # more than two fillings, and a rest
     together = watched(some)
     order = RNG.permutation(len(some)).tolist()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import TypeVar
@@ -15,8 +14,8 @@ from .balls import Interval, Undecided, as_mpf, rounded_up, sign
 
 #: Bits of the first try and of the last.
 FIRST_BITS, MAXIMUM_BITS = 192, 6144
-#: What an interval may be off by when it becomes a float.
-_LARGEST_ERROR = Fraction(1, 10**15)
+#: Digits that an interval must have to become a float.
+FLOAT_DIGITS = 15
 
 T = TypeVar("T")
 
@@ -55,18 +54,9 @@ def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> in
 
 def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
     """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1, |value|) of all of them."""
-    values, worst = [], Fraction(0)
-    for low, high in map(balls.ends, intervals):
-        middle = (low + high) / 2
-        worst = max(worst, (high - low) / 2 / max(Fraction(1), abs(middle)))
-        try:
-            values.append(float(middle))
-        except OverflowError:
-            values.append(sign(middle) * math.inf)
-    if worst > _LARGEST_ERROR:
-        raise Undecided("an interval wider than a float may be off")
+    middles, worst, _ = as_numbers(intervals, FLOAT_DIGITS)
     # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is rounded and in the sum, 1e-30.
-    return values, float(worst) + 1.2e-16
+    return list(map(float, middles)), float(worst) + 1.2e-16
 
 
 def as_numbers(

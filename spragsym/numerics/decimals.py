@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import decimal
 import math
 from fractions import Fraction
 from typing import Any, NamedTuple
+
+import mpmath
 
 #: Significant digits of a bound.
 BOUND_DIGITS = 2
@@ -25,10 +28,7 @@ class Decimal(NamedTuple):
 
 def exactly(value: Any) -> Fraction:
     """The rational number that an int, a float, a Fraction, an mpf or a decimal text is."""
-    if hasattr(value, "_mpf_"):
-        negative, mantissa, exponent, _ = value._mpf_
-        return Fraction(-int(mantissa) if negative else int(mantissa)) * Fraction(2) ** int(exponent)
-    return Fraction(value)
+    return Fraction(*map(int, mpmath.libmp.to_rational(value._mpf_))) if hasattr(value, "_mpf_") else Fraction(value)
 
 
 def enclosing(low: Fraction, high: Fraction, digits: int | None = None) -> Decimal:
@@ -70,13 +70,8 @@ def upward(bound: Any) -> str:
     """
     if isinstance(bound, float) and not math.isfinite(bound):
         return f"{bound:g}"
-    exact = exactly(bound)
-    power = _power(exact)
-    mantissa = math.ceil(exact / Fraction(10) ** (power - BOUND_DIGITS + 1))
-    if mantissa == 10**BOUND_DIGITS:
-        mantissa, power = 10 ** (BOUND_DIGITS - 1), power + 1
-    written = f"{mantissa:0{BOUND_DIGITS}d}"
-    return f"{written[0]}.{written[1:]}e{power:+03d}"
+    mantissa, power = f"{_cut(exactly(bound), decimal.ROUND_UP):.{BOUND_DIGITS - 1}e}".split("e")
+    return f"{mantissa}e{int(power):+03d}"
 
 
 def float_above(bound: Fraction) -> float:
@@ -85,24 +80,17 @@ def float_above(bound: Fraction) -> float:
     return found if Fraction(found) >= bound else math.nextafter(found, math.inf)
 
 
+def _cut(value: Fraction, rounding: str) -> decimal.Decimal:
+    """A number to :data:`BOUND_DIGITS` significant digits."""
+    context = decimal.Context(BOUND_DIGITS, rounding, decimal.MIN_EMIN, decimal.MAX_EMAX)
+    return context.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
+
+
 def _power(value: Fraction) -> int:
     """n with 10ⁿ ≤ |value| < 10ⁿ⁺¹; 0 of 0."""
-    if not value:
-        return 0
-    size = abs(value)
-    power = int((size.numerator.bit_length() - size.denominator.bit_length()) * math.log10(2))
-    while Fraction(10) ** power > size:
-        power -= 1
-    while Fraction(10) ** (power + 1) <= size:
-        power += 1
-    return power
+    return _cut(value, decimal.ROUND_DOWN).adjusted()
 
 
 def _rounded(value: Fraction, places: int) -> str:
     """A number to so many decimal places; negative places leave zeros in front of the point."""
-    scaled = round(abs(value) * Fraction(10) ** places)
-    sign = "-" if value < 0 and scaled else ""
-    if places <= 0:
-        return f"{sign}{scaled * 10**-places}"
-    whole, part = divmod(scaled, 10**places)
-    return f"{sign}{whole}.{part:0{places}d}"
+    return f"{decimal.Decimal(f'{round(value * Fraction(10) ** places)}e{-places}'):f}"

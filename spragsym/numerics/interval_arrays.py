@@ -16,6 +16,7 @@ NumPy's warnings on such numbers are for the caller to silence, with :func:`nump
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -136,12 +137,13 @@ class Intervals(Arithmetic):
         return Intervals(np.stack([-self.mignitude, self.magnitude]))
 
     def __add__(self, other: Any) -> Intervals:
-        if isinstance(other, Intervals):
-            one, two = _aligned(self.ends, other.ends)
-            return Intervals(raised(one + two))
-        if isinstance(other, int | float):
-            return self if other == 0 else Intervals(raised(self.ends + _column(exactly(other), self.ends.ndim)))
-        return self + Intervals.point(other) if isinstance(other, np.ndarray) else NotImplemented
+        if not isinstance(other, Intervals):
+            if isinstance(other, int | float) and other == 0:
+                return self
+            if (other := _point(other)) is None:
+                return NotImplemented
+        one, two = _aligned(self.ends, other.ends)
+        return Intervals(raised(one + two))
 
     def __mul__(self, other: Any) -> Intervals:
         if isinstance(other, Intervals):
@@ -185,7 +187,7 @@ class Intervals(Arithmetic):
         if power % 2 == 0:
             return self.squared() ** (power // 2)
         # Monotone. A product of n numbers in any order is off by less than n units, and by less than TINY where one underflows.
-        return Intervals(raised(_power(self.ends, power), power))
+        return Intervals(raised(reduce(np.multiply, [self.ends] * power), power))
 
     def sqrt(self) -> Intervals:
         """Square root; NaN where the interval holds negative numbers."""
@@ -243,9 +245,10 @@ def exactly(number: float) -> float:
 
 def _point(value: Any) -> Intervals | None:
     """A number or an array of floats as intervals without width."""
-    if not isinstance(value, int | float | np.ndarray):
-        return None
-    return Intervals.point(exactly(value) if isinstance(value, int) else value)
+    if isinstance(value, int | float):
+        number = exactly(value)
+        return Intervals(np.array([-number, number]))
+    return Intervals.point(value) if isinstance(value, np.ndarray) else None
 
 
 def stacked(parts: Sequence[Any], shape: tuple[int, ...]) -> Intervals:
@@ -280,10 +283,6 @@ def _aligned(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray
     return one, other
 
 
-def _column(value: float, ndim: int) -> FloatArray:
-    return np.array([-value, value]).reshape(2, *(1,) * (ndim - 1))
-
-
 def _extremes(operation: np.ufunc, one: FloatArray, other: FloatArray) -> FloatArray:
     """(−least, greatest) of the operation on the four pairs of ends, rounded to nearest."""
     one, other = _aligned(one, other)
@@ -316,15 +315,3 @@ def _not_negative(ends: FloatArray) -> FloatArray:
     """Lower ends of what is not negative, which rounding may have pushed below 0."""
     np.minimum(ends[0], 0.0, out=ends[0])
     return ends
-
-
-def _power(values: FloatArray, power: int) -> FloatArray:
-    """values^power, rounded in each of fewer than ``power`` products."""
-    result = None
-    while power:
-        if power & 1:
-            result = values if result is None else result * values
-        power >>= 1
-        values = values * values if power else values
-    assert result is not None  # power > 0
-    return result

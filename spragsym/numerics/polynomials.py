@@ -12,6 +12,7 @@ from typing import Any, TypeAlias
 from . import balls
 from .balls import Interval
 from .descartes import real_roots, sign_at
+from .determinants import solved
 
 #: A Fraction or a ball.
 Coefficient: TypeAlias = Any
@@ -110,16 +111,8 @@ def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]
 @cache
 def _interpolation(nodes: tuple[int, ...]) -> tuple[tuple[Fraction, ...], ...]:
     """Coefficients of the Lagrange polynomials of the nodes, exactly."""
-    rows = []
-    for i, node in enumerate(nodes):
-        basis = [Fraction(1)]
-        for j, other in enumerate(nodes):
-            if i != j:
-                shifted = [Fraction(0), *basis]
-                basis = [a - other * b for a, b in zip(shifted, [*basis, Fraction(0)], strict=True)]
-                basis = [value / (node - other) for value in basis]
-        rows.append(tuple(basis))
-    return tuple(rows)
+    powers = [[Fraction(node) ** power for power in range(len(nodes))] for node in nodes]
+    return tuple(tuple(solved(powers, [Fraction(node == other) for other in nodes])) for node in nodes)
 
 
 def interpolate(

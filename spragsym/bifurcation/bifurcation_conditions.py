@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.determinants import Polynomial, cofactor, determinant, hurwitz, of_pencil, resultant, trimmed
+from ..numerics.determinants import Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.interval_arrays import stacked
 from ..numerics.jets import Jet
+from ..numerics.polynomials import derivative
 from ..statics.mechanics.state import State
 from .defining_systems import Condition
 
@@ -65,14 +66,12 @@ TOUCH_TURN = Condition(_touch_turns, order=1, touching=True)
 
 
 def _discriminant(at: State) -> Sequence[Any]:
-    """The discriminant of det(K − κ M) in κ, but for a factor."""
-    K, M = at.stiffness(), at.mass()
-    n = len(K)
-    coefficients = determinant([[Polynomial([K[i][j], -M[i][j]]) for j in range(n)] for i in range(n)]).padded(n + 1)
-    if n == 2:
+    """The discriminant of det(K + κ M) in κ, but for a factor."""
+    coefficients = characteristic(at.stiffness(), at.mass())
+    if len(coefficients) == 3:
         c, b, a = coefficients
         return (b * b - 4 * a * c,)
-    return (resultant(coefficients, [k * coefficients[k] for k in range(1, n + 1)]),)
+    return (resultant(coefficients, derivative(coefficients)),)
 
 
 #: Two roots κ = −λ² of det(K − κ M) meet: the discriminant of that polynomial is 0.
@@ -90,7 +89,7 @@ def _characteristic(along: int | None, at: State) -> list[Any]:
     K = at.stiffness()
     places = range(len(K))
     C = at.damping() if along is None else [[int(i == j == along) for j in places] for i in places]
-    return of_pencil(at.mass(), C, K)
+    return characteristic(K, C, at.mass())
 
 
 def bogdanov_takens(along: int | None) -> Condition:
@@ -122,9 +121,7 @@ def undamped_mode(along: int) -> Condition:
 
     def equations(at: State) -> Sequence[Any]:
         """The resultant of B and A, less a multiple of B: it does not depend on the entry in row and column ``along``."""
-        K, M = at.stiffness(), at.mass()
-        n = len(K)
-        rows = [[Polynomial([K[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
+        rows = pencil(at.stiffness(), at.mass())
         B = cofactor(rows, along, along)
         rows[along][along] = Polynomial([0])
         return (resultant(trimmed(B), trimmed(determinant(rows))),)

@@ -53,11 +53,14 @@ class Polynomial(Arithmetic):
         return Polynomial(out)
 
 
-def of_pencil(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]]) -> list[Any]:
-    """Coefficients of det(λ² M + λ C + K), the lowest first."""
-    n = len(K)
-    rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
-    coefficients: list[Any] = determinant(rows).padded(2 * n + 1)
+def pencil(*matrices: Sequence[Sequence[Any]]) -> list[list[Polynomial]]:
+    """A + λ B + λ² C + …."""
+    return [[Polynomial(entries) for entries in zip(*rows, strict=True)] for rows in zip(*matrices, strict=True)]
+
+
+def characteristic(*matrices: Sequence[Sequence[Any]]) -> list[Any]:
+    """Coefficients of det(A + λ B + λ² C + …), the lowest first."""
+    coefficients: list[Any] = determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
     return coefficients
 
 

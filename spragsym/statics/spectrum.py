@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ..numerics import balls
 from ..numerics.ball_functions import XP as BALLS
 from ..numerics.balls import Undecided, ball
-from ..numerics.determinants import Polynomial, determinant, hurwitz, of_pencil
+from ..numerics.determinants import characteristic, determinant, hurwitz
 from ..numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from ..numerics.krawczyk import as_balls, narrowed
 from ..results.equilibria import Stability
@@ -130,7 +130,7 @@ def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[S
             [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)
         ]  # fmt: skip
         C = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
-    a = of_pencil(M, C, K)
+    a = characteristic(K, C, M)
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 
 
@@ -141,9 +141,8 @@ def _told_to_decay(signs: NDArray[np.int8]) -> NDArray[np.int8]:
 def invariants(K: Sequence[Sequence[Any]], M: Sequence[Sequence[Any]]) -> tuple[list[Any], list[Any]]:
     """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's matrix, of any number type."""
     n = len(K)
-    rows = [[Polynomial([K[i][j], -M[i][j]]) for j in range(n)] for i in range(n)]
-    # det(K − κ M) = det M Π (κ_i − κ): the coefficient of κᵏ is (−1)ᵏ e_{n−k} det M.
-    coefficients = [(-1) ** k * value for k, value in enumerate(determinant(rows).padded(n + 1))]
+    # det(K + κ M) = det M Π (κ_i + κ): the coefficient of κᵏ is e_{n−k} det M.
+    coefficients = characteristic(K, M)
     e = [1, *(coefficients[n - k] / coefficients[n] for k in range(1, n + 1))]
     sums: list[Any] = [n]
     for k in range(1, 2 * n - 1):

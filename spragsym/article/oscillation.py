@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-import spragsym as ss
-
 from ..assumed import D, V
+from ..bifurcation.folds import folds
 from ..models.load import USUAL, load
 from ..models.parameters import Parameters
 from ..orbits import cycle, fate_boundary
 from ..results.equilibria import Stability
+from ..statics.equilibria import equilibria
 from .ledger import Found
 
 _MODEL = load(USUAL)
@@ -54,19 +54,19 @@ def lives_below() -> Found:
 def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
     """Whether the state of smallest deformation is stable at the friction of this belt."""
     p = Parameters.article(theta0=np.radians(degrees))
-    rest = ss.equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=speed, d=creep))))
+    rest = equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=speed, d=creep))))
     return bool(rest.stability[int(np.nanargmin(np.abs(rest.x)))] == Stability.STABLE)
 
 
 def fate_of_rest() -> Found:
     """Where the motion from rest changes its fate, and at which saddle it hovers there."""
     found = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
-    at, fold = float(np.degrees(found.value)), float(np.degrees(ss.folds(Parameters.article()).theta0[0]))
+    at, fold = float(np.degrees(found.value)), float(np.degrees(folds(Parameters.article()).theta0[0]))
     holds = found.saddle == "equilibrium" and 1 < fold - at < 5
     others, apart = [], []
     for (speed, creep), (low, high) in zip(OTHER_BELTS, np.radians(FATES_CHANGE), strict=True):
         other = fate_boundary(Parameters.article(), vary="theta0", bracket=(low, high), V=speed, d=creep)
-        sliding = ss.folds(Parameters.article(mu0=float(_MODEL.friction(Parameters.article(V=speed, d=creep))))).theta0[0]
+        sliding = folds(Parameters.article(mu0=float(_MODEL.friction(Parameters.article(V=speed, d=creep))))).theta0[0]
         others.append(float(np.degrees(other.value)))
         apart.append(float(np.degrees(sliding)) - others[-1])
         holds &= other.saddle == "equilibrium" and 3 < apart[-1] < 4

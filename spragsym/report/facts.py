@@ -8,13 +8,15 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, TypeVar
 
-import spragsym as ss
-
+from ..bifurcation.critical import critical_friction, cusp_friction
+from ..bifurcation.folds import folds
+from ..design.jumps import jump_value
 from ..design.probability import JumpProbability
 from ..errors import SpragsymError
 from ..remarks import Remark
 from ..results.equilibria import Equilibria
 from ..results.points import Points
+from ..statics.equilibria import equilibria
 from .friction import speed_for
 from .redesigns import Change, changes, distance
 from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
@@ -110,7 +112,7 @@ class Facts:
         study, at = self.study, self.study.at_work
         if "theta0" not in at.model.parameters or (study.rise is not None and study.rise.name == "theta0"):
             return None
-        found = self._known("the jump along theta0 is", lambda: ss.jump_value(at, "theta0"))
+        found = self._known("the jump along theta0 is", lambda: jump_value(at, "theta0"))
         return None if found is None else math.degrees(found)
 
     @property
@@ -122,7 +124,7 @@ class Facts:
         if not self._has_plane:
             return None
         found = self._known(
-            "the friction below which it jumps at no angle is", lambda: ss.critical_friction(self.study.dimensionless)
+            "the friction below which it jumps at no angle is", lambda: critical_friction(self.study.dimensionless)
         )
         if found is not None and found.kind == "undecided":
             below = f"below a friction of {found.value:.4g} it cannot jump at any angle; above that" if found.value else ""
@@ -153,7 +155,7 @@ class Facts:
         if not self._has_plane:
             return None
         study = self.study
-        return self._known("the lowest cusp is", lambda: study.of_statics(float(ss.cusp_friction(study.dimensionless))))
+        return self._known("the lowest cusp is", lambda: study.of_statics(float(cusp_friction(study.dimensionless))))
 
     @cached_property
     def speed(self) -> float:
@@ -189,7 +191,7 @@ class Facts:
 
     @cached_property
     def _equilibria(self) -> Equilibria:
-        return ss.equilibria(self.study.at_work)
+        return equilibria(self.study.at_work)
 
     @cached_property
     def _here(self) -> dict[str, float] | None:
@@ -221,7 +223,7 @@ class Facts:
         study, rise = self.study, self.study.rise
         sets = {} if rise is None else {rise.name: study.dimensionless if study.of_friction else study.at_work}
         sets |= {"theta0": study.at_work} if "theta0" in study.at_work.model.parameters else {}
-        asked = ((vary, self._known(f"folds along {vary} are", partial(ss.folds, p, vary))) for vary, p in sets.items())
+        asked = ((vary, self._known(f"folds along {vary} are", partial(folds, p, vary))) for vary, p in sets.items())
         found = {vary: points for vary, points in asked if points is not None}
         if rise is not None and rise.name in found and self._misses(found[rise.name]):
             self.remarks.append(f"folds along {rise.quantity} may be missing: {self._brief(*found[rise.name].remarks)}")

@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import spragsym as ss
-
 from ..design.design_space import Design, space
+from ..design.jumps import jump_gradient
+from ..design.margins import jump_margin
+from ..design.redesigns import redesign
 from ..errors import SpragsymError
 from ..models.parameters import Range
 from ..models.units import factor
@@ -80,7 +81,7 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 def distance(study: Study) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
-    return float(ss.jump_margin(design(study), scale, **study.along()).distance) if scale else math.nan
+    return float(jump_margin(design(study), scale, **study.along()).distance) if scale else math.nan
 
 
 def design(study: Study) -> Design:
@@ -166,7 +167,7 @@ class _Search:
         target, start = {rise.name: self.target / study.rise_scale}, None if study.of_friction else study.begins()
         try:
             scale = {name: self.scale[name] for name in names}
-            after: Any = ss.redesign(self.within, names, target, scale, begin=start).parameters
+            after: Any = redesign(self.within, names, target, scale, begin=start).parameters
         except SpragsymError:
             return None
         return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
@@ -195,7 +196,7 @@ class _Search:
     def _movers(self) -> tuple[str, ...]:
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        found, slopes = ss.jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
+        found, slopes = jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 

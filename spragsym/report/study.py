@@ -13,11 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-import spragsym as ss
-
 from ..bifurcation.families import ranges
 from ..design.dependence import Correlation, Dependence, dependence
-from ..design.jumps import first_ends
+from ..design.jumps import first_ends, jump_value
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
@@ -347,7 +345,7 @@ class Study:
 
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
-        return float(ss.jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
+        return float(jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
 
     def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
         """Parameters of brakes, by their quantities in SI, with the loading parameter at a target, or at its own value."""

@@ -6,6 +6,7 @@ import math
 import os
 import warnings
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -22,6 +23,7 @@ from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_
 from ..models.quantities import Quantities, quantities, share
 from ..models.units import factor
 from ..names import hint
+from ..progress import doing, show_progress
 from ..questions import has_closed_form
 from .units import Measured, read, shown_in
 
@@ -437,10 +439,12 @@ class Study:
         Report
             What is not answered for the model is None there, with the reason among the warnings.
         """
-        from .facts import Asked
-        from .reports import report
+        from .reports import Asked, Report
 
-        return report(self, Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n), progress)
+        found = Report(self, Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n))
+        with show_progress() if progress else nullcontext(), doing(""):
+            found.text()
+        return found
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""

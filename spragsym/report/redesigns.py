@@ -25,6 +25,7 @@ from ..models.units import factor
 from ..results.result import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
+from .units import Measured
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
@@ -138,15 +139,12 @@ class _Search:
 
     def singles(self) -> list[Change]:
         """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
-        least = [one for one in (self._least((name,)) for name in self.names) if one is not None]
+        least = filter(None, (self._least((name,)) for name in self.names))
         found = [self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]]
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
     def _distance(self, after: Mapping[str, float]) -> float:
-        return math.hypot(*(self._off(name, value) for name, value in after.items()))
-
-    def _off(self, name: str, value: float) -> float:
-        return abs(value - self.study.values[name]) / self.scale[name]
+        return math.hypot(*((value - self.study.values[name]) / self.scale[name] for name, value in after.items()))
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
@@ -158,8 +156,7 @@ class _Search:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
         except SpragsymError:
             return None
-        least = self._least(names)
-        return None if least is None else self._first_proved(least)
+        return self._first_proved(self._least(names))
 
     def _least(self, names: tuple[str, ...]) -> dict[str, float] | None:
         """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
@@ -200,11 +197,11 @@ class _Search:
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 
-    def _first_proved(self, least: Mapping[str, float]) -> Change | None:
+    def _first_proved(self, least: Mapping[str, float] | None) -> Change | None:
         """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""
         open_one: Change | None = None
         tried: list[Mapping[str, float]] = []
-        for after in self._further(least):
+        for after in self._further(least) if least else ():
             printed = self._printed(after)
             if printed is None or printed in tried:
                 continue
@@ -220,20 +217,15 @@ class _Search:
         for further in range(4):
             rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
             new = self.study.changed(rounded).quantities
-            kept = all(
-                self._inside(name, new[name].low, new[name].high) and self._may_be(name, value) for name, value in rounded.items()
-            )
-            if kept and self._keep([rounded]).all():
+            if all(self._may_be(name, new[name]) for name in rounded) and self._keep([rounded]).all():
                 return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
 
-    def _inside(self, name: str, low: float, high: float) -> bool:
-        return self.allowed[name].contains(low) and self.allowed[name].contains(high)
-
-    def _may_be(self, name: str, value: float) -> bool:
-        """Whether a quantity may change to a value, but for the rounding of that."""
-        (low, high), rounding = self.span[name], 1e-12 * abs(value)
-        return self.allowed[name].contains(value) and low - rounding <= value <= high + rounding
+    def _may_be(self, name: str, new: Measured) -> bool:
+        """Whether a quantity may change to a value with its tolerance, but for the rounding of that."""
+        (low, high), rounding = self.span[name], 1e-12 * abs(new.value)
+        allowed = all(self.allowed[name].contains(end) for end in (new.low, new.value, new.high))
+        return allowed and low - rounding <= new.value <= high + rounding
 
     def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""

@@ -25,7 +25,6 @@ from ..models.units import factor
 from ..results.result import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
-from .units import Measured
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
@@ -217,15 +216,15 @@ class _Search:
         for further in range(4):
             rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
             new = self.study.changed(rounded).quantities
-            if all(self._may_be(name, new[name]) for name in rounded) and self._keep([rounded]).all():
+            inside = all(self.allowed[name].contains(end) for name in rounded for end in (new[name].low, new[name].high))
+            if inside and self._keep([rounded]).all():
                 return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
 
-    def _may_be(self, name: str, new: Measured) -> bool:
-        """Whether a quantity may change to a value with its tolerance, but for the rounding of that."""
-        (low, high), rounding = self.span[name], 1e-12 * abs(new.value)
-        allowed = all(self.allowed[name].contains(end) for end in (new.low, new.value, new.high))
-        return allowed and low - rounding <= new.value <= high + rounding
+    def _may_be(self, name: str, value: float) -> bool:
+        """Whether a quantity may change to a value, but for the rounding of that."""
+        (low, high), rounding = self.span[name], 1e-12 * abs(value)
+        return self.allowed[name].contains(value) and low - rounding <= value <= high + rounding
 
     def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""

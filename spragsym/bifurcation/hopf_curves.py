@@ -216,7 +216,7 @@ class _Plane(Family):
         """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
         balance, curves = self.balance, list[Curve]()
         points = arranged(self, nothing(self), np.empty(0, dtype=np.str_))
-        if balance.n < 2 or is_conservative(balance, self.over):
+        if is_conservative(balance, self.over):
             return self.told(False, (), points, (), {}, True, np.empty((0, balance.n + 2, 2)), ())
         found = on_lines(self, FLUTTER, n, np.empty((balance.n + 2, 0)))
         for chain in found.chains:

@@ -2,6 +2,7 @@
 
 from .cell import Page, explore
 from .page import explorer_page
-from .presets import Preset, Units
+from .presets import Preset
+from .units import Units
 
 __all__ = ["Page", "Preset", "Units", "explore", "explorer_page"]

@@ -55,7 +55,19 @@ class Ball(Arithmetic):
     def __add__(self, other: Any) -> Ball:
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
             return NotImplemented
-        return _sum(self.mid, self.rad, self.exp, other.mid, other.rad, other.exp, self.bits)
+        one, other = (self, other) if self.exp >= other.exp else (other, self)
+        m, r, n, s, exp, gap = one.mid, one.rad, other.mid, other.rad, other.exp, one.exp - other.exp
+        if gap:
+            if not (m or r):
+                return Ball(n, s, exp, self.bits)
+            if not (n or s):
+                return Ball(m, r, one.exp, self.bits)
+            # What lies far below the last bit of the result goes into the radius, lest a wide gap cost its number of bits.
+            drop = gap - self.bits - 2 * GUARD_BITS
+            if drop > 0:
+                n, s, exp, gap = n >> drop, _rounded(s, drop), exp + drop, gap - drop
+            m, r = m << gap, r << gap
+        return Ball(m + n, r + s, exp, self.bits)
 
     def __neg__(self) -> Ball:
         return Ball(-self.mid, self.rad, self.exp, self.bits)
@@ -105,24 +117,6 @@ def ball(value: float, bits: int) -> Ball:
 def _as_ball(value: Any, bits: int) -> Ball | None:
     """A number that is exactly an integer over a power of two."""
     return ball(value, bits) if isinstance(value, int | float) else None
-
-
-def _sum(m: int, r: int, e: int, n: int, s: int, f: int, bits: int) -> Ball:
-    """(m ± r) 2^e + (n ± s) 2^f."""
-    gap = e - f
-    if gap < 0:
-        m, r, e, n, s, f, gap = n, s, f, m, r, e, -gap
-    if gap:
-        if not (m or r):
-            return Ball(n, s, f, bits)
-        if not (n or s):
-            return Ball(m, r, e, bits)
-        # What lies far below the last bit of the result goes into the radius, lest a wide gap cost its number of bits.
-        drop = gap - bits - 2 * GUARD_BITS
-        if drop > 0:
-            n, s, f, gap = n >> drop, _rounded(s, drop), f + drop, gap - drop
-        m, r = m << gap, r << gap
-    return Ball(m + n, r + s, f, bits)
 
 
 def _quotient(one: Ball, other: Ball) -> Ball:

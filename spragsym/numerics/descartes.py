@@ -78,13 +78,13 @@ def _isolated(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> tup
     pending = [(unit, 0, 0)]
     while pending:
         local, n, k = pending.pop()
-        changes = _sign_changes(_shifted_by_1(local[::-1]))
+        changes = _sign_changes(shifted(local[::-1]))
         if changes == 1:
             found.append(_Cell(n, n + 1, k, -(_sign(local[0]) or _sign(local[1]))))
         elif changes:
             degree = len(local) - 1
             left = [value * (1 << degree - power) for power, value in enumerate(local)]
-            right = _shifted_by_1(left)
+            right = shifted(left)
             if not _sign(right[0]):
                 found.append(_Cell(2 * n + 1, 2 * n + 1, k + 1))
             pending += [(left, 2 * n, k + 1), (right, 2 * n + 1, k + 1)]
@@ -107,12 +107,12 @@ def _between_0_and_1(polynomial: tuple[Any, ...], low: Fraction, high: Fraction)
     return values
 
 
-def _shifted_by_1(coefficients: Sequence[Any]) -> list[Any]:
-    """Coefficients of the polynomial at u + 1."""
+def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:
+    """Coefficients of the polynomial at u + ``by``."""
     values = list(coefficients)
     for start in range(len(values)):
         for power in range(len(values) - 2, start - 1, -1):
-            values[power] += values[power + 1]
+            values[power] += by * values[power + 1]
     return values
 
 

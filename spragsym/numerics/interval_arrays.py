@@ -161,10 +161,10 @@ class Intervals(Arithmetic):
     def __truediv__(self, other: Any) -> Intervals:
         if not isinstance(other, Intervals):
             return NotImplemented if (point := _point(other)) is None else self / point
-        quotient = _extremes(np.divide, self.ends, other.ends)
-        zero = _by_zero(other.ends, quotient.ndim)
+        one, two = _aligned(self.ends, other.ends)
+        quotient, zero = _extremes(np.divide, one, two), Intervals(two).holds_zero()
         if zero.any():
-            quotient = np.where(zero, _beside_zero(self.ends, other.ends), quotient)
+            quotient = np.where(zero, _beside_zero(one, two), quotient)
         return Intervals(raised(quotient))
 
     def __rtruediv__(self, other: Any) -> Intervals:
@@ -294,14 +294,8 @@ def _extremes(operation: np.ufunc, one: FloatArray, other: FloatArray) -> FloatA
     return out
 
 
-def _by_zero(ends: FloatArray, ndim: int) -> NDArray[np.bool_]:
-    zero: NDArray[np.bool_] = ~((ends[0] < 0) | (ends[1] < 0))
-    return zero.reshape(1, *(1,) * (ndim - 1 - zero.ndim), *zero.shape)
-
-
 def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
     """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is inside of them."""
-    one, other = _aligned(one, other)
     positive = (other[0] == 0) & (other[1] > 0)
     negative = (other[1] == 0) & (other[0] > 0)
     least, most = np.where(negative, one[::-1], one)  # −least and greatest dividend, its sign turned for negative divisors

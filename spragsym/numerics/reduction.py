@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from . import balls
 from .balls import Ball, Undecided
+from .descartes import shifted
 from .determinants import is_zero, solved
 from .jets import Jet, gradient, variables
 from .polynomials import derivative, evaluate
@@ -263,11 +264,8 @@ def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> lis
 
 def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
     """Coefficients of the polynomial about the middle of a piece, and what the piece is from there."""
-    middle, out = balls.middle(h), list(c)
-    for start in range(len(out)):
-        for power in range(len(out) - 2, start - 1, -1):
-            out[power] = out[power] + middle * out[power + 1]
-    return out, h - middle
+    middle = balls.middle(h)
+    return shifted(c, middle), h - middle
 
 
 def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:

@@ -155,17 +155,15 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         found = found if system.turns else _once_around(found)
         prepared = system.prepared(Intervals.point(given))
         ends = found.ends if system.tight else _sharpened(system, found.ends, prepared[:, found.point])
-        ends, point = _possible(system, ends, found.point)
-        sure = _are_equilibria(system, ends)
-        left, left_point = _possible(system, found.left, found.left_point)
-        left = np.concatenate([left, ends[:, :, ~sure]], axis=2)
-        left_point = np.concatenate([left_point, point[~sure]])
-        balance, point = system.balance, point[sure]
+        possible, sure = _are_equilibria(system, ends)
+        open_ = possible & ~sure
+        found = found.kept(sure, _are_equilibria(system, found.left)[0]).besides(ends[:, :, open_], found.point[open_])
+        balance, point, left_point = system.balance, found.point, found.left_point
         roots = Roots.at(system.cartesian(ends[:, :, sure], prepared[:, point]), point=point)
         # On which side of the border a root lies that floats can't tell from it, digits do.
         on_border = ~contractors.within(roots.ends, around[:, :, point])
         roots = refined(given[:-1], roots, partial(PreciseBalance, balance), on_border)
-        left = system.cartesian(left, prepared[:, left_point])
+        left = system.cartesian(found.left, prepared[:, left_point])
     return _apart(roots.besides(left, left_point), around)
 
 
@@ -181,24 +179,15 @@ def _once_around(found: Roots) -> Roots:
     return certified_roots.distinct(turned.kept(left=inside))
 
 
-def _possible(system: Polar, ends: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Boxes that may hold an equilibrium, and their points."""
-    keep = np.ones(point.size, dtype=np.bool_)
+def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Boxes that may hold an equilibrium; and those of which lengths are proved to be positive, angles those of least turning."""
+    possible = np.ones((2, ends.shape[2]), dtype=np.bool_)
     if system.turns:
-        keep &= Intervals(ends[:, 0]).mignitude <= HALF_TURN
+        angle = Intervals(ends[:, 0])
+        possible &= angle.mignitude <= HALF_TURN, angle.magnitude < np.pi
     if not system.tight:
-        keep &= ends[1, 1] >= 0
-    return ends[:, :, keep], point[keep]
-
-
-def _are_equilibria(system: Polar, ends: FloatArray) -> NDArray[np.bool_]:
-    """Whether lengths are proved to be positive, and angles to be those of the least turning."""
-    sure = np.ones(ends.shape[2], dtype=np.bool_)
-    if system.turns:
-        sure &= Intervals(ends[:, 0]).magnitude < np.pi
-    if not system.tight:
-        sure &= ends[0, 1] < 0
-    return sure
+        possible &= ends[1, 1] >= 0, ends[0, 1] < 0
+    return possible[0], possible[0] & possible[1]
 
 
 def _sharpened(system: Polar, ends: FloatArray, parameters: Intervals) -> FloatArray:

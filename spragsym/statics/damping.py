@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics.interval_arrays import Intervals, matrix, stacked
-from . import stability
+from . import spectrum, stability
 from .mechanics.balance import NOTHING, Balance
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
@@ -69,10 +69,6 @@ def slope_over(balance: Balance, over: Intervals) -> Intervals:
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:
-    """Whether K is symmetric all over the ranges: there is no friction, and the page's other forces have a potential."""
-    values = _values(balance, over)
-    # A parameter that is 0 here is so exactly, also one that never is.
-    values |= {name: 0 for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any() and name in values}
+    """Whether all κ are real all over the ranges, whatever the state is: K is symmetric, or one number."""
     with np.errstate(all="ignore"):
-        friction = stacked([balance.friction(values)], (1,))[0]
-    return bool(balance.model.about.get("symmetric")) and bool(friction.magnitude.max() <= NOTHING)
+        return bool(spectrum.without_flutter(balance, balance.prepared(over)).all())

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.interval_arrays import FloatArray
+from ..models.model_field import undecorated
+from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.jets import variables
 from ..results.equilibria import Equilibria, Stability
+from .mechanics.laws import XP
 from .tie_breaking import least_slot
 
 #: Strain energies that differ by less than this, relative to the largest, are equal: those of mirror images differ by rounding.
 EQUAL = 1e-9
-#: Step of differences of the strain energy, which is of fourth degree or so in lengths of order 1.
-STEP = 1e-3
 #: Least eigenvalue of a stiffness, over the largest, that counts as positive.
 POSITIVE = 1e-6
 
@@ -47,36 +48,27 @@ def chosen_state(
         name: getattr(point, name) for name in model.parameters if getattr(p, name) is None
     }  # of the motion: not felt here
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
+    energy, origin = undecorated(model.algebra.strain_energy), Intervals.point(np.zeros((*p.shape, 1)))
+    every = range(len(q))
 
-    def energy(*place: FloatArray) -> FloatArray:
-        with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
-            return np.asarray(model.algebra.strain_energy(*place, *given, 1), dtype=float)
+    def derivative(*numbers: int) -> FloatArray:
+        found = series.derivative(*numbers)
+        return np.broadcast_to(found.middle if isinstance(found, Intervals) else found, (*p.shape, 1))[..., 0]
 
-    at_origin = np.nan_to_num(np.abs(energy(*np.zeros((len(q), 1)))))
-    slope, stiffness = _expanded(energy, len(q))
+    with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
+        strain = energy(*q, *given, 1, xp=np)
+        series = energy(*variables([origin] * len(q), 2), *given, 1, xp=XP)
+        at_origin = np.nan_to_num(np.abs(derivative()))[..., None]
+        slope = np.stack([derivative(i) for i in every], axis=-1)
+        stiffness = np.stack([np.stack([derivative(i, j) for j in every], axis=-1) for i in every], axis=-2)
     place = np.stack(q, axis=-1)
     second = np.einsum("...i,...si->...s", slope, place) + 0.5 * np.einsum("...si,...ij,...sj->...s", place, stiffness, place)
     convex = np.isfinite(stiffness).all(axis=(-2, -1))
     roots = np.linalg.eigvalsh(np.where(np.expand_dims(convex, (-2, -1)), stiffness, 0.0))
     convex &= roots[..., 0] > POSITIVE * np.abs(roots).max(axis=-1)
-    strain = np.where(np.expand_dims(convex, -1), second, energy(*q))
+    strain = np.where(np.expand_dims(convex, -1), second, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.where(np.isfinite(strain), np.abs(strain), 0.0).max(axis=-1, keepdims=True, initial=0.0)
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
     least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
-
-
-def _expanded(energy: Callable[..., FloatArray], n: int) -> tuple[FloatArray, FloatArray]:
-    """First and second derivatives at the origin, shapes (…, n) and (…, n, n), by differences."""
-    axes = STEP * np.eye(n)
-    pairs = [(i, j) for i in range(n) for j in range(i)]
-    here, ahead, back = energy(*np.zeros((n, 1))), energy(*axes), energy(*-axes)
-    slope = (ahead - back) / (2 * STEP)
-    both = energy(*np.array([axes[i] + axes[j] for i, j in pairs]).reshape(-1, n).T)
-    stiffness = np.zeros((*slope.shape, n))
-    stiffness[..., range(n), range(n)] = (ahead + back - 2 * here) / STEP**2
-    for place, (i, j) in enumerate(pairs):
-        mixed = both[..., place] - ahead[..., i] - ahead[..., j] + here[..., 0]
-        stiffness[..., i, j] = stiffness[..., j, i] = mixed / STEP**2
-    return slope, stiffness

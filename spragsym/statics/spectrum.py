@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -28,6 +27,7 @@ from .mechanics.state import State
 
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
+Matrix: TypeAlias = Sequence[Sequence[Any]]
 #: Numbers whose signs are asked for at a state of balls of so many bits.
 Ask: TypeAlias = Callable[[State, int], Sequence[Sequence[Any]]]
 
@@ -90,21 +90,20 @@ def decay(
     with np.errstate(all="ignore"):
         at = State(balance, list(Intervals(ends)), balance.arguments(balance.prepared(Intervals.point(given))), shape)
         M, C, K = (matrix(part, shape) for part in (at.mass(), at.damping(), at.stiffness()))
-        signs = _signs(_routh(*map(_rows, (M, C, K))), shape)
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
-        found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
         half = np.where(growth > 0, 0.5 * growth, 0.0)
-        open_ = np.flatnonzero((found == 0) & (half > 0))
-        if open_.size:
-            some = [_rows(part[:, :, open_]) for part in (M, C, K)]
-            beyond = _signs(_routh(some[0], some[1], some[2], Intervals.point(half[open_])), open_.shape)
-            found[open_] = np.minimum(_told_to_decay(beyond), 0)
+        signs = [_signs(part, shape) for part in _routh_twice(_rows(M), _rows(C), _rows(K), Intervals.point(half))]
+        found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
     for row in np.flatnonzero(found == 0).tolist():
-        again = _with_digits(
-            balance, given[:, row], ends[:, :, row], alone[:, :, row], partial(_routh_twice, shift=ball(float(half[row]), BITS))
-        )
+        shift = ball(float(half[row]), BITS)
+
+        def ask(at: State, bits: int, shift: Any = shift) -> Sequence[Sequence[Any]]:
+            M, C, K = (as_balls(part, bits) for part in (at.mass(), at.damping(), at.stiffness()))
+            return _routh_twice(M, C, K, shift)
+
+        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], ask)
         if again is not None:
-            found[row] = _told_to_decay(again[0])[0] or min(_told_to_decay(again[1])[0], 0)
+            found[row : row + 1] = _told_to_decay(again)
     return found
 
 
@@ -117,28 +116,26 @@ def _types(at: State, bits: int) -> Sequence[Sequence[Any]]:
     return invariants(*(as_balls(part, bits) for part in (at.stiffness(), at.mass())))
 
 
-def _routh_twice(at: State, bits: int, shift: Any) -> Sequence[Sequence[Any]]:
-    """For the imaginary axis, and for the line right of it by ``shift``, of balls."""
-    M, C, K = (as_balls(part, bits) for part in (at.mass(), at.damping(), at.stiffness()))
-    return [_routh(M, C, K), _routh(M, C, K, shift)]
+def _routh_twice(M: Matrix, C: Matrix, K: Matrix, shift: Any) -> list[list[Any]]:
+    """:func:`_routh` for the imaginary axis, and for the line right of it by ``shift``."""
+    moved = [[k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)]
+    damped = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
+    return [_routh(M, C, K), _routh(M, damped, moved)]
 
 
-def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]], shift: Any = None) -> list[Any]:
-    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing; of λ − ``shift``."""
-    if shift is not None:
-        K = [
-            [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)
-        ]  # fmt: skip
-        C = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
+def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
+    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing."""
     a = characteristic(K, C, M)
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 
 
-def _told_to_decay(signs: NDArray[np.int8]) -> NDArray[np.int8]:
-    return np.where((signs > 0).all(axis=0), 1, np.where((signs < 0).any(axis=0), -1, 0)).astype(np.int8)
+def _told_to_decay(signs: Sequence[NDArray[np.int8]]) -> NDArray[np.int8]:
+    """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the second that it grows only."""
+    here, beyond = (np.where((part > 0).all(axis=0), 1, np.where((part < 0).any(axis=0), -1, 0)) for part in signs)
+    return np.where(here != 0, here, np.minimum(beyond, 0)).astype(np.int8)
 
 
-def invariants(K: Sequence[Sequence[Any]], M: Sequence[Sequence[Any]]) -> tuple[list[Any], list[Any]]:
+def invariants(K: Matrix, M: Matrix) -> tuple[list[Any], list[Any]]:
     """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's matrix, of any number type."""
     n = len(K)
     # det(K + κ M) = det M Π (κ_i + κ): the coefficient of κᵏ is e_{n−k} det M.

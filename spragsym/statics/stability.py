@@ -84,13 +84,9 @@ def _linearized(
 
 def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:
     """All λ with dampers and the slope of the friction law, by falling real part; NaN where they are no floats."""
-    out = np.full((states.shape[1], 2 * states.shape[0]), complex(np.nan, np.nan))
     with np.errstate(all="ignore"):
-        M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
-        finite = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(C).all(axis=(1, 2)) & np.isfinite(K).all(axis=(1, 2))
-        every = roots(M[finite], C[finite], K[finite])
-    out[finite] = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
-    return out
+        every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, states, given)))
+    return np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
 
 
 def classified(

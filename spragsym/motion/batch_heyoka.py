@@ -133,12 +133,12 @@ class Lanes(Carrier):
     def _arrived(self, after: Stage, rows: list[int], end: float) -> bool:
         """Go on to the end; whether all are there: where one breaks off the others begin again."""
         overflow, steps = library().taylor_outcome.err_nf_state, [after.steps[row] for row in rows]
-        times = self.solver.time.tolist()
+        times = self.times.tolist()
         while min(times) < end:
             before, (late, early) = times, self.solver.dtime
             self.solver.set_dtime(late.copy(), np.where(late == end, 0.0, early))  # who has ended does not move by rounding
             self.solver.propagate_until(end, max_steps=BURST)
-            times, results = self.solver.time.tolist(), self.solver.propagate_res
+            times, results = self.times.tolist(), self.solver.propagate_res
             for lane, row in enumerate(rows):
                 outcome, made = results[lane][0], results[lane][3]
                 steps[lane] += made

@@ -57,8 +57,8 @@ class Events(Result):
 
 def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
     """The crossings that have a name for users."""
-    told = [(each, event_at(field.borders[each.border], upward=each.sign > 0)) for each in crossings]
-    told = [(each, kind) for each, kind in told if kind is not None]
+    kinds = {(row, sign): event_at(border, upward=sign > 0) for row, border in enumerate(field.borders) for sign in (1, -1)}
+    told = [(each, kind) for each in crossings if (kind := kinds[each.border, each.sign]) is not None]
     return Events(
         np.array([each.t for each, _ in told]), np.array([each.state for each, _ in told]).reshape(-1, field.size),
         np.array([kind for _, kind in told], dtype=np.intp), field.components,

@@ -178,7 +178,9 @@ class Carrier:
             nt_events=[hy.nt_event_batch(1e-3 * value, callback) for value, callback in turns],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
-        self.state, self.pars = self.solver.state, self.solver.pars
+        self.state, self.pars, self.times = self.solver.state, self.solver.pars, self.solver.time
+        #: How many numbers of a mode are parameters: heyoka has none beyond the last that a field takes.
+        self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
         #: heyoka has no cooldowns where there are no events.
         self.eventful = self.solver.with_events
 
@@ -186,16 +188,16 @@ class Carrier:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
 
-    def _cross(self, row: int, solver: Any, direction: int, lane: int) -> bool:
+    def _cross(self, row: int, _: Any, direction: int, lane: int) -> bool:
         """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
         border, state = self.field.borders[row], self.state[: self.m, lane]
         if direction > 0:
-            self.strays[lane] = float(solver.time[lane])
+            self.strays[lane] = float(self.times[lane])
             return False
         if self.derivatives and border.jumps is not None:
             self.jumped = border.jumps(state.tolist(), self.pars[: self.constants, lane].tolist())
-        self.modes[lane] = border.beyond(self.modes[lane])
-        put(self.pars[:, lane], self.constants, self.modes[lane])
+        self.modes[lane] = mode = border.beyond(self.modes[lane])
+        self.pars[self.constants : self.constants + self.told, lane] = mode[: self.told]
         self._crossed(row, lane, state)
         return not self.jumped
 
@@ -228,7 +230,7 @@ class Taylor(Carrier):
         self.turns: list[Turn] = []
 
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
-        self.crossings += crossed(self.field, row, self.modes[lane], float(self.solver.time[lane]), state)
+        self.crossings += crossed(self.field, row, self.modes[lane], float(self.times[lane]), state)
 
     def _turn(self, border: int, solver: Any, t: float, direction: int, _: int) -> None:
         solver.update_d_output(t)
@@ -248,13 +250,13 @@ class Taylor(Carrier):
         self.one[: self.m] = start
         if self.derivatives:
             self.one[self.m : self.m + self.m**2 : self.m + 1] = UNIT
-        put(self.pars[:, 0], 0, (*constants, *self.modes[0], *np.ravel(directions)))
+        self.pars[:, 0] = (*constants, *self.modes[0], *np.ravel(directions))[: len(self.pars)]
         if self.eventful:
             self.solver.reset_cooldowns()
 
     def go(self, t: float, t_end: float, most: int, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
-        outcomes, pieces, now = library().taylor_outcome, list[Samples](), self.solver.time
+        outcomes, pieces, now = library().taylor_outcome, list[Samples](), self.times
         outcome = outcomes.step_limit
         while outcome == outcomes.step_limit:
             if steps >= most:
@@ -262,7 +264,7 @@ class Taylor(Carrier):
             begun = float(now[0])
             output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps))
             outcome, _, _, made = self.solver.propagate_res[0]
-            steps, now = steps + made, self.solver.time
+            steps += made
             if outcome == outcomes.step_limit and made == CHUNK:
                 known = self.pars[: self.constants, 0].tolist()
                 check_stiffness(self.field, self.one[: self.m], known, (now[0] - begun) / CHUNK, t_end - now[0])
@@ -313,13 +315,6 @@ def tolerance(field: Field, rtol: float) -> float:
     tolerance only: where it is not far below the gap behind a border, the border just crossed would be met again.
     """
     return min(rtol, CURVED) if field.curved else rtol
-
-
-def put(pars: Any, begin: int, values: Sequence[float]) -> None:
-    """Write values into ``par[begin]`` and what follows; heyoka has none beyond the last that a field takes."""
-    end = min(begin + len(values), len(pars))
-    if end > begin:
-        pars[begin:end] = values[: end - begin]
 
 
 def _sampled(output: Any) -> Samples:

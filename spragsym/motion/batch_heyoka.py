@@ -18,7 +18,7 @@ from ..models.field import Field, Mode
 from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course, Turns
-from .problem import Event, Problem, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
+from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
 from .with_heyoka import Carrier, Equations, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
@@ -67,7 +67,7 @@ class Lanes(Carrier):
         equations = Equations.of(field, watch=watch)
         turns = [(equations.seen[0][field.size // 2], self._turn)] if watch else []
         super().__init__(field, rtol, equations, turns, lanes=LANES)
-        self.watch = watch
+        self.watch, self.kinds = watch, kinds_of(field)
         self.turns: list[Turns | None] = [None] * LANES
         self.counts = [[0] * EVENTS for _ in range(LANES)]
         #: Where borders were last crossed, and lanes in which that was where they had been crossed before.
@@ -76,8 +76,7 @@ class Lanes(Carrier):
         self.dense, self.look = self.solver.d_output, self.solver.update_d_output
 
     def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
-        border = self.field.borders[row]
-        kind = event_at(border, upward=int(border.sign(self.modes[lane])) > 0)
+        kind = self.kinds.get((row, self.field.borders[row].sign(self.modes[lane])))
         if kind is not None:
             self.counts[lane][kind] += 1
             if self.watch:

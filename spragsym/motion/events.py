@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..results.result import Result
-from .problem import Event, event_at
+from .problem import Event, kinds_of
 from .segment import Crossing
 
 
@@ -57,9 +57,9 @@ class Events(Result):
 
 def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
     """The crossings that have a name for users."""
-    kinds = {(row, sign): event_at(border, upward=sign > 0) for row, border in enumerate(field.borders) for sign in (1, -1)}
-    told = [(each, kind) for each in crossings if (kind := kinds[each.border, each.sign]) is not None]
+    kinds = kinds_of(field)
+    told = [each for each in crossings if (each.border, each.sign) in kinds]
     return Events(
-        np.array([each.t for each, _ in told]), np.array([each.state for each, _ in told]).reshape(-1, field.size),
-        np.array([kind for _, kind in told], dtype=np.intp), field.components,
+        np.array([each.t for each in told]), np.array([each.state for each in told]).reshape(-1, field.size),
+        np.array([kinds[each.border, each.sign] for each in told], dtype=np.intp), field.components,
     )  # fmt: skip

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Border, Field
+from ..models.field import Field
 from ..models.forces import of_statics
 from ..models.model import Model
 from ..models.model_field import field_of, undecorated
@@ -109,10 +109,10 @@ def out_of_range() -> ConvergenceError:
     )
 
 
-def event_at(border: Border, upward: bool) -> Event | None:
-    """What a user calls crossing a border towards positive or negative levels, if anything."""
-    name = border.crossings[0 if upward else 1]
-    return Event[name.upper()] if name else None
+def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
+    """What a user calls crossing the borders, by number, to levels of a sign; nothing for some."""
+    named = ((row, sign, border.crossings[sign < 0]) for row, border in enumerate(field.borders) for sign in (1, -1))
+    return {(row, sign): Event[name.upper()] for row, sign, name in named if name}
 
 
 def prepare(

@@ -187,12 +187,8 @@ class Field:
         columns: Any = self.initial_mode(states.T, constants.T)
         return list(zip(*(np.broadcast_to(numbers, len(states)).tolist() for numbers in columns), strict=True))
 
-    def is_inside(self, state: Any, constants: Any, mode: Any) -> bool:
-        """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
-        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
-
     def are_inside(self, states: Any, constants: Any, modes: Any) -> NDArray[np.bool_]:
-        """Whether many states are inside, a column each."""
+        """Whether states, a column each, lie in their modes, or beyond the borders by no more than the gap."""
         within = np.ones(np.shape(states)[1:], dtype=bool)
         for border in self.borders:
             within &= border.sign(modes) * border.level(states, constants, modes) >= -2 * GAP

@@ -19,7 +19,7 @@ from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course, Turns
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
-from .with_heyoka import Carrier, Equations, compiled, missed
+from .with_heyoka import Carrier, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -64,9 +64,7 @@ class Lanes(Carrier):
     """
 
     def __init__(self, field: Field, rtol: float, watch: bool) -> None:
-        equations = Equations.of(field, watch=watch)
-        turns = [(equations.seen[0][field.size // 2], self._turn)] if watch else []
-        super().__init__(field, rtol, equations, turns, lanes=LANES)
+        super().__init__(field, rtol, lanes=LANES, watch=watch)
         self.watch, self.kinds = watch, kinds_of(field)
         self.turns: list[Turns | None] = [None] * LANES
         self.counts = [[0] * EVENTS for _ in range(LANES)]
@@ -89,7 +87,7 @@ class Lanes(Carrier):
         if before and max(abs(a - b) for a, b in zip(state, before, strict=True)) <= NEAR * max(map(abs, state)):
             self.resting.add(lane)
 
-    def _turn(self, _: Any, t: float, direction: int, lane: int) -> None:
+    def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         self.look(t)
         seen = self.turns[lane]
         if seen is None:

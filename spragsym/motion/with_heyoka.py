@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeAlias, TypeVar
@@ -11,7 +11,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Field, Mode
+from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.heyoka_library import XP, Functions, library
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
@@ -83,68 +83,39 @@ class Approach:
         return True
 
 
-@dataclass(frozen=True)
-class Equations:
-    """A field for heyoka: constants, mode and directions are its ``par[]``; ``seen`` is state, constants and mode.
+def equations(
+    field: Field, *, watch: bool = False, derivatives: bool = False, directions: int = 0
+) -> tuple[list[Any], tuple[Any, Any, Any], list[Any], list[Approach]]:
+    """A field for heyoka: variables with their derivatives in time; state, constants and mode; accelerations; approaches.
 
-    The ``system`` holds variables with their derivatives in time: the state; with ``derivatives`` those of the state by its start
-    and along ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate and of
-    its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter so that
-    they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
+    Constants, mode and directions are its ``par[]``. The variables are the state; with ``derivatives`` those of the state by its
+    start and along ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate
+    and of its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter to
+    stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
     """
-
-    system: list[Any]
-    seen: tuple[Any, Any, Any]
-    approaches: list[Approach]
-    accelerations: list[Any]
-
-    @classmethod
-    def of(cls, field: Field, *, watch: bool = False, derivatives: bool = False, directions: int = 0) -> Equations:
-        """Those of a field."""
-        hy = library()
-        names, n, m = field.coordinates, len(field.coordinates), field.size
-        constants, parameters = count_of(field), len(field.parameters)
-        end = constants + len(field.modes[0])
-        state = hy.make_vars(*names, *(f"v{name}" for name in names))
-        known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = list(field.acceleration(state, known, mode, xp := Functions()))
-        system = list(zip(state, [*state[n:], *accelerations], strict=True))
-        # No coordinate has a dot in its name.
-        if watch:
-            shift, scale = state[0] - hy.par[end], hy.par[end + 1]
-            sums = hy.make_vars("sum.shift", "sum.square", *(f"sum.{name}" for name in names[1:]))
-            system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-        if derivatives:
-            jacobian, slopes = (make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters))
-            for column in range(m + directions):
-                part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))
-                rates = [_dot(row, part) for row in jacobian]
-                if column >= m:
-                    begin = end + (column - m) * parameters
-                    weights = [hy.par[begin + i] for i in range(parameters)]
-                    rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
-                system += zip(part, [*part[n:], *rates], strict=True)
-            system += zip(hy.make_vars("sum", "squares"), [UNIT * state[0], UNIT * state[0] * state[0]], strict=True)
-        return cls(system, (state, known, mode), Approach.of(xp.called, system[:m]), accelerations)
-
-    def events(self, field: Field, cross: Callable[..., bool], passing: Callable[..., bool]) -> list[Any]:
-        """Terminal events: levels that are positive within their mode, and approaches, with callbacks of what is done there.
-
-        The gap keeps one crossing from being found twice, which is what a cooldown is for. Where the field jumps, the
-        levels of both modes are 0, and are curved in the state: after a crossing the new one may be negative by the error of a
-        step, and its way up is no event.
-        """
-        event, ways = library().t_event_batch, library().event_direction
-        inside = [(border, border.sign(self.seen[2]), border.level(*self.seen)) for border in field.borders]
-        return [
-            event(
-                sign * border.scale * (level + GAP * sign * border.kink), callback=partial(cross, row), cooldown=0.0,
-                direction=ways.negative if border.jumps else ways.any,
-            )
-            for row, (border, sign, level) in enumerate(inside)
-        ] + [
-            event(each.watched, callback=partial(passing, each), direction=ways.positive) for each in self.approaches
-        ]  # fmt: skip
+    hy = library()
+    names, n, m = field.coordinates, len(field.coordinates), field.size
+    constants, parameters = count_of(field), len(field.parameters)
+    end = constants + len(field.modes[0])
+    state = hy.make_vars(*names, *(f"v{name}" for name in names))
+    known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
+    accelerations = list(field.acceleration(state, known, mode, xp := Functions()))
+    system = list(zip(state, [*state[n:], *accelerations], strict=True))
+    if derivatives:
+        jacobian, slopes = (make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters))
+        for column in range(m + directions):
+            part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))  # no coordinate has a dot in its name
+            rates = [_dot(row, part) for row in jacobian]
+            if column >= m:
+                begin = end + (column - m) * parameters
+                weights = [hy.par[begin + i] for i in range(parameters)]
+                rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
+            system += zip(part, [*part[n:], *rates], strict=True)
+    if watch or derivatives:
+        shift, scale = (state[0] - hy.par[end], hy.par[end + 1]) if watch else (state[0], UNIT)
+        sums = [scale * shift, scale * shift * shift, *(scale * other for other in state[1:n] if watch)]
+        system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
+    return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m])
 
 
 def count_of(field: Field) -> int:
@@ -158,24 +129,33 @@ def _dot(one: Any, other: Any) -> Any:
 
 
 class Carrier:
-    """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border."""
+    """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border.
+
+    ``turning`` is that turns are told, of the first coordinate and of levels, and with ``watch`` those of the first coordinate.
+    """
 
     def __init__(
-        self, field: Field, tol: float, equations: Equations, turns: Sequence[tuple[Any, Callable[..., None]]], *, lanes: int = 1,
-        derivatives: bool = False,
+        self, field: Field, tol: float, *, lanes: int = 1, watch: bool = False, derivatives: bool = False, directions: int = 0,
+        turning: bool = False,
     ) -> None:  # fmt: skip
         hy = library()
-
-        self.field, self.m, self.tol, self.derivatives = field, field.size, tol, derivatives
+        self.field, self.m, self.tol, self.derivatives, self.directions = field, field.size, tol, derivatives, directions
         self.constants = count_of(field)
         self.modes: list[Mode] = [field.modes[0]] * lanes
         #: Lanes in which a crossing was missed, with the time; whether derivatives would be carried across a jump.
         self.strays: dict[int, float] = {}
         self.jumped = False
+        system, seen, accelerations, approaches = equations(field, watch=watch, derivatives=derivatives, directions=directions)
+        rates = [(-1, seen[0][len(field.coordinates)])] if turning or watch else []
+        if turning:
+            rates += [(i, b.rate(seen[0], accelerations, *seen[1:])) for i, b in enumerate(field.borders) if b.kink]
         self.solver = hy.taylor_adaptive_batch(
-            equations.system, np.zeros((len(equations.system), lanes)), tol=tolerance(field, tol),
-            compact_mode=bool(turns) and lanes == 1, t_events=equations.events(field, self._cross, self._pass),
-            nt_events=[hy.nt_event_batch(1e-3 * value, callback) for value, callback in turns],
+            system, np.zeros((len(system), lanes)), tol=tolerance(field, tol), compact_mode=turning,
+            t_events=[self._border(row, border, seen) for row, border in enumerate(field.borders)] + [
+                hy.t_event_batch(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
+                for each in approaches
+            ],
+            nt_events=[hy.nt_event_batch(1e-3 * rate, partial(self._turn, row)) for row, rate in rates],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.times = self.solver.state, self.solver.pars, self.solver.time
@@ -183,6 +163,19 @@ class Carrier:
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
         #: heyoka has no cooldowns where there are no events.
         self.eventful = self.solver.with_events
+
+    def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> Any:
+        """The terminal event of a border: a level that is positive within its mode.
+
+        The gap keeps one crossing from being found twice, which is what a cooldown is for. Where the field jumps, the levels of
+        both modes are 0, and are curved in the state: after a crossing the new one may be negative by the error of a step, and
+        its way up is no event.
+        """
+        hy, sign = library(), border.sign(seen[2])
+        return hy.t_event_batch(
+            sign * border.scale * (border.level(*seen) + GAP * sign * border.kink), callback=partial(self._cross, row),
+            cooldown=0.0, direction=hy.event_direction.negative if border.jumps else hy.event_direction.any,
+        )  # fmt: skip
 
     def __deepcopy__(self, _: object) -> Carrier:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
@@ -203,6 +196,11 @@ class Carrier:
 
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
         """Note a border that was passed."""
+        raise NotImplementedError
+
+    def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
+        """Note a turn of a border's level, or (−1) of the first coordinate."""
+        raise NotImplementedError
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         state = self.state[: self.m, lane].copy()
@@ -213,26 +211,18 @@ class Carrier:
 
 
 class Taylor(Carrier):
-    """The integrator of one motion; ``turning`` is that turns are told."""
+    """The integrator of one motion."""
 
-    def __init__(
-        self, field: Field, tol: float, *, derivatives: bool = False, directions: int = 0, turning: bool = False
-    ) -> None:  # fmt: skip
-        equations = Equations.of(field, derivatives=derivatives, directions=directions)
-        state, known, mode = equations.seen
-        rates = [(-1, state[field.size // 2])] + [
-            (i, b.rate(state, equations.accelerations, known, mode)) for i, b in enumerate(field.borders) if b.kink
-        ]
-        turns = [(value, partial(self._turn, i)) for i, value in rates] if turning else []
-        super().__init__(field, tol, equations, turns, derivatives=derivatives)
-        self.directions, self.one = directions, self.state[:, 0]
+    def __init__(self, field: Field, tol: float, **options: Any) -> None:
+        super().__init__(field, tol, **options)
+        self.one = self.state[:, 0]
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
 
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
         self.crossings += crossed(self.field, row, self.modes[lane], float(self.times[lane]), state)
 
-    def _turn(self, border: int, solver: Any, t: float, direction: int, _: int) -> None:
+    def _turn(self, border: int, solver: Any, t: float, direction: int, lane: int) -> None:
         solver.update_d_output(t)
         self.turns.append(Turn(t, border, direction, *self._split(solver.d_output[:, 0])))
 
@@ -275,7 +265,7 @@ class Taylor(Carrier):
         if outcome == outcomes.err_nf_state or not np.isfinite(self.one).all():
             raise out_of_range()
         known = self.pars[: self.constants, 0].tolist()
-        if self.strays or not self.field.is_inside(self.one[: self.m].tolist(), known, self.modes[0]):
+        if self.strays or not self.field.are_inside(self.one[: self.m], known, self.modes[0]):
             raise missed(now[0])
         if outcome != outcomes.time_limit:
             raise ConvergenceError(f"heyoka stopped at t = {now[0]:.6g} with {outcome}; use backend='scipy'")

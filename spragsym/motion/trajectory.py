@@ -188,9 +188,8 @@ class Trajectory(Named):
 
     def course(self) -> Course:
         """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the samples."""
-        if self.events is None:
-            return course_of(self.samples, self._event_counts())
-        return course_of(self.samples, np.bincount(self.events.which, minlength=len(Event)))
+        counts = self._event_counts() if self.events is None else np.bincount(self.events.which, minlength=len(Event))
+        return course_of(self.samples, counts)
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""
@@ -199,10 +198,9 @@ class Trajectory(Named):
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
-        motion, taken = self.model.algebra, self._arguments()
-        _, slip = motion.borders(*self.state, *taken)
+        _, slip = self._levels()
         side, felt = np.where(slip >= 0, 1, -1), [1] * self.model.about["layers"]
-        power: FloatArray = motion.friction_power(*self.state, *taken, self._pushing(), side, *felt)
+        power: FloatArray = self.model.algebra.friction_power(*self.state, *self._arguments(), self._pushing(), side, *felt)
         return power
 
     def power(self) -> FloatArray:
@@ -287,15 +285,18 @@ class Trajectory(Named):
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
+    def _levels(self) -> tuple[FloatArray, FloatArray]:
+        """Gap and sliding speed at the samples; the gap is negative of a contact that always pushes."""
+        gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
+        return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
+
     def _pushing(self) -> NDArray[np.intp]:
-        gap, _ = self.model.algebra.borders(*self.state, *self._arguments())
-        return (gap < 0).astype(int) if self.model.about["contact"]["unilateral"] else np.ones(len(self.t), dtype=int)
+        return (self._levels()[0] < 0).astype(int)
 
     def _event_counts(self) -> NDArray[np.intp]:
         """How often each kind of event happened, from the samples alone, which include all events."""
-        gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
-        levels = [gap if self.model.about["contact"]["unilateral"] else np.ones_like(gap), -slip]
-        changes = [np.diff((level > 0).astype(int)) for level in levels]
+        gap, slip = self._levels()
+        changes = [np.diff((level > 0).astype(int)) for level in (gap, -slip)]
         return np.array([np.count_nonzero(change == sign) for change in changes for sign in (1, -1)])
 
     def _attributes(self) -> dict[str, Any]:

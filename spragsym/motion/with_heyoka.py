@@ -90,8 +90,8 @@ def equations(
 
     Constants, mode and directions are its ``par[]``. The variables are the state; with ``derivatives`` those of the state by its
     start and along ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate
-    and of its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter to
-    stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
+    and of its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter,
+    so that they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
     """
     hy = library()
     names, n, m = field.coordinates, len(field.coordinates), field.size

@@ -204,11 +204,10 @@ def _begun() -> subprocess.Popen[bytes]:
         raise SweepError("this Python does not know its own executable, so it starts no others; use workers=1")
     call, pipe = [sys.executable, "-P", "-c", _BOOT], subprocess.PIPE
     # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the others.
+    group: dict[str, Any] = {"process_group": 0}
     if sys.platform == "win32":
-        flags = subprocess.CREATE_NEW_PROCESS_GROUP
-        child = subprocess.Popen(call, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT, creationflags=flags)
-    else:
-        child = subprocess.Popen(call, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT, process_group=0)
+        group = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+    child = subprocess.Popen(call, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT, **group)
     assert child.stdin is not None
     with suppress(OSError):  # it has ended already, which the reader notices
         child.stdin.write(ascii([str(path) for path in sys.path]).encode() + b"\n")

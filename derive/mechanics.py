@@ -47,6 +47,11 @@ class Line:
     l: sp.Symbol
     line: int
 
+    @property
+    def length(self) -> sp.Expr:
+        """Its length, by the vector."""
+        return sp.sqrt(self.dx**2 + self.dy**2)
+
     def slopes(self, dx: sp.Expr, dy: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
         """How direction and length change when the vector changes by (dx, dy)."""
         turn = self.s * dx - self.c * dy

@@ -13,6 +13,7 @@ import re
 import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import sympy as sp
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
@@ -210,9 +211,7 @@ class Page:
         """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, positive=True)
-        self.units.append(Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line()))
-        self._once(name)
-        return symbol
+        return self._entered(self.units, Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line()))
 
     def parameter(
         self,
@@ -242,17 +241,15 @@ class Page:
                 raise refused(
                     f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
                 )
-        self.parameters.append(Datum(symbol, unit, meaning, domain, latex or sp.latex(symbol), _line(), becomes or name, number))
-        self._once(name)
-        return symbol
+        letter = latex or sp.latex(symbol)
+        return self._entered(self.parameters, Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number))
 
     def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
         """A coordinate: a length, or another quantity that says where the model is."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, real=True)
-        self.coordinates.append(Coordinate(symbol, speed_of(symbol), unit, meaning, latex or sp.latex(symbol), _line()))
-        self._once(name)
-        return symbol
+        letter = latex or sp.latex(symbol)
+        return self._entered(self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line()))
 
     def rate(self, of: sp.Expr) -> sp.Expr:
         """Time derivative of a coordinate, or of an expression in coordinates."""
@@ -360,10 +357,12 @@ class Page:
         """The coordinates and rates that an expression holds."""
         return ", ".join(sorted(map(str, expression.free_symbols & {*self.places, *self.rates})))
 
-    def _once(self, name: str) -> None:
-        names = [str(entry.symbol) for entry in (*self.units, *self.parameters, *self.coordinates)]
-        if names.count(name) > 1:
-            raise refused(f"{name} is defined twice; give the second quantity another name")
+    def _entered(self, entries: list[Any], entry: Datum | Coordinate) -> sp.Symbol:
+        """The symbol of a quantity, which is entered once."""
+        if str(entry.symbol) in (str(known.symbol) for known in (*self.units, *self.parameters, *self.coordinates)):
+            raise refused(f"{entry.symbol} is defined twice; give the second quantity another name")
+        entries.append(entry)
+        return entry.symbol
 
 
 def _line() -> int:

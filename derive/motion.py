@@ -211,7 +211,7 @@ def directions(model: Mechanics) -> dict[sp.Symbol, sp.Expr]:
     """Lengths and directions of all lines, and turnings of torsion springs, by the place."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for line in model.lines:
-        found |= {line.l: sp.sqrt(line.dx**2 + line.dy**2), line.c: line.dx / line.l, line.s: line.dy / line.l}
+        found |= {line.l: line.length, line.c: line.dx / line.l, line.s: line.dy / line.l}
     return found | {torsion.phi: torsion.least for torsion in model.torsions}
 
 

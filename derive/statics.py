@@ -63,7 +63,7 @@ def module(model: Mechanics) -> Module:
     """The generated module."""
     place = (*model.coordinates, *arguments(model))
     state = (*model.coordinates, *model.directions, *model.turned, *arguments(model), MU, PUSHING)
-    shorthands = {DEPTH: model.depth, **{line.l: sp.sqrt(line.dx**2 + line.dy**2) for line in model.lines}}
+    shorthands = {DEPTH: model.depth, **{line.l: line.length for line in model.lines}}
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
 

@@ -126,7 +126,7 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 
 def _length(model: Mechanics) -> sp.Expr:
     (line,) = model.lines
-    return in_article(model, sp.sqrt(line.dx**2 + line.dy**2))
+    return in_article(model, line.length)
 
 
 def measured_length() -> sp.Expr:

@@ -24,10 +24,15 @@ def require_same(
             raise ArithmeticError(f"{what}: the arrangement for emission is not what was derived")
 
 
-def shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
-    """Definitions of the shorthands, or of those named: in contact, in lift-off, or with n̄ as a symbol where no case is given."""
+def shorthands(case: dict[sp.Symbol, int] | None = None) -> dict[sp.Symbol, sp.Expr]:
+    """Definitions of the shorthands: in contact, in lift-off, or with n̄ as a symbol where no case is given."""
     definitions = {**equilibrium.SHORTHANDS, **elimination.f_coefficients()}
-    return {symbol: value.subs(case or {}) for symbol, value in definitions.items() if not names or symbol in names}
+    return {symbol: value.subs(case or {}) for symbol, value in definitions.items()}
+
+
+def in_contact() -> dict[sp.Symbol, sp.Expr]:
+    """Those in contact."""
+    return shorthands(equilibrium.CONTACT)
 
 
 def further(listed: tuple[sp.Symbol, ...], result: sp.Expr) -> tuple[sp.Symbol, ...]:

@@ -8,7 +8,7 @@ from ...emit.function import Function, Module
 from .. import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
 from . import lowest_fold
-from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
+from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, in_contact
 
 
 def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
@@ -20,7 +20,7 @@ def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
 
 
 def module() -> Module:
-    contact = shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa)
+    contact = in_contact()
     s0, c0 = catastrophe.fold_angles()
     spelled = [sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()]
     friction = tuple(value.subs(nm.M, nm.mu0) for value in (sp.factor_terms(s0), c0.subs(nm.s0, s0)))
@@ -36,7 +36,7 @@ def module() -> Module:
         (
             Function("surface", "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.", "(14), (15)",
                      (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), catastrophe.surface_in_coefficients(), "mu0",
-                     {**contact, nm.fb: shorthands()[nm.fb]}),
+                     contact),
             Function("fold_lines_mu0", "The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0.", "f = f′ = 0",
                      (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), tuple(part for it in spelled for part in _line(it, nm.mu0)),
                      "u1, w1, u2, w2"),
@@ -46,7 +46,7 @@ def module() -> Module:
                      (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction[0], "sin0", contact),
             Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
                      "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), quartic, "e0, e1, e2, e3, e4",
-                     {**shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q), **quartic_names}),
+                     {**contact, **quartic_names}),
             Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
                      "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), catastrophe.fold_conic(), "E0, E1, E2, Ec", contact),
             Function("fold_events", "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
@@ -59,31 +59,31 @@ def module() -> Module:
             Function("fold_quadratic", "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.", "f = f′ = 0",
                      (*ANGLE, nm.kappa, nm.sigma, nm.beta),
                      tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
-                     "e0, e1, e2", shorthands(equilibrium.CONTACT, nm.B)),
+                     "e0, e1, e2", contact),
             Function("f_changes", "Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.", "(12), (13) eliminated",
                      (*ANGLE0, *nm.PARAMETERS), _changes(), "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
-                     shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
+                     contact),
             Function("f_in_differences", "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
                      "together: over a box of parameters, or near small deformation, little is lost.", "(12), (13) eliminated",
-                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _in_differences(), "f, f′, f_μ₀, f′_μ₀", shorthands(equilibrium.CONTACT, nm.B)),
+                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _in_differences(), "f, f′, f_μ₀, f′_μ₀", contact),
             Function("fold_sextic", "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
                      "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.", "f = f′ = 0",
                      (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v), sextic, "e0, …, e6", sextic_names),
             Function("fold_cubics", "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold "
                      "through θ at friction μ₀.", "f = f′ = 0", nm.PARAMETERS, _fold_cubics(), "(S0, …, S6), (C0, …, C6)",
-                     shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q, nm.fa, nm.fm)),
+                     contact),
             Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
                      "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", (nm.kappa, *STIFFNESS),
                      cusp_polynomial, "e0, …, e9", cusp_names),
             Function("cusp_cubic", "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.", "f = f′ = f″ = 0",
                      (nm.kappa, nm.sigma, nm.beta), tuple(map(sp.factor, catastrophe.cusp_cubic())), "e0, e1, e2, e3",
-                     shorthands(equilibrium.CONTACT, nm.B)),
+                     contact),
             Function("cusp_point", "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
                      "f = f′ = f″ = 0", (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_ratio, cusp_mu),
                      "sin0, cos0/cos, mu0/cos", contact),
             Function("unfolding", "∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.", "f = f′ = 0",
                      (*ANGLE, *ANGLE0, *nm.PARAMETERS), _unfolding(), "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
-                     shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
+                     contact),
             Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
                      (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
             *lowest_fold.functions(),
@@ -150,7 +150,7 @@ def _in_differences() -> tuple[sp.Expr, ...]:
     by_friction = sp.diff(f, nm.mu0)
     derived = (f, unit_circles.rotate_derivative(f), by_friction, unit_circles.rotate_derivative(by_friction))
     arranged = (value, slope, friction, friction_slope)
-    require_same("f in differences", arranged, derived, shorthands(equilibrium.CONTACT, nm.B))
+    require_same("f in differences", arranged, derived, in_contact())
     return arranged
 
 
@@ -203,7 +203,7 @@ def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
     s = nm.s
     names = {
-        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa),
+        **in_contact(),
         r: nm.alpha * nm.q,
         k: nm.kappa * nm.p,
         g0: -4 * nm.B * nm.p * nm.sigma,

@@ -23,7 +23,7 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.S
     require_same("quartic in L", arranged, elimination.quartic_in_L_shorthand())
     _, b = equilibrium.matrix_form()
     names = {
-        **shorthands(case, nm.B, nm.M, nm.p, nm.q),
+        **shorthands(case),
         **elimination.RIGHT_SIDE,
     }
     require_same("right side of (16)", (names[nm.b1], names[nm.b2]), tuple(b))
@@ -54,13 +54,13 @@ def module() -> Module:
         "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the polynomials that hold its roots.",
         (
             Function("contact_matrix", "D of the balance in contact.", "(17), (18)", (nm.L, nm.mu0, *STIFFNESS),
-                     _matrix(D, contact), "((D11, D12), (D21, D22))", shorthands(contact, nm.B, nm.M, nm.p, nm.q)),
+                     _matrix(D, contact), "((D11, D12), (D21, D22))", shorthands(contact)),
             Function("contact_vector", "b of the balance in contact.", "(19), (A10), (A11)",
                      (*ANGLE0, nm.mu0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(contact)), "b1, b2"),
             Function("contact_quartic", "Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact.",
                      "(21), (A1)–(A5)", (*ANGLE0, *nm.PARAMETERS), contact_quartic, "c0, c1, c2, c3, c4", contact_names),
             Function("liftoff_matrix", "D of the balance in lift-off.", "(24)", (nm.L, *STIFFNESS),
-                     _matrix(D, liftoff), "((D11, D12), (D21, D22))", shorthands(liftoff, nm.B, nm.M, nm.p, nm.q)),
+                     _matrix(D, liftoff), "((D11, D12), (D21, D22))", shorthands(liftoff)),
             Function("liftoff_vector", "b of the balance in lift-off.", "(25), (A12), (A13)",
                      (*ANGLE0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(liftoff)), "b3, b4"),
             Function("liftoff_quartic", "Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.",
@@ -71,7 +71,7 @@ def module() -> Module:
             Function("f_magnitudes", "Sums of the absolute values of the terms of a and d, against which their rounding errors are "
                      "measured.", "rounding-error analysis", (*ANGLE0, *nm.PARAMETERS, nm.nbar),
                      (trig[nm.fa].subs(nm.alpha, -nm.alpha), trig[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa})), "|a|, |d|",
-                     shorthands(None, nm.B, nm.M, nm.q)),
+                     shorthands()),
             Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), f, "f"),
             Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS),
                      sp.collect(catastrophe.slope, nm.s), "f′"),
@@ -83,7 +83,7 @@ def module() -> Module:
                      "(12), (13) eliminated", F_COEFFICIENTS, (sp.factor(r0), sp.factor(r1), r2), "r0, r1, r2"),
             Function("state", "Spring length and displacement at an equilibrium with direction θ.", "(4), (5), (13) or (15)",
                      (*ANGLE, *ANGLE0, nm.kappa, nm.sigma, nm.beta, nm.nbar), (nm.L, state[nm.x], state[nm.y]), "L, x, y",
-                     {**shorthands(None, nm.B, nm.q), nm.L: state[nm.L]}),
+                     {**shorthands(), nm.L: state[nm.L]}),
             Function("residuals", "F_x and F_y at spring length L and direction θ.", "(12)–(15)",
                      (*ANGLE, nm.L, *ANGLE0, *nm.PARAMETERS, nm.nbar), _residuals(along, across), "F_x, F_y"),
         ),

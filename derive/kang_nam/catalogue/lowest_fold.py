@@ -5,9 +5,9 @@ from __future__ import annotations
 import sympy as sp
 
 from ...emit.function import Function
-from .. import equilibrium, lowest_fold
+from .. import lowest_fold
 from .. import nomenclature as nm
-from .arrangement import STIFFNESS, shorthands
+from .arrangement import STIFFNESS, in_contact
 
 
 def functions() -> tuple[Function, ...]:
@@ -15,7 +15,7 @@ def functions() -> tuple[Function, ...]:
     first, second = sp.symbols("a_:3"), sp.symbols("c_:3")
     slope, circle = lowest_fold.quadratics_in_parts()
     names = {
-        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa),
+        **in_contact(),
         **lowest_fold.PARTS,
         **dict(zip((*first, *second), (*slope, *circle), strict=True)),
     }
@@ -25,9 +25,9 @@ def functions() -> tuple[Function, ...]:
     return (
         Function("turning_polynomial", "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at which the "
                  "curve of folds turns back in μ₀. Needs α > 0.", "f = f′ = f_θ₀ = 0", (nm.kappa, *STIFFNESS),
-                 lowest_fold.turning_polynomial(), "e0, …, e9", shorthands(equilibrium.CONTACT, nm.B)),
+                 lowest_fold.turning_polynomial(), "e0, …, e9", in_contact()),
         Function("turning_sine", "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.", "f = f′ = f_θ₀ = 0",
                  (nm.s, nm.kappa, *STIFFNESS), (-outer, upper), "numerator, denominator", names),
         Function("turning_cosine", "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.", "f = f_θ₀ = 0",
-                 (nm.s, nm.s0, nm.kappa, *STIFFNESS), cosine, "cos cos0", shorthands(equilibrium.CONTACT, nm.p)),
+                 (nm.s, nm.s0, nm.kappa, *STIFFNESS), cosine, "cos cos0", in_contact()),
     )  # fmt: skip

@@ -7,10 +7,11 @@ import sympy as sp
 from ...emit.function import Function, Module, rows
 from .. import equilibrium, stability
 from .. import nomenclature as nm
-from .arrangement import ANGLE, ANGLE0, STIFFNESS, further, require_same, shorthands
+from .arrangement import ANGLE, ANGLE0, STIFFNESS, further, require_same, in_contact, shorthands
 
 
 def module() -> Module:
+    contact = in_contact()
     K = stability.stiffness()
     pull = nm.sigma / nm.L
     arranged = sp.Matrix([
@@ -26,7 +27,6 @@ def module() -> Module:
     determinant = stability.determinant(generic)
     crossing, crossing_names = stability.flutter_crossing()
     cubic, cubic_names = _flutter_cubic()
-    contact = shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)
     at_friction = (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS)
     return Module(
         "stability",
@@ -34,7 +34,7 @@ def module() -> Module:
         (
             Function("stiffness", "K, the Jacobian of (F_x, F_y).", "(28)",
                      (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar), rows(arranged), "((K11, K12), (K21, K22))",
-                     shorthands(None, nm.B, nm.M, nm.p, nm.q)),
+                     shorthands()),
             Function("invariants", "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
                      "(27)", entries, (stability.trace(generic), determinant, stability.flutter_discriminant(generic)),
                      "trace, determinant, discriminant"),
@@ -57,7 +57,7 @@ def module() -> Module:
             Function("flutter_cubic", "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
                      "(27), (14), (15)", (*ANGLE, nm.kappa, *STIFFNESS), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
             Function("flutter_friction", "μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27)",
-                     (*ANGLE, nm.L, *STIFFNESS), stability.flutter_friction(), "mu0", shorthands(equilibrium.CONTACT, nm.B)),
+                     (*ANGLE, nm.L, *STIFFNESS), stability.flutter_friction(), "mu0", contact),
         ),
     )  # fmt: skip
 
@@ -75,7 +75,7 @@ def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     c, s, sigma = nm.c, nm.s, nm.sigma
     pull = 4 * sigma * s * c**2
     names = {
-        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
+        **in_contact(),
         l0: (sigma * s + nm.kappa) / (nm.q * s),
         l1: nm.B / (nm.q * s),
         y0: -(sigma * s + nm.kappa) / nm.q,

@@ -21,8 +21,7 @@ from ..models.parameters import NAMES, FloatArray, Parameters
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
-from ..results.equilibria import Equilibria, Stability
-from ..results.paths import Jump
+from ..results import Equilibria, Jump, Stability
 from .ledger import Found, Value, package_text
 
 #: Largest friction of Figures 11 to 14.

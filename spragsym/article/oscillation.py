@@ -10,7 +10,7 @@ from ..assumed import D, V
 from ..models.load import USUAL, load
 from ..models.parameters import Parameters
 from ..orbits import cycle, fate_boundary
-from ..results.equilibria import Stability
+from ..results import Stability
 from .ledger import Found
 
 _MODEL = load(USUAL)

@@ -21,6 +21,8 @@ from ..errors import MissingExtraError, ParameterError, ParameterTypeError, Spra
 from ..interrupts import ending
 from ..names import closest, latin
 
+__all__ = ["COMMANDS", "cli", "main"]
+
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
     "report": ("report", "A verdict on the brake of a file, with units."),

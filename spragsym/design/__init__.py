@@ -1,1 +1,7 @@
 """From a brake to a verdict: how sure a jump is, how far it is, and what to change, for every model."""
+
+#: Modules that other rooms ask; each is loaded when it is imported.
+__all__ = [
+    "certificates", "dependence", "design_space", "gradients", "jump_ends", "jump_probability", "jumps", "margins",
+    "probability", "redesigns", "state_certificates", "tube_certificates",
+]  # fmt: skip

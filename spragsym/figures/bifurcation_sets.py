@@ -12,7 +12,7 @@ import spragsym as ss
 from ..assumed import MU0_RANGE
 from ..models.parameters import Parameters, ParameterSet
 from ..questions import has_closed_form
-from ..results.equilibria import Stability
+from ..results import Stability
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import passages
 from .planes import draw_bifurcation_set, draw_regions
@@ -27,12 +27,13 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
-    panels,
+    line_at,
+    single,
     stacked,
     styled,
     write_along,
 )
-from .surfaces import draw_surface, on_surface, space_axes
+from .surfaces import POINT, draw_surface, on_surface, space_axes, table_of_points
 from .trajectories import both_ways, table_of_path
 
 _VIOLET = "#5b2a86"
@@ -70,12 +71,12 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
 @styled
 def figure_12() -> Sheet:
     """The bifurcation set."""
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    figure, ax = single(SINGLE, 2.7)
     p = Parameters.article()
     table = draw_plane(ax, p)
     label_regions(ax, p, [(20, 0.3), (155, 0.25)], (98, 0.6))
     for name, angle in PATHS_DEG.items():
-        ax.axvline(angle, color=GREY, linewidth=0.6, linestyle=":")
+        line_at(ax, angle, width=0.6)
         write_along(ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY)
     return figure.describe(
         f"""Figure 12. Bifurcation set over inclination and friction, {BASE_TEXT}: three equilibria in
@@ -97,8 +98,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
         on_surface(*(column[onsets.curve == number] for column in (onsets.mu0, onsets.theta0, onsets.x)))
         for number in np.unique(onsets.curve)
     ]
-    names = ("theta0_deg", "mu0", "x")
-    shown = stacked([dict(zip(names, line[np.isfinite(line[:, 1])].T, strict=True)) for line in flutter], "curve", names)
+    shown = stacked(list(map(table_of_points, flutter)), "curve", POINT)
     tables = {"a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail), "b": draw_plane(plane, p)}
     tables |= {"a_flutter": shown, "b_flutter": shown}
     for line in flutter:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
 import spragsym as ss
 
@@ -19,16 +20,18 @@ from ..errors import ParameterError, SpragsymError
 from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet
-from ..results.equilibria import Equilibria, Stability
-from ..results.named_columns import Columns
-from ..results.paths import Path
-from ..results.points import Points
+from ..numerics.chains import link, walked
+from ..results import Columns, Equilibria, Path, Points, Stability
 from ..statics.stability import REAL
 from .labels import as_drawn, window, with_unit
-from .style import BLACK, LINES, Table, own_axes, stacked, styled
+from .style import BLACK, LINES, Table, own_axes, runs, stacked, styled
 
 #: Names of axes in the article's figures.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\theta$ (deg)", "L": r"$L$"}
+
+
+#: Equilibria by their indices into the columns.
+States: TypeAlias = tuple[NDArray[np.int64], ...]
 
 
 @dataclass(frozen=True)
@@ -85,10 +88,8 @@ def branches(
     them, see :func:`spragsym.bifurcation.branches.linked`. Where a curve leaves the contact it ends at the last of these
     points.
     """
-    model = p.model
-    vary = model.axes[0] if vary is None else vary
-    low, high = range_of(model, vary, low, high)
-    return curves_between(p, vary, (low, high), folds_between(p, vary, low, high) if contact else None, damping, n)
+    vary, ends = along(p.model, vary, low, high)
+    return curves_between(p, vary, ends, folds_between(p, vary, *ends) if contact else None, damping, n)
 
 
 def curves_between(
@@ -96,25 +97,31 @@ def curves_between(
 ) -> list[Branch]:  # fmt: skip
     """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds."""
     found: list[Branch] = []
-    for eq, chain, between in chains_between(p, vary, ends, turns, damping, n):
-        found += _pieces(p.model, vary, eq, chain, turns, between, damping)
+    for eq, at, between in chains_between(p, vary, ends, turns, damping, n):
+        found += _pieces(vary, eq, at, turns, between, damping)
     return found
 
 
 def chains_between(
     p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
-) -> Iterator[tuple[Equilibria, tuple[int, list[int]], tuple[float, float]]]:  # fmt: skip
-    """Equilibria between two cuts, where one curve begins among them and its slots from there on, and the two cuts."""
+) -> Iterator[tuple[Equilibria, States, tuple[float, float]]]:  # fmt: skip
+    """Equilibria between two cuts, those of one curve by their indices into the columns, and the two cuts."""
     for begin, end in itertools.pairwise(_cuts(p, vary, *ends, turns, damping)):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
-        for chain in _chains(eq, linked(p, vary, eq, turns)):
-            yield eq, chain, (begin, end)
+        places, slots = eq.states
+        number = {state: i for i, state in enumerate(zip(places.tolist(), slots.tolist(), strict=True))}
+        links: list[set[int]] = [set() for _ in number]
+        for place, pairs in enumerate(linked(p, vary, eq, turns)):
+            link(links, ((number[place, one], number[place + 1, other]) for one, other in pairs.items()))
+        for chain in sorted(walked(links), key=min):
+            yield eq, (places[chain], slots[chain]), (begin, end)
 
 
-def range_of(model: Model, vary: str, low: float | None, high: float | None) -> tuple[float, float]:
-    """Ends that are given, or those that are shown."""
+def along(model: Model, vary: str | None, low: float | None, high: float | None) -> tuple[str, tuple[float, float]]:
+    """The parameter that varies, and its ends that are given, or those that are shown."""
+    vary = model.axes[0] if vary is None else vary
     model.require_parameter(vary)
     allowed = model.Parameters.ranges[vary]
     ends = window(model, (vary,), {})[vary]
@@ -122,7 +129,7 @@ def range_of(model: Model, vary: str, low: float | None, high: float | None) -> 
     low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
     if not allowed.low <= low < high <= allowed.high:
         raise ParameterError(f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first")
-    return low, high
+    return vary, (low, high)
 
 
 def folds_between(p: ParameterSet, vary: str, low: float, high: float) -> Points:
@@ -140,58 +147,29 @@ def _cuts(p: ParameterSet, vary: str, low: float, high: float, turns: Points | N
     return [low, *sorted({value for value in inner if low < value < high}), high]
 
 
-def _chains(eq: Equilibria, pairs: Sequence[Mapping[int, int]]) -> list[tuple[int, list[int]]]:
-    """Curves as the place at which each begins, and its slots from there on."""
-    done: list[tuple[int, list[int]]] = []
-    open_: dict[int, tuple[int, list[int]]] = {}
-    for place, count in enumerate(eq.count.tolist()):
-        ahead = {} if place == 0 else {pairs[place - 1][slot]: chain for slot, chain in open_.items() if slot in pairs[place - 1]}
-        for slot in range(count):
-            ahead.setdefault(slot, (place, []))[1].append(slot)
-            done += [ahead[slot]] if len(ahead[slot][1]) == 1 else []
-        open_ = ahead
-    return done
-
-
 def _pieces(
-    model: Model, vary: str, eq: Equilibria, chain: tuple[int, list[int]], turns: Points | None, ends: tuple[float, float],
-    damping: bool,
-) -> list[Branch]:  # fmt: skip
+    vary: str, eq: Equilibria, at: States, turns: Points | None, ends: tuple[float, float], damping: bool
+) -> Iterator[Branch]:  # fmt: skip
     """A curve between two cuts, split by stability; at a fold it is extended to the exact point."""
-    first, slots = chain
-    at = np.arange(first, first + len(slots)), np.array(slots)
-    states = {name: getattr(eq, name)[at] for name in eq.columns}
-    values = np.asarray(getattr(eq.parameters, vary))[at[0]]
-    kinds = list(map(Stability, eq.stability[at]))
+    columns = {vary: getattr(eq.parameters, vary)[at[0]], **{name: getattr(eq, name)[at] for name in eq.columns}}
+    kinds = eq.stability[at]
     if damping:  # where the sign of the growth is not proved, the type by (27) stays
         sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
         grows = np.where(np.abs(fastest.imag) <= REAL * np.abs(fastest), Stability.DIVERGENT, Stability.FLUTTER)
-        kinds = [Stability(code) for code in np.select([sign < 0, sign > 0], [Stability.STABLE, grows], eq.stability[at])]
-    starts = [place for place, kind in enumerate(kinds) if place == 0 or kind != kinds[place - 1]]
-    pieces = []
-    for start, stop in itertools.pairwise([*starts, len(kinds)]):
-        # Where the stability changes within a branch, both pieces share a point, so that no gap shows.
-        reach = slice(start, min(stop + 1, len(kinds)))
-        pieces.append(Branch(model, vary, values[reach], {name: state[reach] for name, state in states.items()}, kinds[start]))
-    if turns is not None and first == 0:
-        pieces[0] = _to_fold(pieces[0], eq, 0, slots[0], turns, ends[0])
-    if turns is not None and first + len(slots) == eq.count.size:
-        pieces[-1] = _to_fold(pieces[-1], eq, -1, slots[-1], turns, ends[1])
-    return pieces
-
-
-def _to_fold(piece: Branch, eq: Equilibria, at: int, slot: int, turns: Points, end: float) -> Branch:
-    """The piece, extended to the fold at its first or last point if its equilibrium is one of the two that meet there."""
-    (here,) = np.nonzero(getattr(turns, turns.vary[0]) == end)
-    if not here.size or eq.count[at] < 2:
-        return piece
-    fold = int(here[0])
-    away = [values[at, : int(eq.count[at])] - turns.coordinates[name][fold] for name, values in eq.coordinates.items()]
-    if slot not in np.argsort(np.hypot.reduce(away))[:2]:
-        return piece
-    place = 0 if at == 0 else piece.values.size
-    states = {name: np.insert(state, place, getattr(turns, name)[fold]) for name, state in piece.states.items()}
-    return replace(piece, values=np.insert(piece.values, place, end), states=states)
+        kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
+    for side, end in () if turns is None else zip((0, -1), ends, strict=True):
+        folds, count = np.flatnonzero(getattr(turns, vary) == end), int(eq.count[side])
+        if not folds.size or count < 2 or at[0][side] != range(eq.count.size)[side]:
+            continue
+        fold = {name: getattr(turns, name)[folds[0]] for name in columns}
+        away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
+        if at[1][side] in np.argsort(np.hypot.reduce(away))[:2]:  # one of the two states that meet there
+            place = side % (kinds.size + 1)
+            columns = {name: np.insert(column, place, fold[name]) for name, column in columns.items()}
+            kinds = np.insert(kinds, place, kinds[side])
+    for part in runs(kinds):
+        states = {name: column[part] for name, column in columns.items()}
+        yield Branch(eq.parameters.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
 
 
 @styled
@@ -276,15 +254,14 @@ def plot_equilibria(
     8
     """
     ax = own_axes(ax)
-    vary, quantity = vary or p.model.axes[0], quantity or p.model.coordinates[0]
-    low, high = range_of(p.model, vary, low, high)
+    quantity, (vary, ends) = quantity or p.model.coordinates[0], along(p.model, vary, low, high)
     if quantity not in columns_of(p.model):
         raise ParameterError(f"quantity = {quantity!r} is not one of {', '.join(columns_of(p.model))}")
     name_axes(ax, p.model, vary, quantity)
-    turns = folds_between(p, vary, low, high) if contact else None
-    lines = draw_branches(curves_between(p, vary, (low, high), turns, damping, n), quantity, ax=ax, color=color, **options)
+    turns = folds_between(p, vary, *ends) if contact else None
+    lines = draw_branches(curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options)
     if turns is not None:
-        lines += mark_folds(turns, quantity, ax=ax, low=low, high=high, color=color)
+        lines += mark_folds(turns, quantity, ax=ax, low=ends[0], high=ends[1], color=color)
     return lines
 
 
@@ -304,21 +281,15 @@ def table_of(curves: Iterable[Branch], **same: float) -> Table:
 
 def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
     """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold, as axes show them."""
-    values, states = path.values, getattr(path, quantity)
+    values, model = path.values, path.parameters.model
     forward = -1.0 if values[0] > values[-1] else 1.0
-    pieces, begin = [], 0
-    head: tuple[list[float], list[float]] = ([], [])
-    for jump in path.jumps:
-        stop = int(np.searchsorted(forward * values, forward * jump.value, side="right"))
-        before, after = jump.before[quantity], jump.after[quantity]
-        pieces.append((
-            np.concatenate([head[0], values[begin:stop], [jump.value]]),
-            np.concatenate([head[1], states[begin:stop], [before]]),
-        ))  # fmt: skip
-        head, begin = ([jump.value], [after]), stop
-    pieces.append((np.concatenate([head[0], values[begin:]]), np.concatenate([head[1], states[begin:]])))
-    model = path.parameters.model
-    return [(as_drawn(model, path.vary, value), as_drawn(model, quantity, state)) for value, state in pieces]
+    ends = [(jump.value, end[quantity]) for jump in path.jumps for end in (jump.before, jump.after)]
+    jumps = np.array(ends).reshape(-1, 2).T
+    stops = np.searchsorted(forward * values, forward * jumps[0], side="right")
+    cuts = stops[::2] + np.arange(1, stops.size, 2)
+    columns = zip((path.vary, quantity), (values, getattr(path, quantity)), jumps, strict=True)
+    whole = (as_drawn(model, name, np.insert(column, stops, inner)) for name, column, inner in columns)
+    return list(zip(*(np.split(column, cuts) for column in whole), strict=True))
 
 
 @styled

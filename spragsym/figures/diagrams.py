@@ -8,7 +8,7 @@ import numpy as np
 
 from .labels import shown
 from .oscillation import COLOURS, draw_cycles, draw_stretches
-from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels, say
+from .style import BLACK, DOUBLE, GREY, Sheet, Table, say, single
 
 if TYPE_CHECKING:
     from ..orbits.diagram import Diagram, Label
@@ -22,7 +22,7 @@ CLOSE = 0.04
 
 def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
-    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.6)
+    figure, ax = single(DOUBLE, 3.6)
     (title, unit), (height, one) = (shown(found.model, name) for name in (found.vary, found.name))
     tables: dict[str, Table] = {}
     for i, rest in enumerate(found.equilibria):

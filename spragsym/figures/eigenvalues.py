@@ -15,7 +15,7 @@ from ..models import Model
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion.pictures import in_letters
 from ..statics.stability import NEUTRAL
-from .curves import chains_between, folds_between, range_of
+from .curves import along, chains_between, folds_between
 from .labels import as_drawn, label
 from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, stacked, styled
 
@@ -62,8 +62,8 @@ def plot_eigenvalues(
         from matplotlib import pyplot
 
         axes = tuple(pyplot.gcf().subplots(2, 1, sharex=True))
-    vary, (low, high) = _along(p.model, vary, low, high)
-    return _drawn(axes, p.model, vary, (low, high), _courses(p, vary, (low, high), contact, n))
+    vary, ends = along(p.model, vary, low, high)
+    return _drawn(axes, p.model, vary, ends, _courses(p, vary, ends, contact, n))
 
 
 @styled
@@ -73,9 +73,9 @@ def eigenvalue_figure(
 ) -> Sheet:  # fmt: skip
     """Frequencies above growth rates, as a figure; arguments as :func:`plot_eigenvalues`."""
     figure, axes = panels(2, 1, SINGLE, 4.2, sharex=True)
-    vary, (low, high) = _along(p.model, vary, low, high)
-    courses = _courses(p, vary, (low, high), contact, n)
-    _drawn((axes[0, 0], axes[1, 0]), p.model, vary, (low, high), courses)
+    vary, ends = along(p.model, vary, low, high)
+    courses = _courses(p, vary, ends, contact, n)
+    _drawn((axes[0, 0], axes[1, 0]), p.model, vary, ends, courses)
     tables = [_table(vary, courses, part) for part in ("imag", "real")]
     return figure.describe(
         f"""Eigenvalues λ of {p.model.name} at its equilibria over {vary}: (a) frequencies, (b) growth rates. Black with all
@@ -89,15 +89,9 @@ def eigenvalue_figure(
 _Courses = list[tuple[FloatArray, NDArray[np.complex128], NDArray[np.complex128]]]
 
 
-def _along(model: Model, vary: str | None, low: float | None, high: float | None) -> tuple[str, tuple[float, float]]:
-    vary = model.axes[0] if vary is None else vary
-    return vary, range_of(model, vary, low, high)
-
-
 def _courses(p: ParameterSet, vary: str, ends: tuple[float, float], contact: bool, n: int) -> _Courses:
     turns, found = folds_between(p, vary, *ends) if contact else None, list[Any]()
-    for eq, (first, slots), _ in chains_between(p, vary, ends, turns, False, n):
-        at = np.arange(first, first + len(slots)), np.array(slots)
+    for eq, at, _ in chains_between(p, vary, ends, turns, False, n):
         values = np.asarray(getattr(eq.parameters, vary))[at[0]]
         found.append((values, *(_followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues))))
     if not found:

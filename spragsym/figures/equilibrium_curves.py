@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -10,11 +11,26 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
-from ..models.parameters import Parameters
+from ..models.parameters import FloatArray, Parameters
 from .captions import BASE_TEXT, LETTERS, LINES_TEXT, RANGE_TEXT
-from .curves import LABELS, branches, draw_branches, mark_folds, table_of
-from .linear import draw_linear
-from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, stacked, styled, write_along
+from .curves import LABELS, Branch, branches, draw_branches, mark_folds, table_of
+from .style import (
+    BLACK,
+    BLUE,
+    DOUBLE,
+    SINGLE,
+    VERMILION,
+    Sheet,
+    Table,
+    angle_axis,
+    line_at,
+    panels,
+    remark,
+    single,
+    stacked,
+    styled,
+    write_along,
+)
 
 
 @styled
@@ -23,14 +39,10 @@ def figure_4() -> Sheet:
     figure, axes = panels(2, 2, DOUBLE, 4.4)
     p = Parameters.article()
     contact, lifted = branches(p), branches(p, contact=False)
-    for ax, curves, name in zip(axes.flat, (contact, contact, lifted, lifted), "xyxy", strict=True):
-        draw_branches(curves, name, ax=ax)
-        angle_axis(ax)
-        ax.set_ylabel(LABELS[name])
-    for ax, name in zip(axes[0], "xy", strict=True):
-        mark_folds(ss.folds(p), name, ax=ax)
-    for ax, name in zip(axes.flat, ("contact", "contact", "lift-off", "lift-off"), strict=True):
-        ax.set_title(name, loc="right", color=GREY)
+    for place, ax in enumerate(axes.flat):
+        name, above = "xy"[place % 2], place < 2
+        draw_panel(ax, p if above else None, contact if above else lifted, name)
+        remark(ax, "contact" if above else "lift-off")
     for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
         write_along(axes[0, 0], text, x, y)
     for text, x, y in (("divergent", 158, -0.95), ("stable", 153, -1.65)):
@@ -61,11 +73,8 @@ def figure_5() -> Sheet:
         curves = branches(p)
         for ax, name, letter in zip(axes[row], "xy", "abcd"[2 * row : 2 * row + 2], strict=True):
             linear = draw_linear(ax, p, name)
-            draw_branches(curves, name, ax=ax)
-            mark_folds(ss.folds(p), name, ax=ax)
-            angle_axis(ax)
-            ax.set(ylabel=LABELS[name], ylim=limits[name, mu0])
-            ax.set_title(rf"$\mu_0 = {mu0}$", loc="right", color=GREY)
+            draw_panel(ax, p, curves, name, ylim=limits[name, mu0])
+            remark(ax, rf"$\mu_0 = {mu0}$")
             tables[letter] = table_of(curves)
             tables[f"{letter}_linear"] = linear
     for ax in axes[:, 0]:
@@ -80,6 +89,37 @@ def figure_5() -> Sheet:
         {RANGE_TEXT.lower()}""",
         **tables,
     )
+
+
+def linear_curves(p: Parameters) -> tuple[list[FloatArray], FloatArray]:
+    """θ₀ in degrees between the poles of the linear model, piece by piece, and the poles."""
+    poles = np.degrees(ss.linear_sprag(p.replace(theta0=1.0)).poles)
+    poles = np.sort(poles[np.isfinite(poles)])
+    share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(2e-3, 1 - 2e-3, 400))
+    return [begin + (end - begin) * share for begin, end in itertools.pairwise([0.05, *poles, 179.95])], poles
+
+
+def draw_linear(ax: Axes, p: Parameters, name: str) -> Table:
+    """Curves of the linear model, broken at its poles, which are marked."""
+    pieces, poles = linear_curves(p)
+    along = np.concatenate(pieces)
+    model = ss.linear_sprag(p.replace(theta0=np.radians(along)))
+    for piece, values in zip(pieces, np.split(getattr(model, name), len(pieces)), strict=True):
+        ax.plot(piece, values, color=BLUE, linewidth=1.0)
+    for pole in poles:
+        line_at(ax, pole, BLUE, 0.6)
+    return {"theta0_deg": along, "x_linear": model.x, "y_linear": model.y}
+
+
+def draw_panel(
+    ax: Axes, p: Parameters | None, curves: Iterable[Branch], name: str = "x", color: str = BLACK, **limits: tuple[float, float]
+) -> None:  # fmt: skip
+    """Curves over the inclination, and the folds of a set of parameters."""
+    draw_branches(curves, name, ax=ax, color=color)
+    if p is not None:
+        mark_folds(ss.folds(p), name, ax=ax, color=color)
+    angle_axis(ax)
+    ax.set(ylabel=LABELS[name], **limits)
 
 
 #: Where a direct label stands, and the point of the curve that a thin line leads to.
@@ -127,17 +167,14 @@ def figure_10() -> Sheet:
 
 def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]) -> tuple[Sheet, Axes]:
     """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.9)
+    figure, ax = single(SINGLE, 2.9)
     tables = []
     for value, color, (place, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
         p = Parameters.article(**{name: value})
         curves = branches(p)
-        draw_branches(curves, ax=ax, color=color)
-        mark_folds(ss.folds(p), ax=ax, color=color)
+        draw_panel(ax, p, curves, color=color, ylim=(-2.2, 2.4))
         _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
         tables.append(table_of(curves, **{name: value}))
-    angle_axis(ax)
-    ax.set(ylabel=LABELS["x"], ylim=(-2.2, 2.4))
     others = ", ".join(part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name]))
     sheet = figure.describe(
         f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {

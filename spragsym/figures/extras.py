@@ -28,8 +28,11 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
+    line_at,
     panels,
     plain_ticks,
+    remark,
+    single,
     stacked,
     styled,
     write_along,
@@ -66,24 +69,16 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     (low, high), samples, bracket = _SAMPLES[name]
     values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
     p, mu0 = Parameters.article(), ARTICLE["mu0"]
-    frictions = np.asarray(ss.critical_friction(p.replace(**{name: values})))
-    cusps = np.asarray(ss.cusp_friction(p.replace(**{name: values})))
+    along = p.replace(**{name: values})
+    frictions, cusps = np.asarray(ss.critical_friction(along)), np.asarray(ss.cusp_friction(along))
     ax.plot(values, frictions, color=BLACK)
     ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     for value in samples:
         friction = float(ss.critical_friction(p.replace(**{name: value})))
-        ax.plot(
-            value,
-            friction,
-            marker="o",
-            markersize=4.5,
-            color=BLUE,
-            markerfacecolor=BLUE if friction < mu0 else "white",
-            zorder=3,
-            clip_on=False,
-        )
+        filled = BLUE if friction < mu0 else "white"
+        ax.plot(value, friction, "o", markersize=4.5, color=BLUE, markerfacecolor=filled, zorder=3, clip_on=False)
     critical = ss.critical_value(p, name, bracket)
-    ax.axvline(critical, color=VERMILION, linewidth=0.7, linestyle=":")
+    line_at(ax, critical, VERMILION)
     if name == "beta":
         ax.set(ylim=(0, 0.9))
         write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, color=VERMILION)
@@ -98,42 +93,36 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
 # ---------------------------------------------------------------------------- the false double root in L
 
 
+def _given(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
+    """What generated functions take, in contact."""
+    return np.cos(theta0), np.sin(theta0), *p.scalars("mu0", "kappa", "alpha", "sigma", "beta"), 1
+
+
 def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
     """Smallest distance of two roots, relative to their size, of each polynomial, lowest power first."""
     table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
     roots = eigenvalues(table)
-    first, second = np.triu_indices(roots.shape[-1], 1)
-    size = np.maximum(np.abs(roots[..., first]), np.abs(roots[..., second]))
-    gap: FloatArray = (np.abs(roots[..., first] - roots[..., second]) / size).min(axis=-1)
+    one, other = (roots[..., which] for which in np.triu_indices(roots.shape[-1], 1))
+    gap: FloatArray = (np.abs(one - other) / np.maximum(np.abs(one), np.abs(other))).min(axis=-1)
     return gap
 
 
 def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Smallest relative distance of two roots of the quartic in L and of that in t = tan(θ/2)."""
-    mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
-    c0, s0 = np.cos(theta0), np.sin(theta0)
-    f = _equilibrium.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
-    return (
-        _gap(_equilibrium.contact_quartic(c0, s0, mu0, kappa, alpha, sigma, beta)),
-        _gap(_equilibrium.t_quartic(*f)),
-    )
+    given = _given(p, theta0)
+    return _gap(_equilibrium.contact_quartic(*given[:-1])), _gap(_equilibrium.t_quartic(*_equilibrium.f_coefficients(*given)))
 
 
 def false_double_roots(p: Parameters) -> FloatArray:
     """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0."""
-    from scipy.optimize import brentq
-
-    mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
-
-    def mismatch(theta0: float) -> float:
-        """f at the direction with a sin θ + b = 0, where it is d sin θ − m sin² θ."""
-        a, b, d, m = _equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1)
-        return float(a * d + m * b)
-
-    angles = np.linspace(1e-6, np.pi - 1e-6, 4001)
-    values = np.array([mismatch(angle) for angle in angles])
-    (before,) = np.nonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
-    return np.array([brentq(mismatch, angles[i], angles[i + 1], xtol=1e-15, rtol=1e-15) for i in before])
+    # There a sin θ + b = 0 and d sin θ = m sin² θ: a d + m b = 0, with cos θ₀ and sin θ₀ of the first degree.
+    a, b, d, m = _equilibrium.f_coefficients(*_given(p, np.array([0, np.pi / 2, np.pi])))
+    right, up, left = a * d + m * b
+    along, level = (right - left) / 2, (right + left) / 2
+    with np.errstate(invalid="ignore"):  # where there is none
+        middle, half = np.arctan2(up - level, along), np.arccos(-level / np.hypot(along, up - level))
+    angles = np.sort(np.mod([middle - half, middle + half], 2 * np.pi))
+    return angles[(0 < angles) & (angles < np.pi)]
 
 
 @styled
@@ -149,12 +138,12 @@ def figure_false_double_root() -> Sheet:
     for ax, gap, name in zip(axes, gaps, "Lt", strict=True):
         ax.semilogy(angles, gap, color=BLACK, linewidth=0.9)
         angle_axis(ax)
-        ax.set_title(f"quartic in ${name}$", loc="right", color=GREY)
+        remark(ax, f"quartic in ${name}$")
         for angle in true:
-            ax.axvline(angle, color=VERMILION, linewidth=0.7, linestyle=":", zorder=0)
+            line_at(ax, angle, VERMILION, zorder=0)
             write_along(ax, f"fold\n{angle:.2f}°", angle + 2, 2e-5, color=VERMILION)
     for angle in false:
-        axes[0].axvline(angle, color=BLUE, linewidth=0.7, linestyle=":", zorder=0)
+        line_at(axes[0], angle, BLUE, zorder=0)
         write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
     axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
     return figure.describe(
@@ -179,7 +168,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
 
     Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its neighbour.
     """
-    figure, ((ax,),) = panels(1, 1, SINGLE * 1.3, 3.2)
+    figure, ax = single(SINGLE * 1.3, 3.2)
     p = Parameters.article()
     angles, frictions, rms, table = _divided(p, step_deg, step_mu0, levels, workers)
     image = ax.pcolormesh(angles, frictions, rms, cmap="cividis", vmin=0.0, rasterized=True)
@@ -212,8 +201,9 @@ def _divided(
     for level in range(levels + 1):
         angles = _centres(180.0, step_deg / 2**level)
         frictions = _centres(MU0_RANGE[1], step_mu0 / 2**level)
+        shape = frictions.size, angles.size
         if level == 0:
-            rms, asked = np.zeros((frictions.size, angles.size)), np.ones((frictions.size, angles.size), dtype=bool)
+            rms, asked = np.zeros(shape), np.ones(shape, dtype=bool)
         else:
             rms, asked = _in_four(rms), _in_four(_beside_a_step(rms))
         row, column = np.nonzero(asked)
@@ -233,7 +223,7 @@ def _centres(top: float, step: float) -> FloatArray:
 
 
 def _in_four(cells: NDArray[Any]) -> NDArray[Any]:
-    return np.repeat(np.repeat(cells, 2, axis=0), 2, axis=1)
+    return np.kron(cells, np.ones((2, 2), dtype=cells.dtype))
 
 
 def _beside_a_step(rms: FloatArray) -> NDArray[np.bool_]:
@@ -252,10 +242,9 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
     p = Parameters.article()
     angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
-    half_decade = np.sqrt(10.0)
     tables: dict[str, Table] = {}
     along = p.replace(theta0=np.radians(angles))
-    speeds, creeps = V * half_decade ** np.array([-1, 0, 1]), D * half_decade ** np.array([-1, 0, 1])
+    speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
     for letter, ax, symbol, sweep, values in (
         ("a", axes[0], "V", rms_sweep(along, speeds[:, None], D, workers=workers), speeds),
         ("b", axes[1], "d", rms_sweep(along, V, creeps[:, None], workers=workers), creeps),
@@ -295,5 +284,4 @@ def _draw_jumps(ax: Axes, speeds: FloatArray, creeps: FloatArray, jump_deg: Floa
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)
-    where: tuple[NDArray[np.float64], ...] = np.broadcast_arrays(speeds[:, None], creeps)
-    return {"V": where[0].ravel(), "d": where[1].ravel(), "theta0_deg": jump_deg.ravel()}
+    return {"V": np.repeat(speeds, creeps.size), "d": np.tile(creeps, speeds.size), "theta0_deg": jump_deg.ravel()}

@@ -13,7 +13,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from ..models import Model
 from ..models.field import Field
 from ..motion.pictures import in_letters, symbol
-from ..results.points import Points
+from ..results import Points
 
 #: Range of a parameter, by its name.
 Between = Mapping[str, tuple[float, float]]

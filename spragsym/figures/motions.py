@@ -12,7 +12,7 @@ from ..models.parameters import Parameters
 from ..motion import simulate
 from ..motion.sweeps import Workers, rms_sweep
 from .captions import BASE_TEXT, MODEL
-from .style import BLACK, DOUBLE, GREY, VERMILION, Sheet, angle_axis, panels, styled, write_along
+from .style import BLACK, DOUBLE, GREY, VERMILION, Sheet, angle_axis, line_at, panels, remark, styled, write_along
 
 
 @styled
@@ -24,7 +24,7 @@ def figure_3() -> Sheet:
     left.axhline(0, color=GREY, linewidth=0.5)
     for part in (speed < V, speed > V):
         left.plot(speed[part], friction[part], color=BLACK)
-    left.axvline(V, color=GREY, linewidth=0.7, linestyle=":")
+    line_at(left, V)
     write_along(left, r"$x' = V$", V + 0.04, -0.12)
     left.set(xlabel=r"$x'$", ylabel=r"$\mu/\mu_0$", xlim=(-0.5, 1.5), ylim=(-1.15, 1.15))
     left.set_xticks(np.arange(-0.5, 1.6, 0.5))
@@ -55,12 +55,12 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     x = trajectory(t)[0]
     left.plot(t, x, color=BLACK, linewidth=0.6)
     left.set(xlabel=r"$\tau$", ylabel=r"$x$", xlim=(0, 2000))
-    left.set_title(r"$\theta_0 = 49^\circ$", loc="right", color=GREY)
+    remark(left, r"$\theta_0 = 49^\circ$")
     angles = np.arange(step_deg, 180.0 - step_deg / 2, step_deg)
     sweep = rms_sweep(p.replace(theta0=np.radians(angles)), V, D, workers=workers)
     right.plot(angles, sweep.rms, color=BLACK, marker=".", markersize=2.2, linewidth=0.5)
     fold = float(np.degrees(ss.folds(p).theta0[0]))
-    right.axvline(fold, color=VERMILION, linewidth=0.8, linestyle=":")
+    line_at(right, fold, VERMILION, 0.8)
     write_along(right, f"fold, {fold:.2f}°", fold + 3, 0.12, color=VERMILION)
     angle_axis(right)
     right.set(ylabel=r"RMS of $x$", ylim=(0, None))

@@ -39,7 +39,9 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
+    line_at,
     panels,
+    single,
     stacked,
     styled,
     write_along,
@@ -79,7 +81,7 @@ def _sliding() -> float:
 @styled
 def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
-    figure, ((ax,),) = panels(1, 1, DOUBLE, 4.2)
+    figure, ax = single(DOUBLE, 4.2)
     tables: dict[str, Table] = {"a_equilibria": _draw_rest(ax, to_deg)}
     found = found_cycles()
     families = list(dict.fromkeys(line["name"].partition(",")[0] for line in found["branches"]))
@@ -112,7 +114,7 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
     rest = float(np.degrees(fate.value))
     for place, colour, style in ((rest, BLACK, "--"), (fold, GREY, ":"), (sliding, GREY, "-")):
         if to_deg[0] < place < to_deg[1]:
-            ax.axvline(place, color=colour, linewidth=0.8, linestyle=style, zorder=0.5)
+            line_at(ax, place, colour, 0.8, style=style, zorder=0.5)
     if to_deg[1] - to_deg[0] > 120:
         angle_axis(ax)
     else:
@@ -226,7 +228,7 @@ def figure_cycles_plane(
     *, frictions: tuple[float, ...] = FRICTIONS, curves: tuple[str, ...] = tuple(CURVES)
 ) -> Sheet:  # fmt: skip
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
-    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.6)
+    figure, ax = single(DOUBLE, 3.6)
     tables: dict[str, Table] = {}
     branches = {vary: _along(vary) for vary in dict.fromkeys(CURVES[name].vary for name in curves)}
     for name in curves:
@@ -283,7 +285,7 @@ def fate_map_figure(found: FateMap) -> Sheet:
         values.ravel()[order].reshape(up.size, across.size)
         for values in (found.kind, found.period, found.exponent > found.exponent_error)
     )
-    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
+    figure, ax = single(DOUBLE, 3.2)
     for code, (colour, _) in PLAIN.items():
         ax.pcolormesh(across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
     image = ax.pcolormesh(across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())

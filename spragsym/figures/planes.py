@@ -14,15 +14,20 @@ from ..bifurcation.hopf_curves import OnsetCurves
 from ..models import Model
 from ..models.parameters import ParameterSet
 from ..questions import has_closed_form
-from ..results.bifurcation_sets import BifurcationSet
+from ..results import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window
-from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, say, stacked, styled
+from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, runs, say, single, stacked, styled
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
     """Columns of curves, one after the other, and their numbers."""
     return stacked([{name: getattr(curve, name) for name in names} for curve in curves], "curve", names)
+
+
+def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
+    """Columns of two parameters as axes show them."""
+    return [as_drawn(model, name, getattr(of, name)) for name in vary]
 
 
 def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK) -> list[Any]:
@@ -38,10 +43,8 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
     """
     ax, model = own_axes(ax), found.cusps.parameters.model
     one, two = found.vary
-    artists: list[Any] = []
-    for curve in found.curves:
-        artists += ax.plot(as_drawn(model, one, getattr(curve, one)), as_drawn(model, two, getattr(curve, two)), color=color)
-    cusps = [as_drawn(model, name, getattr(found.cusps, name)) for name in found.vary]
+    artists = [line for curve in found.curves for line in ax.plot(*_places(model, found.vary, curve), color=color)]
+    cusps = _places(model, found.vary, found.cusps)
     artists += [*ax.plot(*cusps, "o", color=BLACK, markersize=3.5), *_undecided(ax, model, found)]
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
@@ -67,16 +70,14 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     color = BLACK if found.damping else GREY
     styles = {"gentle": "-", "dangerous": "--", "undecided": ":" if found.damping else "-"}
     for curve in found.curves:
-        across, up = as_drawn(model, one, getattr(curve, one)), as_drawn(model, two, getattr(curve, two))
-        kinds = curve.criticality
-        begins = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
-        for begin, end in zip(begins, [*begins[1:], len(kinds) - 1], strict=True):
-            part = slice(begin, end + 1)
-            artists += ax.plot(across[part], up[part], styles[str(kinds[begin])], color=color)
-    changes = (["GH"] * len(found.changes["error"]), found.changes, "o", (3, 3))
-    points = (found.points.kind.tolist(), {name: getattr(found.points, name) for name in found.vary}, "s", (3, -9))
-    for labels, rows, marker, aside in (changes, points):
-        places = [as_drawn(model, name, rows[name]) for name in found.vary]
+        across, up = _places(model, found.vary, curve)
+        for part in runs(curve.criticality):
+            artists += ax.plot(across[part], up[part], styles[str(curve.criticality[part][0])], color=color)
+    changes = [as_drawn(model, name, found.changes[name]) for name in found.vary]
+    for labels, places, marker, aside in (
+        (["GH"] * len(changes[0]), changes, "o", (3, 3)),
+        (found.points.kind.tolist(), _places(model, found.vary, found.points), "s", (3, -9)),
+    ):
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
             artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
@@ -107,19 +108,22 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     found : OnsetCurves
         Of :func:`spragsym.onset_curves`.
     """
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    figure, ax = single(SINGLE, 2.7)
     draw_onset_curves(found, ax)
     model = found.points.parameters.model
     names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
-    open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     if not found.curves and not len(found.points):
         say(ax, _no("onsets", found.complete))
     lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed, undecided on dotted ones. Dots: GH;
         squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
-        f"Onsets of oscillation of {model.name}{lines if found.damping else ' without damping: two modes meet.'}{open_boxes}",
+        f"Onsets of oscillation of {model.name}{lines if found.damping else ' without damping: two modes meet.'}{_open(found)}",
         a=_table(found.curves, names),
     )
+
+
+def _open(found: BifurcationSet | OnsetCurves) -> str:
+    return f" {len(found.undecided)} boxes on its lines are undecided." if len(found.undecided) else ""
 
 
 def _no(what: str, complete: bool) -> str:
@@ -154,7 +158,7 @@ def bifurcation_figure(
     onsets : OnsetCurves, optional
         Of :func:`spragsym.onset_curves` in this plane, drawn as well.
     """
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    figure, ax = single(SINGLE, 2.7)
     model = p.model
     vary = tuple(model.two(vary))
     closed = has_closed_form(ss.bifurcation_set, p) and vary == model.axes and not between
@@ -177,11 +181,10 @@ def bifurcation_figure(
         ax.set(xlabel=label(model, vary[0]), ylim=(0.0, top))
         shaded = ", three in contact in the shaded regions and one elsewhere"
     names = (*vary, *model.coordinates)
-    open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(*_fixed(p, vary), strict=True))
     return figure.describe(
         f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{shaded};
-        dots are cusps.{open_boxes}{" Oscillation sets in on the black or grey lines." if onsets else ""}""",
+        dots are cusps.{_open(found)}{" Oscillation sets in on the black or grey lines." if onsets else ""}""",
         a=_table(found.curves, names),
         **({"onsets": _table(onsets.curves, (*vary, "omega"))} if onsets else {}),
     )

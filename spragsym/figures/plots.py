@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..errors import ParameterError
-from ..results.equilibria import Stability
+from ..results import Stability
 from .curves import draw_path, mark_folds, name_axes
 from .diagrams import diagram_figure
 from .labels import as_drawn
@@ -79,13 +79,7 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     for kind, (mark, word) in _MARKS.items():
         here = rows["stability"] == kind
         if here.any():
-            style: dict[str, Any] = {
-                "linestyle": "none",
-                "marker": mark,
-                "color": BLACK,
-                "markersize": 3,
-                "label": word,
-            }
+            style: dict[str, Any] = {"linestyle": "none", "marker": mark, "color": BLACK, "markersize": 3, "label": word}
             lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **(style | options))
     return lines
 
@@ -107,6 +101,5 @@ _FIGURES: Mapping[str, Callable[..., Any]] = {
 }  # fmt: skip
 _DRAWN: Mapping[str, Callable[..., Any]] = {
     "Path": _path, "Points": _points, "Onsets": _points, "Equilibria": _equilibria,
-    "BifurcationSet": lambda found, ax, **options: draw_bifurcation_set(found, ax, **options),
-    "OnsetCurves": lambda found, ax, **options: draw_onset_curves(found, ax, **options),
+    "BifurcationSet": draw_bifurcation_set, "OnsetCurves": draw_onset_curves,
 }  # fmt: skip

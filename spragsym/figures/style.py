@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import io
+import itertools
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import MissingExtraError
-from ..results.equilibria import Stability
+from ..results import Stability
 
 try:
     import matplotlib
@@ -122,12 +123,24 @@ def panels(rows: int, columns: int, width: float, height: float, **options: Any)
     return figure, axes
 
 
+def single(width: float, height: float) -> tuple[Sheet, Any]:
+    """An empty figure of one panel."""
+    figure, ((ax,),) = panels(1, 1, width, height)
+    return figure, ax
+
+
 def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()) -> Table:
     """Tables of equal columns, one below the other, and under ``number`` which is which; without tables columns of ``names``."""
     names = list(tables[0] if tables else names)
     sizes = [np.size(table[names[0]]) for table in tables]
     columns = {name: np.concatenate([table[name] for table in tables] or [[]]) for name in names}
     return {number: np.repeat(np.arange(len(tables)), sizes), **columns} if number else columns
+
+
+def runs(kinds: NDArray[Any]) -> list[slice]:
+    """Stretches of one kind, each with the first point of the next, so that no gap shows."""
+    cuts = [0, *(1 + np.flatnonzero(kinds[1:] != kinds[:-1])), len(kinds)]
+    return [slice(begin, end + 1) for begin, end in itertools.pairwise(cuts)]
 
 
 def own_axes(ax: Axes | None) -> Axes:
@@ -145,6 +158,16 @@ def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30
     ax.set_xticks(np.arange(low, high + step / 2, step))
     if label:
         ax.set_xlabel(r"$\theta_0$ (deg)")
+
+
+def remark(ax: Axes, text: str) -> None:
+    """What a panel is of, above its right end."""
+    ax.set_title(text, loc="right", color=GREY)
+
+
+def line_at(ax: Axes, place: float, color: str = GREY, width: float = 0.7, style: str = ":", **options: Any) -> None:
+    """A thin line upwards, dotted unless told otherwise."""
+    ax.axvline(place, color=color, linewidth=width, linestyle=style, **options)
 
 
 def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any) -> Any:

@@ -13,13 +13,15 @@ import spragsym as ss
 
 from ..assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters
-from ..results.equilibria import Stability
+from ..results import Stability
 from .curves import LABELS
 from .style import BLACK, VERMILION, Sheet, Table, stacked
 
 _SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
 #: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under which it is seen.
 _ASPECT, _RANGE, _ELEVATION, _AZIMUTH = (1.25, 1.1, 0.9), (180.0, 1.0, 4.0), 24.0, -118.0
+#: Columns of points.
+POINT = ("theta0_deg", "mu0", "x")
 #: How far lines stand before the surface, and half of their width, in the units of the proportions.
 _LIFT, _HALF = 0.08, 0.0036
 
@@ -100,7 +102,7 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
     for curve in found.curves:
         points = on_surface(curve.mu0, curve.theta0, curve.x)
         lines = [*lines, (points, VERMILION)]
-        tables.append(dict(zip(("theta0_deg", "mu0", "x"), points[np.isfinite(points[:, 1])].T, strict=True)))
+        tables.append(table_of_points(points))
     polygons, faces = [cells], [colors]
     for points, color in lines:
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
@@ -116,7 +118,12 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
                                          rasterized=True, zorder=1))  # fmt: skip
     cusps = np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x
     ax.plot(*cusps, linestyle="none", marker="o", markersize=4, color=BLACK, zorder=5)
-    return stacked(tables, "curve", ("theta0_deg", "mu0", "x"))
+    return stacked(tables, "curve", POINT)
+
+
+def table_of_points(points: FloatArray) -> Table:
+    """The points of a line that are shown."""
+    return dict(zip(POINT, points[np.isfinite(points[:, 1])].T, strict=True))
 
 
 def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:

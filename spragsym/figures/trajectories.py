@@ -9,11 +9,11 @@ import spragsym as ss
 
 from ..assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters
-from ..results.paths import Path
+from ..results import Path
 from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of
-from .linear import draw_linear, linear_curves
-from .style import BLUE, DOUBLE, GREY, SKY, VERMILION, Sheet, Table, angle_axis, panels, stacked, styled, write_along
+from .equilibrium_curves import draw_linear, linear_curves
+from .style import BLUE, DOUBLE, GREY, SKY, VERMILION, Sheet, Table, angle_axis, panels, remark, stacked, styled, write_along
 
 
 @styled
@@ -67,7 +67,7 @@ def figure_13() -> Sheet:
         _draw_both_ways(ax, up, back, rising=(0.5,), falling=(0.5,))
         mark_folds(ss.folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
         ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
-        ax.set_title(rf"$\theta_0 = {angle:g}^\circ$", loc="right", color=GREY)
+        remark(ax, rf"$\theta_0 = {angle:g}^\circ$")
         tables |= {
             letter: table_of(curves),
             f"{letter}_rising": table_of_path(up, "mu0"),
@@ -87,7 +87,8 @@ def figure_13() -> Sheet:
 def both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path]:
     """The reference state followed up, and the state where it ends followed back."""
     up = ss.quasi_static_path(p, vary, values)
-    back = ss.quasi_static_path(p, vary, values[::-1], start=_slot_of(p.replace(**{vary: values[-1]}), up.x[-1]))
+    slot = int(np.nanargmin(np.abs(ss.equilibria(p.replace(**{vary: values[-1]})).x - up.x[-1])))
+    back = ss.quasi_static_path(p, vary, values[::-1], start=slot)
     return up, back
 
 
@@ -95,10 +96,6 @@ def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], f
     """Draw the way back as a broad line and the way up as a thin one on it: both are seen where they coincide."""
     draw_path(back, ax=ax, color=BLUE, arrows=falling, linewidth=3.2, alpha=0.45, zorder=2.1)
     draw_path(up, ax=ax, color=VERMILION, arrows=rising)
-
-
-def _slot_of(p: Parameters, x: float) -> int:
-    return int(np.nanargmin(np.abs(ss.equilibria(p).x - x)))
 
 
 def table_of_path(path: Path, name: str) -> Table:

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from ..display import Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
-from ..models.forces import columns_of, told_of_states
+from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
-from .named_columns import Named
+from .named_columns import OfStates
 from .result import WHOLE, Result
 
 
@@ -65,7 +65,7 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Equilibria(Named):
+class Equilibria(OfStates):
     """The equilibria of every parameter point, and whether these are all.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
@@ -129,20 +129,10 @@ class Equilibria(Named):
         return bool((self.decided & self.whole).all())
 
     @property
-    def coordinates(self) -> dict[str, FloatArray]:
-        """The model's coordinates by their names."""
-        return {name: getattr(self, name) for name in self._model.coordinates}
-
-    @property
     def regime(self) -> str:
         """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or ``"rest"`` without friction too."""
         word: str = self._model.regimes[self.contact]
         return word
-
-    @property
-    def columns(self) -> tuple[str, ...]:
-        """Names of the columns that say where a state is: directions and lengths of springs, and the coordinates."""
-        return columns_of(self._model)
 
     @property
     def states(self) -> tuple[NDArray[np.int64], ...]:

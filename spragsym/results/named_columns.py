@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
+from ..models.forces import columns_of
+from ..models.parameters import FloatArray
 from .result import Result
 
 
@@ -20,6 +22,22 @@ class Named(Result):
             raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}{known}")
         self.__dict__[name] = column
         return column
+
+
+class OfStates(Named):
+    """A result that says where states of a model are."""
+
+    parameters: Any
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns that say where a state is: directions and lengths of springs, and the coordinates."""
+        return columns_of(self.parameters.model)
+
+    @property
+    def coordinates(self) -> dict[str, FloatArray]:
+        """The model's coordinates by their names."""
+        return {name: getattr(self, name) for name in self.parameters.model.coordinates}
 
 
 class Columns(Named):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
 from .equilibria import Equilibria, Stability
-from .named_columns import Columns
+from .named_columns import Columns, OfStates
 from .result import Result, Rows
 
 
@@ -35,7 +35,7 @@ _OF_STATES = ("growth", "growth_sign", "damped")
 
 
 @dataclass(frozen=True, eq=False)
-class Path(Columns, Rows, held_in="places"):
+class Path(OfStates, Columns, Rows, held_in="places"):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the direction and the length of each
@@ -52,16 +52,6 @@ class Path(Columns, Rows, held_in="places"):
     jumps: tuple[Jump, ...]
     places: Mapping[str, FloatArray] = field(repr=False)
     _along: Equilibria = field(repr=False)
-
-    @property
-    def columns(self) -> tuple[str, ...]:
-        """Names of the columns that say where a state is."""
-        return tuple(self.places)
-
-    @property
-    def coordinates(self) -> dict[str, FloatArray]:
-        """The model's coordinates by their names."""
-        return {name: self.places[name] for name in self.parameters.model.coordinates}
 
     @property
     def offered(self) -> tuple[str, ...]:

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Table, counted, not_all, shown, with_cut, words
-from ..models.forces import columns_of, told_of_states
+from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
-from .named_columns import Named
+from .named_columns import OfStates
 from .result import Result, Rows
 
 
@@ -38,7 +38,7 @@ def nowhere(points: Points) -> dict[str, FloatArray]:
 
 
 @dataclass(frozen=True, eq=False)
-class Points(Named, Rows):
+class Points(OfStates, Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
     Every parameter and coordinate is an attribute under its own name, one number a point; so are the direction and the length of
@@ -105,16 +105,6 @@ class Points(Named, Rows):
     def complete(self) -> bool:
         """Whether these are all: everywhere, for all values of the parameters, or for those of ``between``."""
         return self.decided and self.whole and not self.endless
-
-    @property
-    def columns(self) -> tuple[str, ...]:
-        """Names of the columns that say where a state is, as of :class:`spragsym.Equilibria`."""
-        return columns_of(self.parameters.model)
-
-    @property
-    def coordinates(self) -> dict[str, FloatArray]:
-        """The model's coordinates by their names."""
-        return {name: getattr(self, name) for name in self.parameters.model.coordinates}
 
     @property
     def offered(self) -> tuple[str, ...]:

@@ -207,8 +207,7 @@ def _model(p: ParameterSet | None) -> Model:
         raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}")
     if p is not None and p.shape:
         raise ParameterError(f"p has the shape {p.shape}; digits are asked for one point, so give single numbers")
-    model: Model = load(USUAL) if p is None else model_of(p)
-    return model
+    return load(USUAL) if p is None else model_of(p)
 
 
 def _exactly(

@@ -49,7 +49,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
             args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
         if (closed := _closed_form(asked, name, args, options)) is not None:
             try:
-                return closed(*args, **{key: value for key, value in options.items() if value is not None})  # type: ignore[no-any-return]
+                return closed(*args, **{key: value for key, value in options.items() if value is not None})
             except NotInClosedForm:
                 pass
         if method == "closed":

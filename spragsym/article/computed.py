@@ -42,8 +42,7 @@ def _at(degrees: Any, **changes: Any) -> Parameters:
 
 
 def _jumps(p: Parameters, vary: str, values: FloatArray, start: str | int = "small") -> tuple[Jump, ...]:
-    jumps: tuple[Jump, ...] = ss.quasi_static_path(p, vary, values, start=start).jumps
-    return jumps
+    return ss.quasi_static_path(p, vary, values, start=start).jumps
 
 
 _RISING = np.radians(np.linspace(0.1, 179.9, 361))
@@ -89,8 +88,7 @@ def _linear_gap(angle: Any, mu0: float) -> FloatArray:
     p = _article(theta0=angle, mu0=mu0)
     x = ss.equilibria(p).x
     near = np.take_along_axis(x, np.nanargmin(np.abs(x), axis=-1)[..., None], axis=-1)[..., 0]
-    gap: FloatArray = np.abs(ss.linear_sprag(p).x - near) / np.abs(near) - 0.1
-    return gap
+    return np.abs(ss.linear_sprag(p).x - near) / np.abs(near) - 0.1
 
 
 def linear_approximates() -> Found:

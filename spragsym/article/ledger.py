@@ -59,8 +59,7 @@ class Statement:
 
         name, *arguments = [self.computed] if isinstance(self.computed, str) else self.computed
         function = getattr(computed, name, None) or getattr(oscillation, name)
-        found: Found = function(*arguments)
-        return found
+        return function(*arguments)
 
 
 def package_text(name: str, package: str = "spragsym.article") -> str:

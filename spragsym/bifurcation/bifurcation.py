@@ -189,8 +189,7 @@ def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatAr
     """Middles of the intervals between values next to each other, in a range, in which no line is; none where two are alike."""
     ends = np.unique([*span, *values])
     empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
-    middles: FloatArray = 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
-    return middles
+    return 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
 
 
 def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
@@ -212,8 +211,7 @@ def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) ->
     """Whether no line separates two points, for every pair: where a curve crosses a line, there is a point of its own."""
     room = ON_LINE * (span[1] - span[0])
     first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
-    together: NDArray[np.bool_] = np.maximum.outer(first, first) <= np.minimum.outer(last, last)
-    return together
+    return np.maximum.outer(first, first) <= np.minimum.outer(last, last)
 
 
 def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> list[NDArray[np.int64]]:

@@ -138,8 +138,7 @@ def _too_flat(at: State) -> NDArray[np.bool_]:
     """Boxes where the slope is smaller all over than anything that floats tell from 0, and its sign unknown."""
     if at.balance.slope_is_a_sum:
         return np.zeros(at.shape, dtype=np.bool_)
-    out: NDArray[np.bool_] = stacked([at.slope()], at.shape)[0].magnitude <= FLAT
-    return out
+    return stacked([at.slope()], at.shape)[0].magnitude <= FLAT
 
 
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however

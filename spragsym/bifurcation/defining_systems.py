@@ -122,8 +122,7 @@ class Augmented(System):
 
         def no_root(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
             values = self._values(unknowns[:, rows], parameters[:, rows], sides)
-            excluded: NDArray[np.bool_] = ~np.logical_and.reduce(values.holds_zero())
-            return excluded
+            return ~np.logical_and.reduce(values.holds_zero())
 
         return out | self.balance.beside_jumps(at.q, at.values, ~out, no_root)
 

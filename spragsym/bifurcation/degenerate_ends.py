@@ -58,8 +58,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> NDArray[np.bool
             values = stacked(system.condition.equations(at), (count,))
     except ZeroDivisionError:  # a law that has no value there
         return np.zeros(count, dtype=np.bool_)
-    out: NDArray[np.bool_] = np.logical_and.reduce(values.magnitude <= NOTHING)
-    return out
+    return np.logical_and.reduce(values.magnitude <= NOTHING)
 
 
 def _at_end(system: Augmented, end: float, count: int) -> Intervals:

@@ -80,8 +80,7 @@ class _Chart(boxes.System):
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         sign = (ratio.low > 0).astype(np.int64) - (ratio.high < 0)
-        side: NDArray[np.int64] = sign[0] * sign[1]
-        return side
+        return sign[0] * sign[1]
 
 
 def escapes(family: Family) -> Points:

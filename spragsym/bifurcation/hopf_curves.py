@@ -253,8 +253,7 @@ class _Plane(Family):
     def hardly_damped(self, states: FloatArray) -> NDArray[np.bool_]:
         """Where C is next to nothing beside K."""
         _, C, K = matrices(self, states)
-        hardly: NDArray[np.bool_] = np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
-        return hardly
+        return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:
         """The normal form at each point, over a box that is proved to hold one, or why there is none."""
@@ -322,5 +321,4 @@ def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tup
 def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> NDArray[np.bool_]:
     """Which states of a chain are Bogdanov–Takens points, one a column."""
     off = np.abs(states[:, :, None] - ends[:, None]) / curves.scale[:, None, None]
-    here: NDArray[np.bool_] = (off.max(axis=0) < SAME).any(axis=1)
-    return here
+    return (off.max(axis=0) < SAME).any(axis=1)

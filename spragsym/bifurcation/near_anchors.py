@@ -63,8 +63,7 @@ def _regular(
     elsewhere = np.logical_or.reduce(
         [(arc.low > part.high) | (arc.high < part.low) for arc, part in zip(arcs, known, strict=True)]
     )
-    regular: NDArray[np.bool_] = np.logical_and.reduce((nonzero | elsewhere).reshape(ARCS, -1))
-    return regular
+    return np.logical_and.reduce((nonzero | elsewhere).reshape(ARCS, -1))
 
 
 def _arcs() -> list[Intervals]:

@@ -257,8 +257,7 @@ class _Way:
 
     def _column(self, name: str) -> NDArray[Any]:
         """A column of the states on the path."""
-        column: NDArray[Any] = getattr(self.turns, name)
-        return column
+        return getattr(self.turns, name)
 
     def _stops(self, along: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
         """The values in their order, with a stop on each side of each fold."""

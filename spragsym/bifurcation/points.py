@@ -114,8 +114,7 @@ def _merged(left: FloatArray) -> FloatArray:
         return left
     left = left[:, :, np.argsort(-left[0, -1])]
     low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
-    hulls: FloatArray = np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
-    return hulls
+    return np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
 
 
 def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:

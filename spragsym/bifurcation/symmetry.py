@@ -106,15 +106,13 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
             along.append(gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd])
-        excluded: NDArray[np.bool_] = ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
-        return excluded
+        return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
 
     def given_up(at: State) -> NDArray[np.bool_]:
         q = stacked(at.q, at.shape)
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
         small = np.logical_and.reduce(q.width <= NEAR * np.maximum(1.0, q.magnitude))
-        done: NDArray[np.bool_] = small & np.logical_or.reduce(on)
-        return done
+        return small & np.logical_or.reduce(on)
 
     return replace(cusp(column), hopeless=hopeless, given_up=given_up) if mirrors else cusp(column)
 

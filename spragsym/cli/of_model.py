@@ -74,8 +74,7 @@ class Case(Units):
         """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
         self.require([name for name in values if name not in spanned and values[name] is None])
-        p: ParameterSet = self.model.Parameters(**values)
-        return p
+        return self.model.Parameters(**values)
 
     def require(self, missing: Sequence[str] | None = None) -> None:
         """An error that names the option of a parameter that has no value."""

@@ -254,8 +254,7 @@ class Followed:
         """Whether no state is left, proved, at the end of the way: the one that is followed may have run to infinity."""
         given = {**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.vary: self.until[rows]}
         eq = equilibria(self.model.Parameters(**given))
-        none: NDArray[np.bool_] = eq.decided & eq.whole & (eq.count == 0)
-        return none
+        return eq.decided & eq.whole & (eq.count == 0)
 
     def _blocks(self) -> Iterator[Any]:
         count = self.begin.size

@@ -75,8 +75,7 @@ def _on_rays(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatAr
     if not met.size:
         return None
     found = _shortened(member, rays[met], radius[met], _COARSE)
-    nearest_one: FloatArray = rays[met[np.argmin(found)]] * found.min()
-    return nearest_one
+    return rays[met[np.argmin(found)]] * found.min()
 
 
 def _rays(size: int) -> FloatArray:

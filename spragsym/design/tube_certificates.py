@@ -190,8 +190,7 @@ class Splitting:
             last = tubes.followed(parts, start, other[k])
             out &= last.z[n] == other[k]
             at[self.tubes.places[k]] = other[k]
-        same: Flags = out & last.lies_in(after, n)
-        return same
+        return out & last.lies_in(after, n)
 
     def run(
         self, share: Callable[[Pieces], FloatArray], most: int, sharp: bool = False
@@ -325,5 +324,4 @@ def certify(
 def _volume(pieces: Pieces) -> FloatArray:
     """Volume of each piece, over the sides that have a width."""
     width = pieces.high - pieces.low
-    out: FloatArray = width.prod(axis=0, where=width > 0)
-    return out
+    return width.prod(axis=0, where=width > 0)

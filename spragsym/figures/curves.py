@@ -49,8 +49,7 @@ class Branch(Columns, held_in="states"):
 
     def shown(self, name: str) -> FloatArray:
         """A column or the parameter as an axis shows it: angles in degrees."""
-        value: FloatArray = as_drawn(self.model, name, self.values if name == self.vary else self.states[name])
-        return value
+        return as_drawn(self.model, name, self.values if name == self.vary else self.states[name])
 
 
 def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:

@@ -103,8 +103,7 @@ def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
     table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
     roots = eigenvalues(table)
     one, other = (roots[..., which] for which in np.triu_indices(roots.shape[-1], 1))
-    gap: FloatArray = (np.abs(one - other) / np.maximum(np.abs(one), np.abs(other))).min(axis=-1)
-    return gap
+    return (np.abs(one - other) / np.maximum(np.abs(one), np.abs(other))).min(axis=-1)
 
 
 def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray]:

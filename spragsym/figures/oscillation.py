@@ -69,8 +69,7 @@ MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 def found_cycles() -> dict[str, Any]:
     """The branches that ``python -m validation.cycle_search`` found, with how they were looked for."""
     text = resources.files(__package__).joinpath("cycles.json").read_text(encoding="utf-8")
-    found: dict[str, Any] = json.loads(text)
-    return found
+    return json.loads(text)
 
 
 def _sliding() -> float:

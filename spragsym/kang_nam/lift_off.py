@@ -95,8 +95,7 @@ def _stationary_on_the_surface(
     a, b, s2 = alpha * cos0, alpha + sigma, sin0**2
     quartic = np.stack([a * a * s2, -2 * a * b * s2, a * a + b * b * s2 - sigma**2, -2 * a * b, b * b], axis=-1)
     roots = eigenvalues(quartic).real
-    stationary: FloatArray = cos0[:, None] - np.concatenate([roots, np.zeros((len(cos0), 1))], axis=1)
-    return stationary
+    return cos0[:, None] - np.concatenate([roots, np.zeros((len(cos0), 1))], axis=1)
 
 
 def _highest_on(way: FloatArray, constants: tuple[float, ...]) -> float:

@@ -36,8 +36,7 @@ def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArr
     q = states[: len(model.coordinates)]
     gap = model.algebra.contact_gap(*q, *of_statics(model, constants))
     closed = np.asarray(gap) <= 0 if model.about["contact"]["unilateral"] else np.ones(np.shape(gap), dtype=bool)
-    force: FloatArray = model.algebra.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
-    return force
+    return model.algebra.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
 
 
 def told_of(model: Any) -> dict[str, Callable[[Any, Sequence[Any]], FloatArray]]:
@@ -46,7 +45,7 @@ def told_of(model: Any) -> dict[str, Callable[[Any, Sequence[Any]], FloatArray]]
 
     def tension(spring: int, states: Any, constants: Sequence[Any]) -> FloatArray:
         tensions = model.algebra.spring_forces(*states[: len(model.coordinates)], *of_statics(model, constants))
-        return tensions[spring]  # type: ignore[no-any-return]
+        return tensions[spring]
 
     count = len(model.about["springs"])
     names = ["spring_force"] if count == 1 else [f"spring_force_{j + 1}" for j in range(count)]

@@ -232,8 +232,7 @@ class Model:
 
 @cache
 def _found(room: str, name: str) -> Callable[..., Any]:
-    found: Callable[..., Any] = getattr(import_module(room, "spragsym"), name)
-    return found
+    return getattr(import_module(room, "spragsym"), name)
 
 
 def _searching(where: str) -> Model:

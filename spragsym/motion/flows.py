@@ -50,8 +50,7 @@ class Flow:
     ) -> Passage:  # fmt: skip
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
         carrier = Flight(self.field, False, rtol=LOOSE) if loose and self.backend == "scipy" else self._by(False)
-        passage: Passage = carrier.fly(state, constants, duration, np.zeros((2, len(self.field.parameters))))
-        return passage
+        return carrier.fly(state, constants, duration, np.zeros((2, len(self.field.parameters))))
 
     @property
     def without(self) -> Flow:

@@ -41,8 +41,7 @@ def sample_times(begin: Any, end: Any) -> FloatArray:
 def _barycentric() -> FloatArray:
     """Barycentric weights of the Lobatto points."""
     points, weights = lobatto()
-    barycentric: FloatArray = np.sqrt(weights) * (-1.0) ** np.arange(len(points))
-    return barycentric
+    return np.sqrt(weights) * (-1.0) ** np.arange(len(points))
 
 
 @dataclass(frozen=True)
@@ -70,8 +69,7 @@ class PiecewisePolynomial:
         hit = distance == 0
         share = _barycentric() / np.where(hit, 1.0, distance)
         share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
-        states: FloatArray = (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
-        return states
+        return (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
 
     def slopes(self, row: int) -> FloatArray:
         """Derivative of a component at the samples; where two steps meet that of the later one."""
@@ -129,5 +127,4 @@ class PiecewisePolynomial:
         half = (times - steps[step])[:, None] / 2
         begun = steps[step][:, None] + half * (points + 1)
         part = (integrands(self.at(np.repeat(step[:, None], len(points), axis=1), begun)) * unit * half).sum(axis=2)
-        integrals: FloatArray = (np.concatenate([np.zeros((len(whole), 1)), whole], axis=1)[:, step] + part).T
-        return integrals
+        return (np.concatenate([np.zeros((len(whole), 1)), whole], axis=1)[:, step] + part).T

@@ -44,8 +44,7 @@ class Closed:
 
 def section(states: FloatArray, fixed: int) -> FloatArray:
     """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates where x' = 0."""
-    kept: FloatArray = np.delete(states, fixed, axis=-1)
-    return kept
+    return np.delete(states, fixed, axis=-1)
 
 
 @dataclass(frozen=True)

@@ -88,8 +88,7 @@ class _Cycle:
             raise ConvergenceError("no cycle: the motion does not return to its section; start elsewhere")
         returns = section(_near(course.maxima[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
         off = np.abs(returns - place).max(axis=1) + np.abs(course.maxima_t[late] / self.orbit.period - 1)
-        found: FloatArray = returns[int(np.argmin(off))]
-        return found
+        return returns[int(np.argmin(off))]
 
 
 def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Outcome | None:
@@ -191,8 +190,7 @@ def _orbit(onward: Onward, state: FloatArray, fixed: int, period: float, scale: 
 def _scale(turns: FloatArray, fixed: int) -> FloatArray:
     """Extents of x, y and y' over all turning points, those across the belt at least 1 % of that along it, or of a turn."""
     extent: FloatArray = np.ptp(turns, axis=0)
-    scale: FloatArray = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
-    return scale
+    return np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
 
 
 def _candidates(states: FloatArray) -> Iterator[int]:

@@ -193,22 +193,19 @@ class Trajectory(Named):
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""
-        energy: FloatArray = self.model.algebra.energy(*self.state, *self._arguments(), self._pushing())
-        return energy
+        return self.model.algebra.energy(*self.state, *self._arguments(), self._pushing())
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
         _, slip = self._levels()
         side, felt = np.where(slip >= 0, 1, -1), [1] * self.model.about["layers"]
-        power: FloatArray = self.model.algebra.friction_power(*self.state, *self._arguments(), self._pushing(), side, *felt)
-        return power
+        return self.model.algebra.friction_power(*self.state, *self._arguments(), self._pushing(), side, *felt)
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
         motion, taken = self.model.algebra, self._arguments()
         others = motion.damper_power(*self.state, *taken) + motion.applied_power(*self.state, *taken)
-        power: FloatArray = self.friction_power() + others
-        return power
+        return self.friction_power() + others
 
     def spring_force(self, spring: str | None = None) -> FloatArray:
         """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names one of several."""
@@ -266,8 +263,7 @@ class Trajectory(Named):
         return 0 if of is None else offered.index(of)
 
     def _values(self, of: str | None) -> FloatArray:
-        values: FloatArray = self.state[self._row(of, self.components)]
-        return values
+        return self.state[self._row(of, self.components)]
 
     def _centre(self, of: str | None, about: str) -> float:
         if about not in ("zero", "mean"):

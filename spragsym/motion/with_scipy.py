@@ -298,5 +298,4 @@ def _stepped(method: Any, rates: Any, begin: float, state: FloatArray, end: floa
     solver = method(rates, begin, state, end, first_step=end - begin, **options)
     while solver.status == "running":
         solver.step()
-    reached: FloatArray = solver.y
-    return reached
+    return solver.y

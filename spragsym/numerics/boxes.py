@@ -264,8 +264,7 @@ class _Search:
 
 def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
     """A box narrowed, but not to the last digit: a component that converges before the others keeps room until all are proved."""
-    narrowed: FloatArray = np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
-    return narrowed
+    return np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
 
 
 def _parted(pairs: Pairs) -> Pairs:

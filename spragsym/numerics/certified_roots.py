@@ -80,8 +80,7 @@ def concatenated(parts: Sequence[Roots], n: int) -> Roots:
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the components."""
-    out: FloatArray = raised((contractors.distance(ends, middle) / np.maximum(1.0, np.abs(middle))).max(axis=0))
-    return out
+    return raised((contractors.distance(ends, middle) / np.maximum(1.0, np.abs(middle))).max(axis=0))
 
 
 def search(system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any) -> Roots:

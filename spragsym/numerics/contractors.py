@@ -32,8 +32,7 @@ class Newton:
 
 def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """|x − m| over boxes of shape (2, n, N)."""
-    out: FloatArray = np.maximum(*raised(ends + np.stack([middle, -middle])))
-    return out
+    return np.maximum(*raised(ends + np.stack([middle, -middle])))
 
 
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
@@ -87,8 +86,7 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
 def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:
     """Not less than Σ_j m_ij r_j, each row's sum of products of numbers that are not negative."""
     # Products and sums lose at most n/2 units, the bound itself another one; twice as much is added.
-    out: FloatArray = (magnitude * reach[None]).sum(axis=1) * (1 + 2 * (len(reach) + 1) * EPS) + TINY
-    return out
+    return (magnitude * reach[None]).sum(axis=1) * (1 + 2 * (len(reach) + 1) * EPS) + TINY
 
 
 def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
@@ -109,20 +107,17 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
 
 def inside(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
     """Boxes, shape (2, n, N), of which the one lies in the interior of the other."""
-    out: NDArray[np.bool_] = np.logical_and.reduce(inner < outer, axis=(0, 1))
-    return out
+    return np.logical_and.reduce(inner < outer, axis=(0, 1))
 
 
 def within(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
     """Boxes of which the one lies in the other, its border included."""
-    out: NDArray[np.bool_] = np.logical_and.reduce(inner <= outer, axis=(0, 1))
-    return out
+    return np.logical_and.reduce(inner <= outer, axis=(0, 1))
 
 
 def apart(one: FloatArray, other: FloatArray) -> NDArray[np.bool_]:
     """Boxes that have no common point."""
-    out: NDArray[np.bool_] = np.logical_or.reduce(one + other[::-1] < 0, axis=(0, 1))
-    return out
+    return np.logical_or.reduce(one + other[::-1] < 0, axis=(0, 1))
 
 
 def inverse(matrices: FloatArray) -> FloatArray:
@@ -148,8 +143,7 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     regular = np.abs(np.linalg.det(alike)) > 1e-200
     # Scaled for the inverse, too: pivots of tiny matrices may vanish.
     inverses = np.linalg.inv(np.where(regular[:, None, None], alike, np.eye(matrices.shape[0])))
-    out: FloatArray = np.moveaxis(inverses / np.where(regular, scale, 1.0)[:, None, None], 0, -1)
-    return out
+    return np.moveaxis(inverses / np.where(regular, scale, 1.0)[:, None, None], 0, -1)
 
 
 def product(Y: FloatArray, ends: FloatArray) -> FloatArray:
@@ -161,5 +155,4 @@ def product(Y: FloatArray, ends: FloatArray) -> FloatArray:
         part = scaled(ends[:, None, k], Y[None, :, k, None])
         total, size = total + part, size + np.abs(part)
     # n products, each rounded, and n − 1 sums: less than n units of 2⁻⁵² of the sum of the sizes.
-    out: FloatArray = total + (size * ((n + 1) * EPS) + TINY)
-    return out
+    return total + (size * ((n + 1) * EPS) + TINY)

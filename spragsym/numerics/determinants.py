@@ -60,8 +60,7 @@ def pencil(*matrices: Sequence[Sequence[Any]]) -> list[list[Polynomial]]:
 
 def characteristic(*matrices: Sequence[Sequence[Any]]) -> list[Any]:
     """Coefficients of det(A + λ B + λ² C + …), the lowest first."""
-    coefficients: list[Any] = determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
-    return coefficients
+    return determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
 
 
 def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Any:

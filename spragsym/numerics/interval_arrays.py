@@ -80,14 +80,12 @@ class Intervals(Arithmetic):
     @property
     def low(self) -> FloatArray:
         """Lower ends."""
-        low: FloatArray = -self.ends[0]
-        return low
+        return -self.ends[0]
 
     @property
     def high(self) -> FloatArray:
         """Upper ends."""
-        high: FloatArray = self.ends[1]
-        return high
+        return self.ends[1]
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -97,14 +95,12 @@ class Intervals(Arithmetic):
     @property
     def magnitude(self) -> FloatArray:
         """Largest |x| of each."""
-        largest: FloatArray = np.maximum(self.ends[0], self.ends[1])
-        return largest
+        return np.maximum(self.ends[0], self.ends[1])
 
     @property
     def mignitude(self) -> FloatArray:
         """Smallest |x| of each."""
-        smallest: FloatArray = np.maximum(-np.minimum(self.ends[0], self.ends[1]), 0.0)
-        return smallest
+        return np.maximum(-np.minimum(self.ends[0], self.ends[1]), 0.0)
 
     @property
     def width(self) -> FloatArray:
@@ -115,13 +111,11 @@ class Intervals(Arithmetic):
     def middle(self) -> FloatArray:
         """A float inside of each, the nearest to its middle or next to it."""
         halved = 0.5 * self.ends
-        middle: FloatArray = np.clip(halved[1] - halved[0], -self.ends[0], self.ends[1])
-        return middle
+        return np.clip(halved[1] - halved[0], -self.ends[0], self.ends[1])
 
     def holds_zero(self) -> NDArray[np.bool_]:
         """Whether each holds 0, or bounds nothing."""
-        out: NDArray[np.bool_] = ~((self.ends[0] < 0) | (self.ends[1] < 0))
-        return out
+        return ~((self.ends[0] < 0) | (self.ends[1] < 0))
 
     def __getitem__(self, index: Any) -> Intervals:
         index = index if isinstance(index, tuple) else (index,)
@@ -270,8 +264,7 @@ def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
 
 def scaled(ends: FloatArray, factor: FloatArray) -> FloatArray:
     """Ends of the product with numbers of either sign, rounded to nearest."""
-    out: FloatArray = np.maximum(ends * factor, -(ends[::-1] * factor))
-    return out
+    return np.maximum(ends * factor, -(ends[::-1] * factor))
 
 
 def _aligned(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -301,8 +294,7 @@ def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
     least, most = np.where(negative, one[::-1], one)  # −least and greatest dividend, its sign turned for negative divisors
     far = np.where(negative, other[0], other[1])
     ends = np.stack([np.where(least > 0, np.inf, least / far), np.where(most > 0, np.inf, most / far)])
-    out: FloatArray = np.where(positive | negative, ends, np.nan)
-    return out
+    return np.where(positive | negative, ends, np.nan)
 
 
 def _not_negative(ends: FloatArray) -> FloatArray:

@@ -97,5 +97,4 @@ def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
 
 def _bounded_by_pi(ends: FloatArray) -> FloatArray:
     """Upper bounds of angles that NumPy gives, none of which is larger than π."""
-    out: FloatArray = np.minimum(raised(ends, FUNCTION_ULPS), raised(np.array(np.pi)))
-    return out
+    return np.minimum(raised(ends, FUNCTION_ULPS), raised(np.array(np.pi)))

@@ -83,8 +83,7 @@ class Jet(Arithmetic):
 
     def __mul__(self, other: Any) -> Jet:
         if other is self:
-            square: Jet = self**2
-            return square
+            return self**2
         if not isinstance(other, Jet):
             if is_zero(other):
                 return Jet({}, self.order)

@@ -74,5 +74,4 @@ def _halved(blocks: NDArray[np.int64], low: FloatArray, along: NDArray[np.int64]
     keys = np.where(blocks >= 0, low[along[:, None], blocks], np.inf)
     half = blocks.shape[1] // 2
     ranks = np.argpartition(keys, half - 1, axis=1) if half > 1 else np.argsort(keys, axis=1, kind="stable")
-    out: NDArray[np.int64] = np.take_along_axis(blocks, ranks, axis=1).reshape(-1)
-    return out
+    return np.take_along_axis(blocks, ranks, axis=1).reshape(-1)

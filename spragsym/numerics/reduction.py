@@ -139,8 +139,7 @@ class _Task:
 
     def third(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Ball:
         """The third coefficient of the expansion about any point of a span."""
-        last: Ball = self._expansion(balls.between(*span), others, 3)[2]
-        return last
+        return self._expansion(balls.between(*span), others, 3)[2]
 
     def at(self, u: Fraction, others: Sequence[Ball]) -> list[Any]:
         """The other coefficients of the expansion about a point."""

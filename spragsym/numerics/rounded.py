@@ -28,7 +28,7 @@ def repeated_product(self: _Number, power: int) -> _Number:
     result: Any = self
     for _ in range(power - 1):
         result = result * self
-    return result  # type: ignore[no-any-return]  # a product of numbers of the type is one
+    return result
 
 
 class Rounded(Arithmetic):

@@ -83,8 +83,7 @@ class Rates:
     @cached_property
     def exponents(self) -> FloatArray:
         """Means: along the flow, then across it."""
-        means: FloatArray = self.logs.sum(axis=0) / self.span
-        return means
+        return self.logs.sum(axis=0) / self.span
 
     @cached_property
     def error(self) -> FloatArray:

@@ -201,5 +201,4 @@ def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
         return {"proved": False, "reason": f"it was given up after {patience:g} s; give a larger patience or fewer digits"}
     if done.returncode:
         raise ConvergenceError(f"the proof stopped: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}")
-    found: dict[str, Any] = json.loads(done.stdout)
-    return found
+    return json.loads(done.stdout)

@@ -132,8 +132,7 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 
 def ending(study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False) -> FloatArray:
     """Whether brakes, by their quantities in SI, jump: up to a target, or up to the own value of each that works."""
-    found: FloatArray = have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
-    return found
+    return have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:

@@ -131,8 +131,7 @@ class Equilibria(OfStates):
     @property
     def regime(self) -> str:
         """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or ``"rest"`` without friction too."""
-        word: str = self._model.regimes[self.contact]
-        return word
+        return self._model.regimes[self.contact]
 
     @property
     def states(self) -> tuple[NDArray[np.int64], ...]:

@@ -179,5 +179,4 @@ def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any])
         anchor = balance.anchors(q, values, ends.shape[2:])[spring]
         for place, end in zip(places, anchor, strict=True):
             hull[:, place] = np.maximum(hull[:, place], raised(end.ends + LENGTH))
-    out: FloatArray = np.minimum(hull, balance.border[:, :, None])
-    return out
+    return np.minimum(hull, balance.border[:, :, None])

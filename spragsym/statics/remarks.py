@@ -64,11 +64,10 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     anchor &= ~pole & (relative <= SMALL)
     border &= ~(pole | anchor) & (relative <= SMALL)
     rest = ~(pole | anchor | border | free)
-    kinds: list[str] = np.select(
+    return np.select(
         [free, pole, anchor, border, rest & (relative <= ONE_PLACE), rest & (relative <= SMALL)],
         [FREE, POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
     ).tolist()  # fmt: skip
-    return kinds
 
 
 def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:

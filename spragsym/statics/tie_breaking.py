@@ -33,8 +33,7 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> ND
         here = np.where(left, one, np.inf)
         least = here.min(axis=-1, keepdims=True, initial=np.inf)
         left &= here <= least + room
-    slots: NDArray[np.intp] = left.argmax(axis=-1)
-    return slots
+    return left.argmax(axis=-1)
 
 
 def in_order(rows: FloatArray, error: FloatArray, point: NDArray[np.int64]) -> NDArray[np.intp]:

@@ -143,8 +143,7 @@ class Place(ByColumn):
         """
         apart = np.abs(self.z - other.z - shift) + turned
         within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
-        same: Flags = self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
-        return same
+        return self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
 
 
 def beside_tube(
@@ -172,8 +171,7 @@ class Slopes:
 
     def taken(self, value: Any) -> Intervals:
         """A number of the type as an interval."""
-        interval: Intervals = value if self.Y is None else value.interval()
-        return interval
+        return value if self.Y is None else value.interval()
 
     def forces(self, found: Intervals) -> Intervals:
         """Forces, shape (n, N), as these rows have them."""

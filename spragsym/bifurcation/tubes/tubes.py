@@ -141,8 +141,7 @@ class Tubes:
     def apart(self, parts: Parts) -> FloatArray:
         """How far the free parameters lie from their middles at most."""
         wide = self._span(parts)
-        apart: FloatArray = np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
-        return apart
+        return np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
 
     def _others(self, pivot: int) -> list[int]:
         return [each for each in range(self.n + 1) if each != pivot]
@@ -213,8 +212,7 @@ class Tubes:
     @staticmethod
     def _moved(middle: FloatArray, half: FloatArray, pivot: int) -> FloatArray:
         """How far the pivot's values lie from the middle, which is rounded."""
-        moved: FloatArray = np.where(half > 0, half * UP + np.spacing(np.abs(middle[pivot]) + half), 0.0)
-        return moved
+        return np.where(half > 0, half * UP + np.spacing(np.abs(middle[pivot]) + half), 0.0)
 
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,

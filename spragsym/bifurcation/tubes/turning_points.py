@@ -91,8 +91,7 @@ def _on(
 
 
 def _size(z: FloatArray) -> FloatArray:
-    size: FloatArray = np.maximum(np.abs(z), SMALL)
-    return size
+    return np.maximum(np.abs(z), SMALL)
 
 
 def secants(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:

@@ -67,7 +67,7 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     """From the relation that does not lose it: the first has the factor cos θ."""
     u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, np.cos(theta0), np.sin(theta0), *fixed)
-    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]  # NumPy gives Any
+    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)
 
 
 _FOLD = Condition(_polynomial, _friction)

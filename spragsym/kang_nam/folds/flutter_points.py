@@ -71,8 +71,7 @@ def _frequency(theta: FloatArray, L: FloatArray, alpha: float, sigma: float, bet
     """ω of the two modes that meet: ω² is half the trace of K, which has no friction."""
     K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, alpha, sigma, beta, 1)
     trace, *_ = _stability.invariants(*K[0], *K[1])
-    omega: FloatArray = np.sqrt(0.5 * trace)
-    return omega
+    return np.sqrt(0.5 * trace)
 
 
 def _row(onset: Onset) -> tuple[float, ...]:
@@ -164,7 +163,7 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     kappa, alpha, sigma, beta = fixed
     L, _, _ = kernel.state(c, s, np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
-    return _stability.flutter_friction(c, s, L, alpha, sigma, beta)  # type: ignore[no-any-return]  # NumPy gives Any
+    return _stability.flutter_friction(c, s, L, alpha, sigma, beta)
 
 
 _ONSET = Condition(_polynomial, _friction)

@@ -69,7 +69,7 @@ class Elimination:
 
             def resultant(c: Fraction, s: Fraction) -> Fraction:
                 X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
-                return X * X - Y * Z  # type: ignore[no-any-return]  # intervals and arrays alike
+                return X * X - Y * Z
 
             return self.polynomial(resultant, _DEGREE)
         others = self.mu0, self.kappa, self.sigma, self.beta

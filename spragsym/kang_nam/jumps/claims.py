@@ -48,7 +48,7 @@ class Claim:
 
 def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
     """f, f′, f_μ₀ and f_μ₀′."""
-    return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]  # of any number type
+    return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)
 
 
 def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:

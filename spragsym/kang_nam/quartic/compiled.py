@@ -68,5 +68,4 @@ def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.fl
     if slots not in kept or kept[slots][0].size < size:
         kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]
         kept[slots] = np.empty(size, dtype=np.int64), tuple(np.empty((size, slots), dtype=kind) for kind in kinds)
-    room: tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]] = kept[slots]
-    return room
+    return kept[slots]

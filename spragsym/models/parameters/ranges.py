@@ -42,8 +42,7 @@ class Range:
         """Where numbers are allowed."""
         above = values > self.low if self.open_low else values >= self.low
         below = values <= self.high if self.closed_high else values < self.high
-        allowed: NDArray[np.bool_] = np.isfinite(values) & above & below
-        return allowed
+        return np.isfinite(values) & above & below
 
     def __str__(self) -> str:
         low = "(" if self.open_low or math.isinf(self.low) else "["

@@ -80,8 +80,7 @@ class Balance(Forces, System):
         def unbalanced(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
             place, some = [part[rows] for part in q], taken(values, rows)
             forces = self.call("forces", place, self.directions(place, some, rows.shape, sides=sides), some)
-            no_root: NDArray[np.bool_] = ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
-            return no_root
+            return ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
 
         return out | self.beside_jumps(q, values, ~out, unbalanced)
 

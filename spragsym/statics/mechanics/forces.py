@@ -138,8 +138,7 @@ class Forces:
 
     def of_no_place(self, name: str, values: Mapping[str, Any], xp: Any = XP) -> Sequence[Any]:
         """A function that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
-        found: Sequence[Any] = self._of(name, [0] * self.n, values, kind="statics", xp=xp)
-        return found
+        return self._of(name, [0] * self.n, values, kind="statics", xp=xp)
 
     def at_rest(self, values: Mapping[str, Any], xp: Any = XP) -> list[tuple[Any, Any]]:
         """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
@@ -169,8 +168,7 @@ class Forces:
         if not any(_is_wide(values[code]) for parts in self.angles.values() for code in parts):
             return [None] * self.springs
         fixed = [jets.constant(part) for part in (*q, *self._listed(values, "statics"))]
-        found: Sequence[Any] = undecorated(self.model.algebra.squared_lengths)(*fixed, xp=XP)
-        return found
+        return undecorated(self.model.algebra.squared_lengths)(*fixed, xp=XP)
 
     def _turnings(
         self,
@@ -272,8 +270,7 @@ class Forces:
 
     def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
         """The image of a state in the model's mirror."""
-        image: Sequence[Any] = self._of("mirror", q, values, kind="statics", xp=XP)
-        return image
+        return self._of("mirror", q, values, kind="statics", xp=XP)
 
 
 def _is_nothing(values: Intervals) -> bool:

@@ -58,8 +58,7 @@ class Scaled(Arithmetic):
         return Scaled(self.value / other.value, self.order - other.order, self.w)
 
     def __rtruediv__(self, other: Any) -> Any:
-        quotient: Scaled = self._of(other) / self
-        return quotient
+        return self._of(other) / self
 
     def __pow__(self, power: int) -> Any:
         return Scaled(self.value**power, self.order * power, self.w)

@@ -63,8 +63,7 @@ class PreciseBalance(Digits):
 
     def _called(self, name: str, q: Sequence[Any]) -> Sequence[Any]:
         directions = self.balance.plain_directions(q, self.arguments, XP)
-        rows: Sequence[Any] = self.balance.call(name, q, directions, self.arguments, XP)
-        return rows
+        return self.balance.call(name, q, directions, self.arguments, XP)
 
 
 def renewed(found: Roots, around: FloatArray, points: NDArray[np.int64], parts: Sequence[Roots]) -> Roots:
@@ -168,5 +167,4 @@ def clusters(boxes: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, N
 
 
 def _around(boxes: FloatArray) -> FloatArray:
-    out: FloatArray = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
-    return out
+    return boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)

@@ -32,8 +32,7 @@ class State:
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""
-        rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values, self.xp)
-        return rows
+        return self.balance.call("forces", self.q, self.directions, self.values, self.xp)
 
     def slopes(self) -> list[list[Any]]:
         """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""

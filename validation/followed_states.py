@@ -16,8 +16,7 @@ import numpy as np
 import spragsym as ss
 from spragsym.models.load import load
 from spragsym.report.brake_files import example
-from spragsym.report.facts import Asked
-from spragsym.report.reports import report as report_of
+from spragsym.report.reports import Asked, Report
 
 CASES = 200
 MODELS = ("kang_nam", "sprag_rod", "two_springs", "cubic_contact", "damped")
@@ -60,7 +59,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         file = Path(folder) / "brake.toml"
         file.write_text("\n".join(lines), encoding="utf-8")
         study = ss.Study.from_file(file)
-    report = report_of(study, Asked(False, False, False, 1.2, None), now=False)
+    report = Report(study, Asked(False, False, False))
     verdict = next(report.blocks())
     end = end_by_hand(study.dimensionless, study.full[2])
     spared, wrong = "does not sprag" in verdict, []

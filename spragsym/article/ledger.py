@@ -24,7 +24,7 @@ class Found:
     """The result of a computation: whether the row's outcome holds, and the values behind it."""
 
     holds: bool
-    values: dict[str, Value]
+    values: dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,8 @@ class Statement:
 
         name, *arguments = [self.computed] if isinstance(self.computed, str) else self.computed
         function = getattr(computed, name, None) or getattr(oscillation, name)
-        return function(*arguments)
+        holds, values = function(*arguments)
+        return Found(bool(holds), values)
 
 
 def package_text(name: str, package: str = "spragsym.article") -> str:

@@ -169,9 +169,9 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     # Points at which two conditions hold, and those at which the kind of the onset changes.
     of_two = {name: getattr(found.points, name) for name in (*names, *coordinates, "error")}
     points = [
-        case.row({"kind": kind, **{name: at[name][row] for name in (*names, *coordinates)}}) | {"error": float(at["error"][row])}
+        row
         for kinds, at in ((found.points.kind, of_two), (["GH"] * len(found.changes["error"]), found.changes))
-        for row, kind in enumerate(kinds)
+        for row in case.rows({"kind": kinds, **{name: at[name] for name in (*names, *coordinates)}}, error=at["error"].tolist())
     ]
     told = {
         "curves": curves, "points": points, "complete": found.complete,

@@ -161,14 +161,15 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[st
         branch = cycle_branch(found, along.name, (low, high), points=points)
     if plot is not None:
         _draw(case, branch, plot)
+    events = branch.events
     columns = {along.name: branch.values, "period": branch.periods, "rms": branch.rms, "stable": branch.stable}
     return {
-        "branch": [case.row(dict(zip(columns, row, strict=True))) for row in zip(*columns.values(), strict=True)],
-        "branch_events": [
-            case.row({"kind": event.kind, along.name: event.value}) | {"error": unit * event.error}
-            | case.row({"period": event.cycle.period}) | {"how": how}
-            for event, how in zip(branch.events, case.said(event.how for event in branch.events), strict=True)
-        ],
+        "branch": case.rows(columns),
+        "branch_events": case.rows(
+            {"kind": [event.kind for event in events], along.name: [event.value for event in events]},
+            error=[unit * event.error for event in events], **case.row({"period": [event.cycle.period for event in events]}),
+            how=case.said(event.how for event in events),
+        ),
     }  # fmt: skip
 
 

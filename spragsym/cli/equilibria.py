@@ -138,13 +138,14 @@ def _states(case: Case, point: dict[str, float]) -> dict[str, Any]:
     return told
 
 
-def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> Iterator[dict[str, Any]]:
+def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[dict[str, Any]]:
     """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of each state.
 
     ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
     """
-    names = (*eq.columns, "eigenvalues", "damped_eigenvalues", "growth")
-    for slot in ((*point, number) for number in range(int(eq.count[point]))):
-        words = {"state": eq.regime, "stability": Stability(int(eq.stability[slot])).name.lower(), "damped": str(eq.damped[slot])}
-        known = {"error": float(eq.error[slot]), "marginal": bool(eq.marginal[slot])}
-        yield words | case.row({name: getattr(eq, name)[slot] for name in names}) | known
+    count = int(eq.count[point])
+    names = ("damped", *eq.columns, "eigenvalues", "damped_eigenvalues", "growth", "error", "marginal")
+    columns = {name: getattr(eq, name)[point][:count] for name in names}
+    words = {"state": [eq.regime] * count, "stability": [Stability(code).name.lower() for code in eq.stability[point][:count]]}
+    error, marginal = (columns.pop(name).tolist() for name in ("error", "marginal"))
+    return case.rows(words | columns, error=error, marginal=marginal)

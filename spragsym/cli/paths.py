@@ -48,14 +48,8 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     along = case.span
     with show_progress(f"following a state along {along.name}"):
         found = ss.quasi_static_path(case.following(case.set(along.name), near), along.name, along.values, **case.ask)
-    states = [
-        case.row({
-            along.name: found.values[row], "stability": Stability(int(found.stability[row])).name.lower(),
-            "damped": str(found.damped[row]), "growth": found.growth[row],
-            **{name: found.places[name][row] for name in found.columns},
-        })
-        for row in range(found.values.size)
-    ]  # fmt: skip
+    words = {"stability": [Stability(code).name.lower() for code in found.stability], "damped": found.damped.astype(str)}
+    states = case.rows({along.name: found.values, **words, "growth": found.growth, **found.places})
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})
         | {key: one for end in ("before", "after") for key, one in _places(case, found.columns, getattr(jump, end), end).items()}

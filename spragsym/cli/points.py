@@ -20,25 +20,18 @@ BESIDE = ("lyapunov", "lyapunov_error", "crossing", "why")
 
 def points_of(case: Case, found: Any, after: bool = False) -> dict[str, Any]:
     """A row for each point, whether these are all, what was searched, and the undecided boxes; ``after`` at any cost."""
-    following = (found.after if after else after_if_known(found)) if len(found.vary) == 1 else {}
-    names = (*case.model.coordinates, *found.vary)
-    searched, *undecided = case.boxes([found.region, *found.undecided], names)
-    return {
-        "points": [_row(case, found, row, following) for row in range(len(found))], "complete": bool(found.complete),
-        "searched": searched, "undecided": undecided, "remarks": case.said(found.remarks),
-    }  # fmt: skip
-
-
-def _row(case: Case, found: Any, row: int, after: Mapping[str, Any]) -> dict[str, Any]:
-    def at(*names: str) -> dict[str, Any]:
-        return {name: getattr(found, name)[row] for name in names}
-
-    told = case.row(at(*found.vary, "kind", *found.columns))
+    names, following = [*found.vary, "kind", *found.columns], {}
     if hasattr(found, "criticality"):
-        told |= case.row(at("omega", "criticality", "when", *BESIDE))
+        names += ["omega", "criticality", "when", *BESIDE]
     elif len(found.vary) == 1:
-        told |= case.row(at("ends", "when")) | case.row({name: column[row] for name, column in after.items()}, "_after")
-    return told | {"error": float(found.error[row])}
+        names += ["ends", "when"]
+        following = case.row(found.after if after else after_if_known(found), "_after")
+    points = case.rows({name: getattr(found, name) for name in names}, **following, error=found.error.tolist())
+    searched, *undecided = case.boxes([found.region, *found.undecided], (*case.model.coordinates, *found.vary))
+    return {
+        "points": points, "complete": bool(found.complete), "searched": searched, "undecided": undecided,
+        "remarks": case.said(found.remarks),
+    }  # fmt: skip
 
 
 def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> None:

@@ -54,15 +54,14 @@ def report(
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)
     from ..report.brake_files import read_brake
-    from ..report.facts import Asked
-    from ..report.reports import report as report_of
+    from ..report.reports import Asked, Report
 
     study = read_brake(file, trust or model or False)  # the report has its own warnings
     if model not in (None, study.model):
         raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
     options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
     less = f" ({' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest)" if options else ""
-    found = report_of(study, Asked(True, redesign, oscillation, safety, None), now=False)
+    found = Report(study, Asked(redesign=redesign, oscillation=oscillation, safety=safety))
     blocks = found.blocks()
 
     def computed() -> str | None:

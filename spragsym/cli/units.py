@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -57,6 +57,11 @@ class Units:
         """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
         titles = ((self.of(name, end), value) for name, value in values.items())
         return {title: _scaled(value, size) for (title, size), value in titles}
+
+    def rows(self, columns: Mapping[str, Any], end: str = "", **more: Sequence[Any]) -> list[dict[str, Any]]:
+        """Rows of columns of one length, and of those that have no unit."""
+        told = {**self.row(columns, end), **more}
+        return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
 
     def varied(self, name: str) -> tuple[str, float, str]:
         """A parameter, or with a file its quantity: the parameter, its unit in SI, and its title."""

@@ -77,7 +77,9 @@ def dependence(names: Sequence[str], correlation: Correlation | None = None) -> 
     matrix = np.eye(len(names))
     for pair, given in (correlation or {}).items():
         if not (isinstance(pair, tuple) and len(pair) == 2 and pair[0] != pair[1] and set(pair) <= set(names)):
-            raise ParameterError(f"correlation of {pair!r}: give two of the quantities that vary: {', '.join(names)}")
+            raise ParameterError(
+                f"correlation of {pair!r}: give two of the quantities that vary, {', '.join(names) or 'of which there are none'}"
+            )
         i, j = (names.index(name) for name in pair)
         if matrix[i, j]:
             raise ParameterError(f"correlation of {pair!r} is there twice; keep one of the two")

@@ -8,38 +8,33 @@ those of the whole do.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..bifurcation.tubes.tube_regions import ByColumn, Flags, halves
-from ..errors import ParameterError
+from ..bifurcation.tubes.tube_regions import Flags
+from ..models.parameters import ParameterSet
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals, raised
-from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from ..statics import spectrum
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.border import on_side, once_around
 from ..statics.regions import region
-from .certificates import Certificate
+from .certificates import Claim, Held, corner_values
 
-#: Parts that are searched at once, and boxes of coordinates of one of them: what needs more is halved sooner.
-BATCH, BUDGET = 64, 600
+#: Boxes of coordinates of one part: what needs more is halved sooner.
+BUDGET = 600
 #: Relative width of boxes of coordinates that are not halved any more.
 NARROW = 2.0**-20
 #: What the relative width of a side counts beside its effect on the states.
 SLIGHT = 1e-6
 #: Room around the states of a part where those of its halves are looked for.
 ROOM = 1e-6
-#: Most corners of a box that are looked at for a counterexample.
-CORNERS = 64
 
 
 @dataclass(frozen=True)
@@ -54,7 +49,7 @@ class Found:
     open: Flags
 
 
-Claim: TypeAlias = Callable[[Balance, Found], Flags]
+Test: TypeAlias = Callable[[Balance, Found], Flags]
 
 
 def _one(balance: Balance, found: Found) -> Flags:
@@ -82,78 +77,48 @@ def _flutters(eq: Equilibria) -> Flags:
 
 
 #: For each claim where it holds, and at which points it is refuted.
-STATES: dict[str, tuple[Claim, Callable[[Equilibria], Flags]]] = {
+STATES: dict[str, tuple[Test, Callable[[Equilibria], Flags]]] = {
     "one equilibrium": (_one, _not_one),
     "no flutter": (_none_flutters, _flutters),
 }
 
 
-def certify_states(low: Any, high: Any, claim: str, max_boxes: int, refute: bool) -> Certificate:
-    """:func:`spragsym.design.tube_certificates.certify` for the claims of :data:`STATES`."""
-    box = _Box(low, high, claim)
-    if claim == "no flutter" and box.without_flutter():
-        return Certificate(claim, "proved", None, 0.0, 1)
-    if refute and (found := box.refuting(corners(box.whole.low[:, 0], box.whole.high[:, 0]))) is not None:
-        return Certificate(claim, "refuted", found, 1.0, 1)
-    pending, seen, proved, thin = box.whole, 0, 0.0, 0.0
-    while pending.share.size and seen < max_boxes:
-        order = np.argsort(-pending.share, kind="stable")
-        taken = order[: min(BATCH, max_boxes - seen)]
-        some, rest = pending[taken], pending[order[taken.size :]]
-        with doing("{} of at most {} parts of the box looked at, {} open", seen, max_boxes, pending.share.size):
-            holds, states, around = box.settled(some)
-        seen += taken.size
-        proved += float(some.share[holds].sum())
-        open_ = np.flatnonzero(~holds)
-        divisible = (np.nextafter(some.low, np.inf) < some.high).any(axis=0)
-        thin += float(some.share[~holds & ~divisible].sum())
-        if refute and open_.size and (found := box.refuting(0.5 * (some.low + some.high)[:, open_])) is not None:
-            return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
-        pending = rest.then(box.halved(replace(some, around=around), states, np.flatnonzero(~holds & divisible)))
-    left = thin + float(pending.share.sum())
-    return Certificate(claim, "undecided" if left else "proved", None, left, seen)
-
-
 @dataclass(frozen=True)
-class Parts(ByColumn):
-    """Parts of a box, one a column: ends of all parameters, shape (P, N), their share of it, and where their states are.
+class Parts(Held):
+    """Parts, and where their states are: ``around``, shape (2, n, N), is infinite where nothing is known of that."""
 
-    ``around``, shape (2, n, N), is infinite where nothing is known of that.
-    """
-
-    low: FloatArray
-    high: FloatArray
-    share: FloatArray
     around: FloatArray
 
 
-class _Box:
-    """A box of parameters, and a claim about it."""
+class ClaimOfStates(Claim):
+    """One of the claims of :data:`STATES`."""
 
     def __init__(self, low: Any, high: Any, claim: str) -> None:
         self.model = low.model
         self.balance = Balance(self.model, contact=True)
-        self.holds, self.fails = STATES[claim]
-        ends = corner_values(self.balance.parameters, low, high)
+        self.sides = tuple(self.balance.parameters)
+        self.true, self.false = STATES[claim]
+        ends = corner_values(self.sides, low, high)
         nowhere = np.full((2, self.balance.n, 1), np.inf)
-        self.whole = Parts(ends[0][:, None], ends[1][:, None], np.ones(1), nowhere)
+        never = claim == "no flutter" and self._without_flutter(*ends)
+        self.whole = Parts(ends[0][:, None], ends[1][:, None], np.array([never]), nowhere)
 
-    def without_flutter(self) -> bool:
+    def _without_flutter(self, low: FloatArray, high: FloatArray) -> bool:
         """Whether no state of the box can flutter, wherever it is."""
-        bounds = self.balance.prepared(Intervals.between(self.whole.low, self.whole.high))
+        bounds = self.balance.prepared(Intervals.between(low[:, None], high[:, None]))
         return bool(spectrum.without_flutter(self.balance, bounds).all())
 
-    def refuting(self, points: FloatArray) -> Any:
-        """The first of some points at which the claim is proved to be false, or None."""
-        p = self.model.Parameters(**dict(zip(self.balance.parameters, points, strict=True)))
-        fails = np.flatnonzero(self.fails(equilibria(p)))
-        if not fails.size:
-            return None
-        values = points[:, fails[0]].tolist()
-        return self.model.Parameters(**dict(zip(self.balance.parameters, values, strict=True)))
+    def point(self, values: FloatArray) -> ParameterSet:
+        p: ParameterSet = self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
+        return p
 
-    def settled(self, parts: Parts) -> tuple[Flags, Roots, FloatArray]:
-        """Parts for which the claim holds; their states; and the boxes around those, infinite where unknown."""
+    def refuted(self, points: FloatArray) -> ParameterSet | None:
+        fails = np.flatnonzero(self.false(equilibria(self.point(points))))
+        return self.point(points[:, fails[0]].tolist()) if fails.size else None
+
+    def settled(self, parts: Parts, sharp: bool = False) -> tuple[Parts, FloatArray]:
+        if parts.holds.all():
+            return parts, parts.low
         balance, bounds = self.balance, Intervals.between(parts.low, parts.high)
         around: FloatArray = parts.around
         whole = np.asarray(np.isfinite(around).all(axis=(0, 1)))
@@ -177,15 +142,8 @@ class _Box:
         room = ROOM + boxes.MARGIN * np.maximum(where[0] + where[1], 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
         with np.errstate(all="ignore"):
-            holds = whole & self.holds(balance, Found(bounds, states, open_))
-        return holds, states, where
-
-    def halved(self, parts: Parts, states: Roots, which: NDArray[np.int64]) -> Parts:
-        """Some parts, each cut across the side that matters most."""
-        some, weight = parts[which], self._weights(parts, states)[:, which]
-        _, high, low = halves(some.low, some.high, weight)
-        half = replace(some, share=0.5 * some.share)
-        return replace(half, high=high).then(replace(half, low=low))
+            holds = whole & self.true(balance, Found(bounds, states, open_))
+        return replace(parts, holds=holds, around=where), self._weights(parts, states)
 
     def _weights(self, parts: Parts, states: Roots) -> FloatArray:
         """By how far each parameter moves the states of each part, shape (P, N)."""
@@ -204,21 +162,3 @@ class _Box:
                 moved = np.einsum("Nij,jN->iN", back, pushed) / np.maximum(1.0, np.abs(q))
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
         return np.asarray(out)
-
-
-def corners(low: FloatArray, high: FloatArray) -> FloatArray:
-    """The middle and corners of a box, shape (P, N)."""
-    sides = [(one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)]
-    return np.array([0.5 * (low + high), *itertools.islice(itertools.product(*sides), CORNERS)]).T
-
-
-def corner_values(names: Sequence[str], low: Any, high: Any) -> tuple[FloatArray, FloatArray]:
-    """Parameters of two corners of a box, each of shape (P,)."""
-    for what, corner in (("low", low), ("high", high)):
-        if corner.shape:
-            raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
-    one, other = (np.array(p.scalars(*names)) for p in (low, high))
-    for name, least, most in zip(names, one, other, strict=True):
-        if least > most:
-            raise ParameterError(f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two")
-    return one, other

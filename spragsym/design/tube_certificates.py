@@ -2,65 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bifurcation.tubes.tube_regions import ByColumn, Flags, Parts, Place, halves
+from ..bifurcation.tubes.tube_regions import Flags, Parts, Place, halves
 from ..bifurcation.tubes.tubes import SMALL, Tubes
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, as_count
 from ..models.parameters.units import Unit, checked_units
 from ..numerics.interval_arrays import FloatArray
-from ..progress import doing
 from ..questions import Method, question
-from ..results.equilibria import Stability
+from ..results import Stability
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.varying_units import BalanceInUnits
 from ..statics.reference_state import reference_state
-from .certificates import Certificate
-from .state_certificates import STATES, certify_states, corner_values, corners
+from .certificates import ENDS, OPEN, SAFE, Boxes, Certificate, Claim, corner_values
+from .state_certificates import STATES, ClaimOfStates
 
-#: Parts at a time, and points at a time.
-BATCH, POINTS = 1024, 1024
 #: Fewer parts than this take as long as so many.
 FEW = 256
 #: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
 WIDE, THIN = 2.0**-6, 2.0**-14
 #: What the relative width of a side counts beside its effect on the state.
 SLIGHT = 1e-6
-#: Outcomes of a part.
-OPEN, SAFE, ENDS = 0, 1, -1
-
-Outcomes: TypeAlias = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
-class Pieces(ByColumn):
-    """Parts of a box, one a column: their ends, and the place at which the followed state begins, here or in what holds these.
+class Pieces(Boxes):
+    """Parts of a box with the place at which the followed state begins, here or in what holds these.
 
-    ``low`` and ``high`` have the shape (free + 1, N), the parameter that moves last; ``of``, (2, free, N), are the ends of the
-    parameters for which ``base`` is proved. Up to ``safe`` of what moves the state is proved to go on, and above ``top`` to have
-    ended, for all of the piece; −inf and inf where nothing is known.
+    The parameter that moves is the last side; ``of``, (2, free, N), are the ends of the parameters for which ``base`` is proved.
+    Up to ``safe`` of what moves the state is proved to go on, and above ``top`` to have ended, for all of the piece; −inf and
+    inf where nothing is known.
     """
 
-    low: FloatArray
-    high: FloatArray
     base: Place
     of: FloatArray
     safe: FloatArray
     top: FloatArray
 
     @property
-    def outcome(self) -> Outcomes:
+    def outcome(self) -> NDArray[np.int64]:
         """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
         return np.where(self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN))
-
-    def __len__(self) -> int:
-        return int(self.low.shape[1])
 
     def divisible(self) -> NDArray[np.bool_]:
         """Sides of the free parameters that have floats between their ends."""
@@ -80,8 +68,11 @@ class Pieces(ByColumn):
         return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
 
 
-class Splitting:
+class Splitting(Claim):
     """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
+
+    batch = 1024
+    whole: Pieces
 
     def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
         model = low.model
@@ -95,6 +86,7 @@ class Splitting:
             raise ParameterError(f"begin = {begin:g} is above low.{vary} = {ends[0][vary]:g}; begin where {vary} is lower")
         matter = {*self.balance.balanced, *self.balance.matter} - {vary}
         self.free = tuple(name for name in self.balance.parameters if name in matter and ends[0][name] != ends[1][name])
+        self.sides = (*self.free, vary)
         self.tubes = Tubes(self.balance, vary, self.free)
         self.fixed = np.array([[ends[0][name]] for name in self.balance.parameters])
         one, other = (np.array([[end[name]] for name in (*self.free, vary)]) for end in ends)
@@ -126,12 +118,13 @@ class Splitting:
             places.append(self.tubes.place(self._parts(at, at), np.append(self._first(free), self.begin)[:, None], self.tubes.n))
         return bool(self._linked(one[:, None], places[0], other[:, None], places[1])[0])
 
-    def point(self, values: FloatArray) -> Any:
+    def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at a point of the box."""
         fixed = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))
         moved = dict(zip((*self.free, self.vary), values.tolist(), strict=True))
         found = self.balance.scaled({**fixed, **moved})
-        return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
+        p: ParameterSet = self.model.Parameters(**{name: found[name] for name in self.model.parameters})
+        return p
 
     def points(self, values: FloatArray) -> Pieces:
         """Points of the box, shape (free + 1, N), as pieces of it."""
@@ -139,14 +132,14 @@ class Splitting:
 
     # ---------------------------------------------------------------------------------------------------- decisions
 
-    def settled(self, pieces: Pieces, least: float, sharp: bool = False) -> tuple[Pieces, FloatArray]:
+    def settled(self, pieces: Pieces, sharp: bool = False) -> tuple[Pieces, FloatArray]:
         """The pieces with what is proved of them and with their own beginnings, and how much each free side matters.
 
         ``sharp`` asks for the narrowest ``safe`` and ``top``; else they only tell where the state ends from the pieces' ends.
         """
         parts, start = self._begun(pieces)
         last, goal = self.tubes.n, pieces.high[-1]
-        reached = self.tubes.followed(parts, start, goal, least)
+        reached = self.tubes.followed(parts, start, goal, THIN if (pieces.low == pieces.high).all() else WIDE)
         safe, top = np.where(reached.sure, reached.z[last], -np.inf), np.full(goal.size, np.inf)
         width = (pieces.high - pieces.low)[:-1]
         # As far as it got, by how far each parameter moves the state.
@@ -192,36 +185,36 @@ class Splitting:
             at[self.tubes.places[k]] = other[k]
         return out & last.lies_in(after, n)
 
-    def run(
-        self, share: Callable[[Pieces], FloatArray], most: int, sharp: bool = False
-    ) -> Iterator[tuple[Pieces, NDArray[np.bool_], int]]:
-        """Pieces in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
+    def refuted(self, points: FloatArray) -> ParameterSet | None:
+        ends = np.flatnonzero(self.settled(self.points(points))[0].outcome == ENDS)
+        return self.point(points[:, ends[0]]) if ends.size else None
 
-        ``share`` is how much of a piece is open. What is open is halved, unless it is as thin as floats are or ``most`` pieces
-        were looked at: those that are left then come last.
-        """
-        pending, seen = self.whole, 0
-        while len(pending) and seen < most:
-            order = np.argsort(-share(pending), kind="stable")
-            taken = order[: min(BATCH, most - seen)]
-            with doing("{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)):
-                some, weight = self.settled(pending[taken], WIDE, sharp)
-            seen += taken.size
-            last = (share(some) <= 0) | ~some.divisible().any(axis=0)
-            yield some, last, int(taken.size)
-            pending = pending[order[taken.size :]]
-            if not last.all():
-                pending = pending.then(some[~last].divided(weight[:, ~last], most - seen))
-        if len(pending):
-            yield pending, np.ones(len(pending), dtype=np.bool_), 0
-
-    def ending(self, values: FloatArray) -> Any:
-        """Parameters at the first of some points, shape (free + 1, N), at which the state is proved to end, or None."""
-        ends = np.flatnonzero(self.settled(self.points(values), THIN)[0].outcome == ENDS)
-        return self.point(values[:, ends[0]]) if ends.size else None
+    def suspects(self, parts: Boxes, last: Flags) -> FloatArray:
+        return super().suspects(parts[last], last)
 
 
 @question
+def claims(
+    low: ParameterSet, high: ParameterSet, claim: str, *, vary: str | None = None, begin: float | None = None,
+    units: Mapping[str, Unit] | None = None, method: Method = "auto",
+) -> Claim:  # fmt: skip
+    """A claim of :func:`certify` about a box of parameters."""
+    model = low.model
+    if claim in STATES:
+        if vary is not None:
+            raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
+        if units:
+            raise ParameterError(f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them")
+        return ClaimOfStates(low, high, claim)
+    if claim != "no jump":
+        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
+    vary, begin = model.rising(vary, begin)
+    box = Splitting(low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"]))
+    # What goes on to the upper end goes on to every value below.
+    box.whole.low[-1] = box.whole.high[-1]
+    return box
+
+
 def certify(
     low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
     max_boxes: int | None = None, refute: bool = True, units: Mapping[str, Unit] | None = None, method: Method = "auto",
@@ -282,46 +275,5 @@ def certify(
     >>> ss.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
     'proved'
     """
-    model, max_boxes = low.model, 2000 if max_boxes is None else max_boxes
-    if claim in STATES:
-        if vary is not None:
-            raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
-        if units:
-            raise ParameterError(f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them")
-        return certify_states(low, high, claim, max_boxes, refute)
-    if claim != "no jump":
-        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
-    vary, begin = model.rising(vary, begin)
-    box = Splitting(low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"]))
-    # What goes on to the upper end goes on to every value below.
-    box.whole.low[-1] = box.whole.high[-1]
-    volume = _volume(box.whole)[0]
-    points = corners(box.whole.low[:-1, 0], box.whole.high[:-1, 0])
-    found = box.ending(np.vstack([points, np.full(points.shape[1], box.whole.high[-1])])) if refute else None
-    if found is not None:
-        return Certificate(claim, "refuted", found, 1.0, 1)
-    seen, proved, left, decided = 0, 0.0, 0.0, True
-
-    def share(pieces: Pieces) -> FloatArray:
-        return np.where(pieces.outcome == OPEN, _volume(pieces) / volume, 0.0)
-
-    for pieces, last, looked in box.run(share, max_boxes):
-        seen += looked
-        outcome, ends, rest = pieces.outcome, np.flatnonzero(pieces.outcome == ENDS), last & (pieces.outcome == OPEN)
-        proved += float((_volume(pieces) / volume)[outcome == SAFE].sum())
-        left += float(share(pieces)[rest].sum())
-        decided &= not rest.any()
-        if ends.size:
-            found = box.point(pieces.high[:, ends[0]])
-        elif refute and rest.any():
-            middles = np.concatenate([0.5 * (pieces.low + pieces.high)[:-1], pieces.high[-1:]])
-            found = box.ending(middles[:, rest][:, :POINTS])
-        if found is not None:
-            return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
-    return Certificate(claim, "proved" if decided else "undecided", None, left, seen)
-
-
-def _volume(pieces: Pieces) -> FloatArray:
-    """Volume of each piece, over the sides that have a width."""
-    width = pieces.high - pieces.low
-    return width.prod(axis=0, where=width > 0)
+    box = claims(low, high, claim, vary=vary, begin=begin, units=units, method=method)
+    return box.certificate(claim, box.most if max_boxes is None else as_count("max_boxes", max_boxes), refute)

@@ -2,7 +2,6 @@
 
 from .cell import Page, explore
 from .page import explorer_page
-from .presets import Preset
-from .units import Units
+from .presets import Preset, Units
 
 __all__ = ["Page", "Preset", "Units", "explore", "explorer_page"]

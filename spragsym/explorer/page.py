@@ -14,8 +14,7 @@ from ..models.describe import title_and_words
 from ..models.load import USUAL
 from .derived import derived
 from .described import described
-from .presets import Preset
-from .units import Units
+from .presets import Preset, Units
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
 _LINES = ("solid", "dashed", "dotted", "dash-dotted")
@@ -65,7 +64,7 @@ def explorer_page(
     data = {
         "model": described(model, shown),
         "presets": [{"name": preset.name, "point": dict(preset.point)} for preset in shown],
-        "units": units and units.data(),
+        "units": units and {name: value for name, value in vars(units).items() if name != "source"},
     }
     beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(units.source)}</p>' if units else ""
     lines = (f"{name} {look}" for name, look in zip(model.coordinates, _LINES, strict=False))

@@ -14,7 +14,7 @@ _MODULES = {
     ".kang_nam.folds.flutter_points": ("flutter_onsets",), ".kang_nam.folds.bifurcation_sets": ("bifurcation_set",),
     ".kang_nam.folds.lowest_fold": ("critical_friction",), ".kang_nam.lift_off": ("aloft",), ".kang_nam.rest": ("rest_index",),
     ".kang_nam.jumps.events": ("have_jumped",), ".kang_nam.jumps.jump_values": ("first_ends",),
-    ".kang_nam.jumps.certificates": ("certify",), ".kang_nam.jumps.margins": ("safe_within",),
+    ".kang_nam.jumps.certificates": ("claims",),
     ".kang_nam.ranks": ("linked", "open_ends"), ".kang_nam.cases": ("cases",),
     ".kang_nam.digits": ("precise_equilibria", "precise_cusps"), ".motion.with_compiled": ("integrate",),
 }  # fmt: skip

@@ -6,10 +6,11 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
@@ -70,32 +71,46 @@ class _Reader:
         """The line of a table."""
         return self.of(name, r"""\s*\[\s*["']?{}["']?\s*\]""")
 
-    def refuse(self, key: str, text: str, cause: Exception | None = None) -> NoReturn:
-        raise ParameterError(f"{self.of(key)}: {text}") from cause
+    @contextmanager
+    def at(self, key: str, before: str = "") -> Iterator[None]:
+        """A mistake in the value of a key is told with its line."""
+        try:
+            yield
+        except SpragsymError as error:
+            raise ParameterError(f"{self.of(key)}: {before}{error}") from error
 
     def read(self, trust: bool | str) -> Study:
         table = self._table()
-        model = self._model(table.pop("model", USUAL), trust)
+        with self.at("model", "model = "):
+            model = _model(table.pop("model", USUAL), trust)
         kind = quantities(model)
         own = {key: table.pop(key, None) for key in _KEYS}
+        ranges, found = kind.ranges(), dict[str, Measured]()
         for key, value in table.items():
-            if key not in kind.units:
-                known = [*kind.units, *_KEYS]
-                remark = hint(key, known) or f"; the keys are {', '.join(known)}"
-                self.refuse(key, f"{key} = {value!r} is not a quantity of the model {model}{remark}")
-        ranges = kind.ranges()
-        found = {key: self._quantity(key, table[key], unit, ranges[key]) for key, unit in kind.units.items() if key in table}
-        fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
+            with self.at(key):
+                if key not in kind.units:
+                    known = [*kind.units, *_KEYS]
+                    remark = hint(key, known) or f"; the keys are {', '.join(known)}"
+                    raise ParameterError(f"{key} = {value!r} is not a quantity of the model {model}{remark}")
+                found[key] = _quantity(key, value, kind.units[key], ranges[key])
+        with self.at("friction", f"friction = {own['friction']!r}: "):
+            fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
         missing = [key for key in kind.units if key not in found and key not in kind.of_the_law]
         if missing:
             wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
             raise ParameterError(f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
+        found = {key: found[key] for key in kind.units if key in found}
+        with self.at("correlation"):
+            correlation = _correlation(own["correlation"], found, fit)
+        with self.at("state"):
+            state = _state(own["state"] or {}, kind)
+        with self.at("may_change"):
+            may_change = _may_change(own["may_change"] or {}, kind)
+        with self.at("vary" if own["begin"] is None else "begin"):
+            rise = _rise(own["vary"], own["begin"], kind, {name: one.value for name, one in found.items()})
         return Study.of(
-            quantities=found, model=model, source=Path(self.path).name, fit=fit,
-            rise=self._rise(own["vary"], own["begin"], kind, {name: one.value for name, one in found.items()}),
-            correlation=self._correlation(own["correlation"], found, fit), state=self._state(own["state"] or {}, kind),
-            may_change=self._may_change(own["may_change"] or {}, kind),
-            title=str(own["title"] or ""), date=str(own["date"] or ""),
+            quantities=found, model=model, source=Path(self.path).name, fit=fit, rise=rise, correlation=correlation, state=state,
+            may_change=may_change, title=str(own["title"] or ""), date=str(own["date"] or ""),
         )  # fmt: skip
 
     def _table(self) -> dict[str, Any]:
@@ -103,20 +118,15 @@ class _Reader:
             content = tomllib.loads(self.text)
         except (ValueError, RecursionError) as error:  # TOML that is none, and numbers that are too long
             raise ParameterError(self._syntax(str(error))) from error
-        table, other = content.get("brake"), next((name for name in content if name != "brake"), None)
-        if isinstance(table, dict) and other is None:
-            return dict(table)
         if not content:
             raise ParameterError(f"{self.path} is empty: [brake] is missing; begin with a line [brake]")
-        if "brake" in content and not isinstance(table, dict):
-            self.refuse("brake", f"brake = {table!r} is no table; begin with a line [brake]")
-        is_table = isinstance(content[str(other)], dict)
-        where = self.table(str(other)) if is_table else self.of(str(other))
-        if "brake" in content:
-            raise ParameterError(f"{where}: {other!r} does not belong here; all keys go below [brake], and nothing else is read")
-        what = f"the table [{other}] is" if is_table else f"the key {other!r} stands"
-        remark = f"begin with a line [brake]{hint(str(other), ['brake'])}"
-        raise ParameterError(f"{where}: {what} there, but [brake] is missing; {remark}")
+        other = next((name for name in content if name != "brake"), "brake")
+        table, held = content.get("brake"), content[other]
+        if isinstance(table, dict) and other == "brake":
+            return table
+        where = self.table(other) if isinstance(held, dict) else self.of(other)
+        missing = "" if isinstance(table, dict) else f", and [brake] is missing{hint(other, ['brake'])}"
+        raise ParameterError(f"{where}: {other!r} does not belong here{missing}; all keys go below one line [brake]")
 
     def _syntax(self, message: str) -> str:
         """What tomllib says, with the line before it and how a line is written."""
@@ -129,104 +139,80 @@ class _Reader:
         cure = f"{key} is there twice; keep one of the two" if "overwrite" in message else cure
         return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
-    def _model(self, name: Any, trust: bool | str) -> str:
-        if not isinstance(name, str):
-            self.refuse("model", f'model = {name!r} is no name; write model = "kang_nam"')
-        if name not in shipped() and trust is not True and trust != name and os.path.isdir(name[:4096].replace("\0", "")):
-            cure = f"if you trust it, give --trust or --model {name}, in Python trust=True"
-            self.refuse("model", f"model = {name!r} is a folder, whose code runs; {cure}")
-        try:
-            quantities(name)
-        except SpragsymError as error:
-            self.refuse("model", f"model = {error}", error)
-        return name
-
-    def _quantity(self, key: str, given: Any, unit: str, allowed: Range) -> Measured:
-        example = _EXAMPLES.get(key, "")
-        if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
-            given = f"[{given[0]!r}, {given[1]!r}]"
-        if isinstance(given, bool) or not isinstance(given, str | int | float):
-            self.refuse(key, f"{key} = {given!r} is neither text nor a number; write {remedy(unit, allowed, example)}")
-        try:
-            return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
-        except ParameterError as error:
-            self.refuse(key, f"{key} = {error}", error)
-
     def _friction(self, given: Any, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
         """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their standard errors."""
         if not isinstance(given, str) or not given.strip():
-            self.refuse("friction", f'friction = {given!r} is no file name; write friction = "measured.csv"')
+            raise ParameterError('it is no file name; write friction = "measured.csv"')
         if not kind.of_mu0:
-            cure = "but this model has another friction law; give its quantities instead"
-            self.refuse("friction", f"friction = {given!r}, {cure}")
+            raise ParameterError("this model has another friction law; give its quantities instead")
         for key in ("mu0", "d"):
             if key in found:
-                self.refuse("friction", f"friction = {given!r}, but {key} is given too; leave out one of the two")
-        try:
-            fit = fit_friction(*read_friction(Path(self.path).parent / given))
-        except ParameterError as error:
-            self.refuse("friction", f"friction = {given!r}: {error}", error)
+                raise ParameterError(f"{key} is given too; leave out one of the two")
+        fit = fit_friction(*read_friction(Path(self.path).parent / given))
         found |= {"mu0": _fitted(fit.mu0, fit.mu0_error, ""), "d": _fitted(fit.d, fit.d_error, "s/m")}
         return fit
 
-    def _correlation(self, given: Any, found: Mapping[str, Measured], fit: FrictionFit | None) -> Correlation:
-        """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
-        fitted = {("mu0", "d"): fit.correlation} if fit is not None and fit.mu0_error and fit.d_error else {}
-        if given is None:
-            return fitted
-        rows = given if isinstance(given, list) else [given]
-        for row in rows:
-            if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
-                cure = 'write correlation = [["k", "k_x", 0.9]]'
-                self.refuse("correlation", f"correlation = {given!r} is no list of two names and a number each; {cure}")
-            for name in row[:2]:
-                if name not in found or not found[name].varies:
-                    what = "has no tolerance" if name in found else f"is not a quantity of this file{hint(name, found)}"
-                    self.refuse("correlation", f"correlation: {name} {what}; give it one, or leave the pair out")
-        pairs = [(row[0], row[1]) for row in rows]
-        if len({frozenset(pair) for pair in (*pairs, *fitted)}) < len(pairs) + len(fitted):
-            cure = "has a pair twice, or that of the measured file; keep one of them"
-            self.refuse("correlation", f"correlation = {given!r} {cure}")
-        result = dict(zip(pairs, (row[2] for row in rows), strict=True)) | fitted
-        try:
-            dependence([name for name, one in found.items() if one.varies], result)
-        except ParameterError as error:
-            self.refuse("correlation", str(error), error)
-        return result
 
-    def _state(self, given: Any, kind: Quantities) -> dict[str, float]:
-        units = {entry["name"]: entry["unit"] for entry in kind.about["coordinates"]}
-        if not isinstance(given, dict) or not set(given) <= set(units):
-            example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
-            self.refuse("state", f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
-        return {name: self._quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+def _model(name: Any, trust: bool | str) -> str:
+    if not isinstance(name, str):
+        raise ParameterError(f'{name!r} is no name; write model = "kang_nam"')
+    if name not in shipped() and trust is not True and trust != name and os.path.isdir(name[:4096].replace("\0", "")):
+        cure = f"if you trust it, give --trust or --model {name}, in Python trust=True"
+        raise ParameterError(f"{name!r} is a folder, whose code runs; {cure}")
+    quantities(name)
+    return name
 
-    def _may_change(self, given: Any, kind: Quantities) -> dict[str, tuple[float, float]]:
-        if not isinstance(given, dict) or not set(given) <= set(kind.units):
-            example = next(iter(kind.units))
-            cure = f'write may_change = {{ {example} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
-            self.refuse("may_change", f"may_change = {given!r} does not name quantities; {cure}")
-        ends = {name: self._quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
-        for name, one in ends.items():
-            if not one.varies:
-                self.refuse(
-                    "may_change", f'may_change: {name} = {given[name]!r} is no range; write two ends, as in "[100, 250] N/mm"'
-                )
-        try:
-            return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
-        except ParameterError as error:
-            self.refuse("may_change", str(error), error)
 
-    def _rise(self, vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
-        if not isinstance(vary, str | None):
-            self.refuse("vary", f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
-        start = begin
-        if begin is not None and vary in kind.units:
-            start = self._quantity("begin", begin, kind.units[vary], FINITE).value
-        try:
-            return rise_of(kind, vary, start, values)
-        except ParameterError as error:
-            self.refuse("vary" if begin is None else "begin", str(error), error)
+def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
+    example = _EXAMPLES.get(key, "")
+    if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
+        given = f"[{given[0]!r}, {given[1]!r}]"
+    if isinstance(given, bool) or not isinstance(given, str | int | float):
+        raise ParameterError(f"{key} = {given!r} is neither text nor a number; write {remedy(unit, allowed, example)}")
+    try:
+        return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
+    except ParameterError as error:
+        raise ParameterError(f"{key} = {error}") from error
+
+
+def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | None) -> Correlation:
+    """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
+    rows = given if isinstance(given, list) else [] if given is None else [given]
+    rows = [*rows, ["mu0", "d", fit.correlation]] if fit is not None and fit.mu0_error and fit.d_error else rows
+    for row in rows:
+        if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
+            cure = 'write correlation = [["k", "k_x", 0.9]]'
+            raise ParameterError(f"correlation = {given!r} is no list of two names and a number each; {cure}")
+    pairs = [(row[0], row[1]) for row in rows]
+    if len({frozenset(pair) for pair in pairs}) < len(pairs):
+        raise ParameterError(f"correlation = {given!r} has a pair twice, or that of the measured file; keep one of them")
+    result = dict(zip(pairs, (row[2] for row in rows), strict=True))
+    dependence([name for name, one in found.items() if one.varies], result)
+    return result
+
+
+def _state(given: Any, kind: Quantities) -> dict[str, float]:
+    units = {entry["name"]: entry["unit"] for entry in kind.about["coordinates"]}
+    if not isinstance(given, dict) or not set(given) <= set(units):
+        example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
+        raise ParameterError(f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
+    return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+
+
+def _may_change(given: Any, kind: Quantities) -> dict[str, tuple[float, float]]:
+    if not isinstance(given, dict) or not set(given) <= set(kind.units):
+        cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
+        raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
+    ends = {name: _quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
+    return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
+
+
+def _rise(vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
+    if not isinstance(vary, str | None):
+        raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
+    if begin is not None and vary in kind.units:
+        begin = _quantity("begin", begin, kind.units[vary], FINITE).value
+    return rise_of(kind, vary, begin, values)
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:

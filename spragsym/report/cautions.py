@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
-from .facts import FRICTION, Facts
 from .states import State
 from .study import Study
 
+if TYPE_CHECKING:
+    from .reports import Report
+
+#: A friction coefficient that no brake has.
+FRICTION = 2.0
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
 #: Displacement over the length of the spring beyond which a state is none of small deformation.
@@ -26,12 +31,12 @@ FAST = 100.0
 FLAT = 3.15
 
 
-def cautions(facts: Facts) -> tuple[str, ...]:
+def cautions(report: Report) -> tuple[str, ...]:
     """All warnings for a study and the states that were found."""
-    study, found = facts.study, facts.states
+    study, found = report.study, report.states
     return (
         *_contact(study, found),
-        *(() if facts.jumped else _far(study, found)),
+        *(() if report.jumped else _far(study, found)),
         *_stiffness(study),
         *_friction(study),
         *of_data(study),

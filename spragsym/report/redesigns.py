@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import spragsym as ss
-
 from ..design.design_space import Design, space
+from ..design.jumps import jump_gradient
+from ..design.margins import jump_margin
+from ..design.redesigns import redesign
 from ..errors import SpragsymError
 from ..models.parameters import Range
 from ..models.units import factor
@@ -80,7 +81,7 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 def distance(study: Study) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
-    return float(ss.jump_margin(design(study), scale, **study.along()).distance) if scale else math.nan
+    return float(jump_margin(design(study), scale, **study.along()).distance) if scale else math.nan
 
 
 def design(study: Study) -> Design:
@@ -137,15 +138,12 @@ class _Search:
 
     def singles(self) -> list[Change]:
         """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
-        least = [one for one in (self._least((name,)) for name in self.names) if one is not None]
+        least = filter(None, (self._least((name,)) for name in self.names))
         found = [self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]]
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
     def _distance(self, after: Mapping[str, float]) -> float:
-        return math.hypot(*(self._off(name, value) for name, value in after.items()))
-
-    def _off(self, name: str, value: float) -> float:
-        return abs(value - self.study.values[name]) / self.scale[name]
+        return math.hypot(*((value - self.study.values[name]) / self.scale[name] for name, value in after.items()))
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
@@ -157,8 +155,7 @@ class _Search:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
         except SpragsymError:
             return None
-        least = self._least(names)
-        return None if least is None else self._first_proved(least)
+        return self._first_proved(self._least(names))
 
     def _least(self, names: tuple[str, ...]) -> dict[str, float] | None:
         """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
@@ -166,7 +163,7 @@ class _Search:
         target, start = {rise.name: self.target / study.rise_scale}, None if study.of_friction else study.begins()
         try:
             scale = {name: self.scale[name] for name in names}
-            after: Any = ss.redesign(self.within, names, target, scale, begin=start).parameters
+            after: Any = redesign(self.within, names, target, scale, begin=start).parameters
         except SpragsymError:
             return None
         return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
@@ -195,15 +192,15 @@ class _Search:
     def _movers(self) -> tuple[str, ...]:
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        found, slopes = ss.jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
+        found, slopes = jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 
-    def _first_proved(self, least: Mapping[str, float]) -> Change | None:
+    def _first_proved(self, least: Mapping[str, float] | None) -> Change | None:
         """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""
         open_one: Change | None = None
         tried: list[Mapping[str, float]] = []
-        for after in self._further(least):
+        for after in self._further(least) if least else ():
             printed = self._printed(after)
             if printed is None or printed in tried:
                 continue
@@ -219,15 +216,10 @@ class _Search:
         for further in range(4):
             rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
             new = self.study.changed(rounded).quantities
-            kept = all(
-                self._inside(name, new[name].low, new[name].high) and self._may_be(name, value) for name, value in rounded.items()
-            )
-            if kept and self._keep([rounded]).all():
+            inside = all(self.allowed[name].contains(end) for name in rounded for end in (new[name].low, new[name].high))
+            if inside and self._keep([rounded]).all():
                 return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
-
-    def _inside(self, name: str, low: float, high: float) -> bool:
-        return self.allowed[name].contains(low) and self.allowed[name].contains(high)
 
     def _may_be(self, name: str, value: float) -> bool:
         """Whether a quantity may change to a value, but for the rounding of that."""

@@ -10,12 +10,14 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-import spragsym as ss
-
+from ..bifurcation.paths import quasi_static_path
+from ..design.jumps import jump_value
 from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
 from ..models.parameters import FloatArray
+from ..motion import simulate
 from ..motion.regimes import Regime
+from ..orbits import cycle
 from ..results.equilibria import Equilibria, Stability
 from ..results.named_columns import Columns
 from ..results.result import Result
@@ -201,7 +203,7 @@ def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
         end = None
         if rise is not None:
             with suppress(SpragsymError):
-                end = study.told(float(ss.jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
+                end = study.told(float(jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
         found.append((in_units(study, place), end))
     return tuple(found)
 
@@ -215,7 +217,7 @@ def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     if study.rise is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
     (value,), begin = study.at_work.scalars(study.rise.name), study.begins()
-    path = ss.quasi_static_path(study.at_work, study.rise.name, [begin, value] if value > begin else [begin])
+    path = quasi_static_path(study.at_work, study.rise.name, [begin, value] if value > begin else [begin])
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
@@ -288,7 +290,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
     if at is None:
         return None
     p = study.dimensionless if study.of_friction else study.at_work
-    path = ss.quasi_static_path(p, rise.name, [study.begins(), value + 1e-6 * abs(value) + 1e-9])
+    path = quasi_static_path(p, rise.name, [study.begins(), value + 1e-6 * abs(value) + 1e-9])
     if not path.jumps:
         return None
     turn = path.jumps[0]
@@ -297,7 +299,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
     start = _balanced(p.replace(**{rise.name: value}), begin + AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
-            motion = ss.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
+            motion = simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
             comes_to = motion.outcome(0.5 * t_end).regime
         except ConvergenceError:
             return None
@@ -358,15 +360,15 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
     starts = {word: (*place, *[0.0] * (2 * rates - len(place))) for word, place in (("rest", ()), ("far out", _FAR[:rates]))}
     for word, start in starts.items():
         try:
-            found = ss.cycle(p, near=start, patient=False)
+            found = cycle(p, near=start, patient=False)
         except ConvergenceError:
             continue
         if found.stable:  # no motion comes to one that is not
             frequency, told = 1 / (found.period * study.scales.time), _forces(study, found.forces)
             return Oscillation("cycle", frequency, found.amplitude * size, unit, *told, settles, word, found)
-    motion, word = ss.simulate(p, t_end=T_END), "rest"
+    motion, word = simulate(p, t_end=T_END), "rest"
     if settles is False and not motion.state.any():  # where it rests it is unstable
-        motion, word = ss.simulate(p, start=starts["far out"], t_end=T_END), "far out"
+        motion, word = simulate(p, start=starts["far out"], t_end=T_END), "far out"
     late = motion.after(0.75 * T_END)
     try:
         regime = motion.outcome(0.75 * T_END).regime

@@ -6,6 +6,7 @@ import math
 import os
 import warnings
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -13,17 +14,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-import spragsym as ss
-
 from ..bifurcation.families import ranges
 from ..design.dependence import Correlation, Dependence, dependence
-from ..design.jumps import first_ends
+from ..design.jumps import first_ends, jump_value
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
 from ..models.quantities import Quantities, quantities, share
 from ..models.units import factor
 from ..names import hint
+from ..progress import doing, show_progress
 from ..questions import has_closed_form
 from .units import Measured, read, shown_in
 
@@ -347,7 +347,7 @@ class Study:
 
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
-        return float(ss.jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
+        return float(jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
 
     def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
         """Parameters of brakes, by their quantities in SI, with the loading parameter at a target, or at its own value."""
@@ -439,10 +439,12 @@ class Study:
         Report
             What is not answered for the model is None there, with the reason among the warnings.
         """
-        from .facts import Asked
-        from .reports import report
+        from .reports import Asked, Report
 
-        return report(self, Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n), progress)
+        found = Report(self, Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n))
+        with show_progress() if progress else nullcontext(), doing(""):
+            found.text()
+        return found
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""

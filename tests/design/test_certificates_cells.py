@@ -9,9 +9,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.kang_nam.jumps import cells, certificates
+from spragsym.kang_nam.jumps import cells
 from spragsym.kang_nam.jumps.cells import Boxes, Ground, Line, Verdict
-from spragsym.kang_nam.jumps.claims import Claim
 from spragsym.models.parameters import NAMES
 from tests.support import as_fraction
 
@@ -24,7 +23,7 @@ def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int],
     sides = 8 if powers else 6
     low = rng.uniform(0.1, 1.5, (sides, count))
     high = low + rng.uniform(0, 0.3, (sides, count)) * rng.integers(0, 2, (sides, count))
-    return Boxes(low, high, rng.uniform(0, 1, count), powers or {})
+    return Boxes(low, high, np.zeros(count, dtype=bool), powers or {})
 
 
 # ------------------------------------------------------------------------------------------------------------- cells
@@ -71,7 +70,7 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
 
 
 def whole(count: int) -> Boxes:
-    return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.ones(count))
+    return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.zeros(count, dtype=bool))
 
 
 def flat(ends: Any) -> Line:
@@ -98,9 +97,7 @@ def test_halves_make_up_the_box() -> None:
     boxes = random_boxes(4, 60)
     boxes.high[:, 0] = boxes.low[:, 0]  # a point
     weight = np.abs(np.random.default_rng(5).normal(size=(6, 60)))
-    weight[:, 20:40] = 0.0  # nothing is known
-    halves = certificates.halved(boxes, weight)
-    assert np.abs(halves.share - np.tile(boxes.share / 2, 2)).max() < 1e-16
+    halves = boxes.divided(weight, 0)
     lower, upper = halves[:60], halves[60:]
     assert (lower.low == boxes.low).all()
     assert (upper.high == boxes.high).all()
@@ -114,16 +111,4 @@ def test_halves_make_up_the_box() -> None:
             assert not changed[:, k].any()
         else:
             assert changed[:, k].sum() == 1
-            matters = weight[:, k] * (width[:, k] > 0) if k < 20 or k >= 40 else width[:, k] / boxes.high[:, k]
-            assert changed[:, k].argmax() == matters.argmax()
-
-
-def claim(holds: Any, counterexample: Any = None, from_above: tuple[str, ...] = ()) -> Claim:
-    """One about μ₀ and θ₀, proved where a box's upper corner satisfies it."""
-
-    def prove(boxes: Boxes) -> tuple[Any, Any]:
-        weight = np.zeros((6, boxes.share.size))
-        weight[NAMES.index("mu0")] = 1.0
-        return holds(boxes), weight
-
-    return Claim(prove, counterexample or (lambda boxes: None), from_above)
+            assert changed[:, k].argmax() == (weight[:, k] * (width[:, k] > 0)).argmax()

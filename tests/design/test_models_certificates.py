@@ -9,7 +9,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
-from spragsym.design.tube_certificates import ENDS, OPEN, THIN, Splitting
+from spragsym.design.tube_certificates import ENDS, OPEN, Splitting
 
 SEARCH = ss.load("kang_nam").search
 BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
@@ -65,7 +65,7 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
     shares = np.random.default_rng(2).random((3, 200))
     values = box.whole.low + shares * (box.whole.high - box.whole.low)
-    outcome = box.settled(box.points(values), THIN)[0].outcome
+    outcome = box.settled(box.points(values))[0].outcome
     names = dict(zip((*box.free, "mu0"), values, strict=True))
     jumps = ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])) < names["mu0"]
     assert (outcome != OPEN).mean() > 0.98

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...bifurcation.tubes.tube_regions import ByColumn
+from ...design.certificates import Held
 from ...models.parameters import NAMES, FloatArray
 from ...numerics.affine import Affine, cosine_and_sine, sides
 
@@ -22,16 +23,12 @@ _SHARE = 0.25
 
 
 @dataclass(frozen=True)
-class Boxes(ByColumn):
-    """Corners of boxes, of shape (sides, n), and the share of the whole that each of them is.
+class Boxes(Held):
+    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over their base values.
 
-    Sides are the parameters in the order of ``NAMES``, and then units of measure over their base values; ``powers`` are, for each
-    parameter that depends on units, the sides that these are, and the power of each.
+    ``powers`` are, for each parameter that depends on units, the sides that these are, and the power of each.
     """
 
-    low: FloatArray
-    high: FloatArray
-    share: FloatArray
     powers: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
 
     def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
@@ -47,24 +44,13 @@ class Boxes(ByColumn):
         """Their middles, by parameter."""
         return self.parameters(0.5 * (self.low + self.high))
 
-    def by_side(self, changes: Mapping[str, FloatArray], term: Callable[[FloatArray], FloatArray] = np.positive) -> FloatArray:
-        """Derivatives by each side in the middles, from those by each parameter: a unit changes all that depend on it.
+    def change(self, changes: Mapping[str, FloatArray], term: Callable[[FloatArray], FloatArray] = np.positive) -> FloatArray:
+        """What half of each side changes, from derivatives by each parameter: a unit changes all that depend on it.
 
         With ``np.abs`` for a ``term`` the value if nothing cancelled.
         """
-        out = np.zeros_like(self.low)
-        for side, name, slope in self._slopes():
-            out[side] += term(changes[name] * slope)
-        return out
-
-    def _slopes(self) -> Iterator[tuple[int, str, FloatArray]]:
-        """Each side with each parameter that depends on it, and the derivative of that in the middles."""
-        sides = 0.5 * (self.low + self.high)
-        p, factors = self.parameters(sides), self.parameters([np.ones_like(self.share)] * len(NAMES) + list(sides[len(NAMES) :]))
-        for side, name in enumerate(NAMES):
-            yield side, name, factors[name]
-            for unit, power in self.powers.get(name, ()):
-                yield unit, name, p[name] * power / sides[unit]
+        moved = self.parameters(sides(self.low, self.high))
+        return np.asarray(sum(term(changes[name] * moved[name].terms) for name in NAMES))
 
 
 @dataclass(frozen=True)
@@ -100,12 +86,12 @@ class Line(ByColumn):
 
 def constant(value: float, boxes: Boxes) -> Line:
     """One direction for all boxes."""
-    return Line(np.full(boxes.share.size, value), np.zeros_like(boxes.low))
+    return Line(np.full(len(boxes), value), np.zeros_like(boxes.low))
 
 
 def at(boxes: Boxes, line: Line) -> Ground:
     """One direction for each point of each box."""
-    none = np.zeros(boxes.share.size)
+    none = np.zeros(len(boxes))
     return over(boxes, line, line, none, none)
 
 
@@ -128,7 +114,7 @@ class Verdict(NamedTuple):
 
 def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[NDArray[np.bool_], FloatArray]:
     """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
-    size = boxes.share.size
+    size = len(boxes)
     weight = np.zeros_like(boxes.low)
     box = np.tile(np.arange(size), _CELLS)
     begin = np.repeat(np.arange(_CELLS) / _CELLS, size)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -34,16 +33,6 @@ def by_parameter(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatAr
         c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
         pairs = _catastrophe.unfolding(c, s, c0, s0, *(values[name] for name in NAMES[1:]))
     return {name: pair[0] for name, pair in zip(NAMES, pairs, strict=True)}
-
-
-@dataclass(frozen=True)
-class Claim:
-    """``prove`` says of which boxes it holds, and which side to cut of the others; ``refute`` gives a counterexample or none."""
-
-    prove: Callable[[Boxes], tuple[NDArray[np.bool_], FloatArray]]
-    refute: Callable[[Boxes], Parameters | None]
-    #: Parameters of which only the upper end matters.
-    from_above: tuple[str, ...] = ()
 
 
 def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
@@ -130,7 +119,7 @@ def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[
 
 def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
     """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
-    slopes = 0.5 * (boxes.high - boxes.low) * boxes.by_side(_motion(values, theta))
+    slopes = boxes.change(_motion(values, theta))
     slopes[_MU0] = 0.0
     line = Line(theta, slopes)
     return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
@@ -151,8 +140,8 @@ def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
 
 def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
-    result, weight = np.ones(boxes.share.size, dtype=np.bool_), np.zeros_like(boxes.low)
-    none, half = np.zeros(boxes.share.size), 0.5 * (boxes.high - boxes.low)
+    result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
+    none = np.zeros(len(boxes))
     for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
         ground = at(boxes, line)
         others = _with_friction(ground, friction)
@@ -161,7 +150,7 @@ def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[
         known = value.sign() == wanted, inside.sign() > 0
         result &= known[0] & known[1]
         # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
-        second = half * boxes.by_side(_motion(boxes.middle() | {"mu0": friction}, line.value), np.abs)
+        second = boxes.change(_motion(boxes.middle() | {"mu0": friction}, line.value), np.abs)
         second[_MU0] = 0.0
         first = np.abs(inside.terms[:-1])
         straight = known[0] & ~known[1] & (first.sum(axis=0) > inside.error)
@@ -189,7 +178,7 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[N
     other.
     """
     ground = at(boxes, start)
-    others = _with_friction(ground, np.zeros(boxes.share.size))
+    others = _with_friction(ground, np.zeros(len(boxes)))
     above = _balance(ground, others)[0].sign() > 0
     side = ground.c0.sign()
     near = lowest.where(side > 0, start)
@@ -219,37 +208,18 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
     return covered(boxes, low, high, test)[0]
 
 
-def _jumps(boxes: Boxes) -> Parameters | None:
-    """A point whose state jumps below its friction: the middle of a box, or the corner to which the jump comes down fastest."""
-    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
-    found = first_jumps(Parameters(**middle), "mu0", apart_from=middle["mu0"])
-    with np.errstate(all="ignore"):
-        changes = by_parameter(middle | {"mu0": found.value}, found.theta)
-        slopes = boxes.by_side({name: -change / changes["mu0"] for name, change in changes.items()})
-    sides = np.where(slopes > 0, boxes.low, np.where(slopes < 0, boxes.high, 0.5 * (boxes.low + boxes.high)))
-    corner = boxes.parameters(sides) | {"mu0": boxes.high[_MU0]}
-    in_corner = first_jumps(Parameters(**corner), "mu0", apart_from=corner["mu0"])
-    for values, jumps in ((middle, found.value), (corner, in_corner.value)):
-        for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:
-            point = point_at(values, i)
-            if first_end(point, "mu0", (0.0, float(point.mu0))) is not None:
-                return point
-    return None
+def _jumps(p: Parameters) -> NDArray[np.bool_]:
+    """The first of some points whose state jumps below its friction, by its path too."""
+    out = np.zeros(p.shape, dtype=np.bool_)
+    for i in np.flatnonzero(first_jumps(p, "mu0", apart_from=p.mu0).value < p.mu0 * (1 - 1e-11))[:1]:
+        point = point_at({name: getattr(p, name) for name in NAMES}, i)
+        out[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
+    return out
 
 
-def _in_a_middle(fails: Callable[[Parameters], NDArray[np.bool_]]) -> Callable[[Boxes], Parameters | None]:
-    """The first middle of a box at which a claim is false."""
-
-    def refute(boxes: Boxes) -> Parameters | None:
-        middle = boxes.middle()
-        many = np.flatnonzero(fails(Parameters(**middle)))
-        return point_at(middle, many[0]) if many.size else None
-
-    return refute
-
-
-CLAIMS = {
-    "no jump": Claim(_no_jump, _jumps, ("mu0",)),
-    "one equilibrium": Claim(_one_equilibrium, _in_a_middle(lambda p: count(p) == 3)),
-    "no flutter": Claim(_no_flutter, _in_a_middle(lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1))),
+#: For each claim, of which boxes it is proved and which side to cut of the others; and at which points it is false.
+CLAIMS: dict[str, tuple[Callable[[Boxes], tuple[NDArray[np.bool_], FloatArray]], Callable[[Parameters], NDArray[np.bool_]]]] = {
+    "no jump": (_no_jump, _jumps),
+    "one equilibrium": (_one_equilibrium, lambda p: count(p) == 3),
+    "no flutter": (_no_flutter, lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1)),
 }

@@ -128,17 +128,11 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
 
 def _units(study: Study) -> Units:
     """The units of the user's file."""
-    kind, given = study.kind, study.in_units()
-    length, metres = next((given[name][1:] for name, unit in kind.bases.items() if unit == "m"), ("m", 1.0))
+    kind, (length, size) = study.kind, study.unit_of("m")
     parameters = {
-        name: (quantity, study.in_file(quantity, study.scale(kind.units[quantity])), given[quantity][1] or kind.units[quantity])
-        for quantity, name in kind.parameters.items() if quantity in given and kind.units[quantity] not in ("rad", "1")
+        name: (quantity, *study.unit_of(kind.units[quantity], quantity)[::-1])
+        for quantity, name in kind.parameters.items() if quantity in study.quantities and kind.units[quantity] not in ("rad", "1")
     }  # fmt: skip
     fixed = ", ".join(f"{name} = {study.shown(name)}" for name in kind.bases)
-    return Units(
-        f"those of {study.source}, at its {fixed}.",
-        (study.scales.length / metres, length or "m"),
-        (study.scales.time, "s"),
-        (study.scales.force, "N"),
-        parameters,
-    )
+    about, scales = f"those of {study.source}, at its {fixed}.", study.scales
+    return Units(about, (size, length), (scales.time, "s"), (scales.force, "N"), parameters)

@@ -24,8 +24,6 @@ OCTAVES, SHARP, PARTS = 30, 2.0**-44, 1 << 12
 def working(study: Study) -> tuple[float, float, float]:
     """The friction that works: least, as drawn, and largest within the tolerances; 0 for a model without friction.
 
-    Notes
-    -----
     The ends are those of the law at the corners of the tolerances; where it says less or more between them, they are bounds.
     """
     p = study.dimensionless
@@ -74,10 +72,7 @@ def bounds(study: Study) -> tuple[float, float]:
 def speed_for(study: Study, friction: float) -> float:
     """The least speed of the belt in m/s at which the largest friction within the tolerances is this one; NaN where none is.
 
-    Notes
-    -----
-    Source: bounds of the model's law over intervals of the speed, from 0 up to 2³⁰ times the belt's own, and over all other
-    tolerances. Where the law neither rises nor falls in these, its bounds are loose, and it is a little less than that.
+    It is a little less where the law neither rises nor falls over the tolerances, where bounds over intervals are loose.
     """
     if not study.moves or study.law != "friction_at_speed" or study.belt is None or not study.values[study.belt]:
         return math.nan
@@ -99,10 +94,7 @@ def speed_for(study: Study, friction: float) -> float:
 
 
 class _Law:
-    """The law that works, and corners of all on which it depends, within the tolerances.
-
-    Of what the law does not depend on it does not matter which value is taken: units of measure cancel in it.
-    """
+    """The law that works, and corners within the tolerances of all on which it depends; units of measure cancel in it."""
 
     def __init__(self, study: Study) -> None:
         names = study.kind.law["quantities"]

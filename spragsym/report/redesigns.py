@@ -62,11 +62,8 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     Single quantities, nearest first, and last the least joint change, unless that alone is without a proof; ``target`` is a
     friction, or what rises in SI.
 
-    Notes
-    -----
-    Source: :func:`spragsym.redesign` for each quantity and for several, and :func:`spragsym.certify` over the tolerances about
-    the values as they are printed; that there is none nearer is not proved. A changed quantity keeps its tolerance as a share of
-    its value, an inclination as it is.
+    Source: :func:`spragsym.redesign`, and :func:`spragsym.certify` over the tolerances about the values as they are printed; that
+    there is none nearer is not proved. A changed quantity keeps its tolerance as a share of its value, an inclination as it is.
     """
     search = _Search(study, target)
     found = search.singles()

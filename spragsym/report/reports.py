@@ -92,11 +92,11 @@ class Report(Result):
         study, of = self.study, {name: quantity for quantity, name in self.study.kind.parameters.items()}
 
         def units(name: str) -> tuple[str, float]:
-            quantity = of.get(name)
-            if quantity is None or quantity not in study.quantities:
+            quantity = of.get(name, "")
+            if quantity not in study.quantities:
                 return name, 1.0
-            unit = study.quantities[quantity].unit
-            return f"{quantity}/{unit}" if unit else quantity, study.in_file(quantity, study.scale(study.kind.units[quantity]))
+            unit, size = study.unit_of(study.kind.units[quantity], quantity)
+            return f"{quantity}/{unit}" if unit else quantity, size
 
         told = (reason.told(units) if isinstance(reason, Remark) else str(reason) for reason in reasons)
         return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in told))

@@ -178,12 +178,7 @@ def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
 
 
 def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[State, ...]:
-    """Every state of ``eq``, those in contact at the friction that works, in its order; the one that is ``here`` is ``current``.
-
-    Notes
-    -----
-    Source: :func:`spragsym.equilibria`, and the linearization at the belt's speed.
-    """
+    """Every state of ``eq``, in contact at the friction that works, in its order; the one that is ``here`` is ``current``."""
     places = _places(eq)
     off = [_apart(place, here) for place in places]
     nearest = int(np.argmin(off)) if off else -1
@@ -191,11 +186,8 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
 
 
 def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[tuple[dict[str, float], float | None], ...]:
-    """Other stable states of ``eq`` than the one that is ``here``: each place in units, and where it ends as the loading
-    parameter goes on.
-
-    Where it ends is told as the jump is; NaN where it does not, None where that is not known, or nothing rises.
-    """
+    """Other stable states of ``eq`` than the one that is ``here``: each place in units, and the loading parameter where it ends,
+    NaN where it does not, None where that is not known."""
     at, rise, found = study.at_work, study.rise, []
     for slot, place in enumerate(_places(eq) if here is not None else ()):
         if eq.stability[slot] != Stability.STABLE or _apart(place, here) < SAME:
@@ -209,11 +201,7 @@ def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
 
 
 def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
-    """The coordinates of the state that the brake is in; None where that can't be said.
-
-    It is the one that is reached from small deformation as the loading parameter rises; where nothing is said to, the only one of
-    ``eq``.
-    """
+    """The coordinates of the state that is reached as the loading parameter rises; where nothing does, of the only one."""
     if study.rise is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
     (value,), begin = study.at_work.scalars(study.rise.name), study.begins()
@@ -281,10 +269,9 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
 
     Notes
     -----
-    Source: the equations of motion, (8)–(11), at the belt's speed, where the loading parameter is at the jump: friction by the
-    μ₀ at which that works; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The
-    motion begins at rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is left,
-    and the others are balanced; forces are looked at over equal steps of time.
+    Source: (8)–(11), where the loading parameter is at the jump, of friction by a larger μ₀, or at a higher speed of the belt.
+    The motion begins at rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is
+    left, and the others are balanced.
     """
     rise, at = study.rises, _moving(study, value, jump, speed)
     if at is None:
@@ -352,8 +339,7 @@ def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
 def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillation:
     """The cycle that the motion comes to, from rest or from far out; or what it does instead.
 
-    ``settles`` says of the state that the brake is in whether a small disturbance dies out, None where that is up to what the
-    model leaves out, and ``holds`` whether it does in the model: else no motion that falls comes to rest.
+    ``settles`` is of the state that the brake is in, and ``holds`` whether that is stable in the model.
     """
     p, (unit, size) = study.dimensionless, unit_of(study)
     rates = len(p.model.coordinates)

@@ -37,11 +37,7 @@ PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "N/m^3": "N/mm^3", "m": "mm", "
 
 @dataclass(frozen=True)
 class Rise:
-    """The loading parameter: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI.
-
-    Friction is told as the friction of the law, of which :mod:`~spragsym.report.friction` says how much works; of any other
-    quantity values are told as they are, in SI, and the friction stays.
-    """
+    """The loading parameter: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI."""
 
     quantity: str
     name: str
@@ -65,9 +61,7 @@ class Rise:
 def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Mapping[str, float]) -> Rise | None:
     """The loading parameter: the quantity that is named, else the friction at full slip; None for a model without it.
 
-    ``begin`` and the quantities are in SI; without it the quantity rises from its least value. Refused are what is no
-    quantity, or one on which no state depends; one that has no least value, without ``begin``; and a ``begin`` that is not
-    allowed, or above the value.
+    ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
     """
     if vary is None:
         if begin is not None:
@@ -176,8 +170,7 @@ class Study:
     def from_file(cls, path: str | os.PathLike[str], *, trust: bool | str = False) -> Study:
         """The study of a file such as ``brake.toml``; see :func:`spragsym.report.brake_files.read_brake`.
 
-        A file may name the folder of a model, whose code runs: ``trust`` says that it may. A number whose unit was probably meant
-        otherwise is a UserWarning.
+        A number whose unit was probably meant otherwise is a UserWarning.
         """
         from .brake_files import read_brake
         from .cautions import of_data
@@ -270,11 +263,7 @@ class Study:
 
     @cached_property
     def law(self) -> str:
-        """Which friction works: that at the belt's speed where it is known and statics can take it, else what statics takes.
-
-        Statics takes μ₀, to which the law is proportional, or the law at the belt's speed itself; of other laws no value of μ₀
-        stands for the friction at a speed.
-        """
+        """Which friction works: that at the belt's speed where it is known and a value of μ₀ stands for it, else that at rest."""
         law = self.kind.law
         known = law["belt"] != "0" and set(law["quantities"]) <= set(self.quantities)
         return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"

@@ -99,10 +99,8 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
 
 
 def corners(study: Study) -> FloatArray:
-    """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur.
-
-    Of what rises, or of quantities with which the friction does if it is that, the upper ends are enough, if independent.
-    """
+    """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur, at upper ends only of
+    what rises, or of quantities with which the friction does."""
     names = varied(study)
     rising = friction.rising(study) if study.rise is None or study.of_friction else {study.rise.quantity}
     together = study.together(names)
@@ -136,10 +134,7 @@ def ending(study: Study, values: Mapping[str, Any], target: float | None = None,
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works.
-
-    Of what rises from ``begin`` no less than that: a brake in which it is less has come to no end.
-    """
+    """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has begun to."""
     low, high, units = tolerance_boxes.corners(study)
     if not study.of_friction:
         name = study.rises.name
@@ -158,10 +153,7 @@ def _all_works(study: Study) -> bool:
 def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     """Whether any brake within the tolerances jumps: proved, refuted by one that does, or undecided; ``hasty`` ends earlier.
 
-    Notes
-    -----
-    Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that are their units, rounded
-    outward. Of the friction that works the proof takes bounds, and a counterexample its own.
+    Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that are their units.
     """
     amount = effort(study)
     point = counterexample(study, amount.points_of_change if hasty else amount.points)
@@ -195,10 +187,7 @@ def chance(study: Study, n: int) -> JumpProbability:
 
 
 def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
-    """Whether the state that is followed in a changed brake is the one that is followed in the brake as drawn.
-
-    Where what rises begins behind its end in the changed brake, a state is taken up there that may end nowhere.
-    """
+    """Whether the state that is followed in a changed brake is the one of the brake as drawn, not one behind its end."""
     if study.of_friction:
         return True
     ends = {name: sorted((study.values[name], value)) for name, value in after.items()}
@@ -217,13 +206,8 @@ def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
 def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is proved not to.
 
-    (0, 1) where quantities vary together, or more of them vary than parts can be made of, and where friction that works less than
-    fully is not what rises.
-
-    Notes
-    -----
-    Source: :func:`spragsym.design.jump_probability.measured` over the box of :func:`certificate`. Of the belt's speed and the
-    law's steepness only how much of μ₀ works is taken, from least to most.
+    (0, 1) where quantities vary together, or too many vary, and where friction that works less than fully is not what rises.
+    Of the belt's speed and the law's steepness only how much of μ₀ works is taken, from least to most.
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
     if not names or len(names) > _MOST_SIDES or correlated(study) or not (study.of_friction or _all_works(study)):

@@ -7,12 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet, as_count
 from ..numerics.certified_roots import concatenated
 from ..numerics.chains import link, walked
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
@@ -207,14 +206,14 @@ def rows_of(family: Family, found: Points) -> FloatArray:
 # ------------------------------------------------------------------------------------------------------- order of points
 
 
-def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> NDArray[np.bool_]:
+def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> BoolArray:
     """Whether no line separates two points, for every pair: where a curve crosses a line, there is a point of its own."""
     room = ON_LINE * (span[1] - span[0])
     first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
     return np.maximum.outer(first, first) <= np.minimum.outer(last, last)
 
 
-def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> list[NDArray[np.int64]]:
+def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntArray]:
     """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree.
 
     ``near`` says which two may be neighbours, shape (points, points).
@@ -238,7 +237,7 @@ def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> l
     return walked(links)
 
 
-def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> None:
+def _link(cost: FloatArray, free: BoolArray, links: list[set[int]]) -> None:
     """Join points that are each other's nearest on sides that are free."""
     count = free.shape[1]
     # The side of the other point on which this one lies.

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics.determinants import Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
-from ..numerics.interval_arrays import stacked
+from ..numerics.interval_arrays import BoolArray, stacked
 from ..numerics.jets import Jet
 from ..numerics.polynomials import derivative
 from ..statics.mechanics.state import State
@@ -134,7 +133,7 @@ def no_damping(along: int, on_fold: bool = False) -> Condition:
     return Condition(lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along]))
 
 
-def _too_flat(at: State) -> NDArray[np.bool_]:
+def _too_flat(at: State) -> BoolArray:
     """Boxes where the slope is smaller all over than anything that floats tell from 0, and its sign unknown."""
     if at.balance.slope_is_a_sum:
         return np.zeros(at.shape, dtype=np.bool_)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import FloatArray, IntArray
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
 from ..results.points import Points
@@ -203,7 +203,7 @@ def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States
     return bool((np.concatenate(near) >= 0).all())
 
 
-def clearly_nearest(q: FloatArray, places: FloatArray) -> NDArray[np.int64]:
+def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
     """For each of some states, shape (n, number), the place that is by far the nearest to it; -1 if none is."""
     away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
     first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import contractors
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.determinants import cofactor
-from ..numerics.interval_arrays import Intervals
+from ..numerics.interval_arrays import BoolArray, Intervals
 from ..numerics.jets import constant, variables
 from ..statics.mechanics.precise_balance import clusters
 from .bifurcation_conditions import change, cusp
@@ -43,7 +42,7 @@ def _cusps(family: Family, found: Found, column: int) -> Roots:
     return found.roots.kept(proved).besides(found.roots.ends[:, :, unclear], found.roots.point[unclear])
 
 
-def told_apart(family: Family, found: Found, column: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def told_apart(family: Family, found: Found, column: int) -> tuple[BoolArray, BoolArray]:
     """Which roots are cusps, and of which that is not known.
 
     A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.

@@ -14,12 +14,11 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics.ball_functions import XP as BALLS
 from ..numerics.boxes import POLE, System
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.krawczyk import Digits
 from ..statics.mechanics.laws import XP
@@ -42,8 +41,8 @@ class Condition:
     order: int = 0
     singular: bool = False
     touching: bool = False
-    hopeless: Callable[[State], NDArray[np.bool_]] | None = None
-    given_up: Callable[[State], NDArray[np.bool_]] | None = None
+    hopeless: Callable[[State], BoolArray] | None = None
+    given_up: Callable[[State], BoolArray] | None = None
 
 
 class Augmented(System):
@@ -63,14 +62,12 @@ class Augmented(System):
         with np.errstate(all="ignore"):
             return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
 
-    def state(
-        self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
-    ) -> State:
+    def state(self, unknowns: Sequence[Any], parameters: Intervals, shape: Shape, sides: Sequence[int] | None = None) -> State:
         """The evaluation at intervals or jets of them."""
         return self.evaluated(unknowns, self.balance.arguments(parameters), shape, sides=sides)
 
     def evaluated(
-        self, unknowns: Sequence[Any], fixed: Mapping[str, Any], shape: tuple[int, ...], xp: Any = XP,
+        self, unknowns: Sequence[Any], fixed: Mapping[str, Any], shape: Shape, xp: Any = XP,
         sides: Sequence[int] | None = None,
     ) -> State:  # fmt: skip
         """The evaluation at unknowns of any number type, from arguments of which those that vary are replaced."""
@@ -111,25 +108,25 @@ class Augmented(System):
         ]
         return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], shape)
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, or without what the condition asks for."""
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape)
-        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape)
+        out: BoolArray = self.balance.nothing_at(at.q, at.values, shape)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
         if self.condition.singular:
             out = out | regular_at_anchors(self.balance, at.q, at.values, ~out)
 
-        def no_root(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
+        def no_root(rows: IntArray, sides: Sequence[int]) -> BoolArray:
             values = self._values(unknowns[:, rows], parameters[:, rows], sides)
             return ~np.logical_and.reduce(values.holds_zero())
 
         return out | self.balance.beside_jumps(at.q, at.values, ~out, no_root)
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
         at = self.state(list(unknowns), parameters, unknowns.shape[1:])
-        poles: NDArray[np.bool_] = self.balance.at_poles(at.q, at.values, at.shape, width)
+        poles: BoolArray = self.balance.at_poles(at.q, at.values, at.shape, width)
         return poles if self.condition.given_up is None else poles | self.condition.given_up(at)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:

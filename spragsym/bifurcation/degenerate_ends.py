@@ -14,11 +14,10 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..statics.mechanics.balance import NOTHING
 from ..statics.mechanics.laws import XP
 from ..statics.mechanics.state import State
@@ -28,7 +27,7 @@ from .defining_systems import Augmented
 WIDER, ROOM = 0.25, 1e-11
 
 
-def shared(system: Augmented, left: FloatArray) -> NDArray[np.bool_]:
+def shared(system: Augmented, left: FloatArray) -> BoolArray:
     """Boxes of coordinates and parameter whose only root is proved to be at an end of the range where all states are roots.
 
     ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n + 1, N).
@@ -46,7 +45,7 @@ def shared(system: Augmented, left: FloatArray) -> NDArray[np.bool_]:
     return out
 
 
-def vanishes(system: Augmented, end: float, ends: FloatArray) -> NDArray[np.bool_]:
+def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
     """Boxes over whose coordinates the condition is 0 everywhere at this value of the parameter."""
     count, (vary,) = ends.shape[2], system.family.vary
     # 0 as the number, unless it is an angle.
@@ -66,7 +65,7 @@ def _at_end(system: Augmented, end: float, count: int) -> Intervals:
     return system.prepared(Intervals.point(system.family.at(np.full((1, count), end))))
 
 
-def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> NDArray[np.bool_]:
+def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> BoolArray:
     """Boxes with exactly one root."""
     return contractors.inside(stepped(system, wide, parameters).ends, wide)
 

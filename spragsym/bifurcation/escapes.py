@@ -11,11 +11,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import boxes, certified_roots
 from ..numerics.determinants import determinant
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..results.points import Points
 from ..statics.mechanics.forces import TURN
@@ -67,14 +66,14 @@ class _Chart(boxes.System):
         slopes = [[row.differentiated(k) if isinstance(row, Jet) else 0 for k in range(self.n - 1)] for row in forces]
         return [*forces, determinant(slopes)]
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes of directions in which the contact opens."""
         if not self.balance.opens:
             return np.zeros(unknowns.shape[1:], dtype=np.bool_)
         _, gap = self.rows(list(unknowns), parameters)
         return self.balance.sides(stacked([constant(gap)], unknowns.shape[1:])[0])[1]
 
-    def exists(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.int64]:
+    def exists(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
         """On which side of the value the state is, 1 or −1; 0 where that is not known."""
         slopes = [gradient(row, self.n + 1) for row in self.rows(variables(list(unknowns), 1), parameters)[0]]
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])

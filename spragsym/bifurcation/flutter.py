@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet
 from ..numerics.certified_roots import concatenated
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import ComplexArray, FloatArray, Intervals, stacked
 from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.points import Points
@@ -153,7 +153,7 @@ def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return [omega] if omega else []
 
 
-def _squares(M: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
+def _squares(M: FloatArray, K: FloatArray) -> ComplexArray:
     """The roots κ of det(K − κ M)."""
     return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
 

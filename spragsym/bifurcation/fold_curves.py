@@ -11,10 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import contractors
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ..statics.mechanics.border import on_side
 from .defining_systems import Augmented
 
@@ -142,7 +141,7 @@ class FoldCurves:
     def tangents(self, states: FloatArray) -> FloatArray:
         """Unit vectors along the curve, over the scales; 0 where there is none."""
         slopes = np.moveaxis(self._slopes(Intervals.point(states)).middle * self.scale[None, :, None], -1, 0)
-        known: NDArray[np.bool_] = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
+        known: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
         vectors: FloatArray = np.linalg.svd(np.where(known[:, None, None], slopes, 0.0))[2][:, -1, :].T
         return vectors * known
 
@@ -161,7 +160,7 @@ class FoldCurves:
         found, good = self.on_curve(middle[:, rows] * self.scale[:, None], normal, length[rows])
         return np.insert(states, rows[good] + 1, found[:, good], axis=1)
 
-    def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
         states, scale = start, self.scale[:, None]
         with np.errstate(all="ignore"):
@@ -179,7 +178,7 @@ class FoldCurves:
             good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
         return states, good
 
-    def enclosed(self, states: FloatArray, fixed: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.bool_]]:
+    def enclosed(self, states: FloatArray, fixed: IntArray) -> tuple[FloatArray, BoolArray]:
         """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved to hold one.
 
         ``fixed`` is the number of the unknown whose value is that of the state.

@@ -14,7 +14,7 @@ from ..models.parameters import ParameterSet, as_count
 from ..numerics import contractors
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import concatenated
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..questions import model_of
 from ..remarks import Remark
 from ..results.bifurcation_sets import Curve
@@ -158,7 +158,7 @@ def onset_curves(
     return plane.damped(n) if damping else plane.undamped(n)
 
 
-def frequencies(roots: NDArray[np.complex128]) -> list[float]:
+def frequencies(roots: ComplexArray) -> list[float]:
     """ω of the pairs ± i ω among the roots of a state that nothing damps, ascending."""
     return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
 
@@ -246,11 +246,11 @@ class _Plane(Family):
         found = replace(parts[0], roots=every)
         return arranged(self, found, np.array(kinds, dtype=np.str_))
 
-    def roots(self, states: FloatArray) -> NDArray[np.complex128]:
+    def roots(self, states: FloatArray) -> ComplexArray:
         """All λ, shape (N, 2 n)."""
         return stability.roots(*matrices(self, states))
 
-    def hardly_damped(self, states: FloatArray) -> NDArray[np.bool_]:
+    def hardly_damped(self, states: FloatArray) -> BoolArray:
         """Where C is next to nothing beside K."""
         _, C, K = matrices(self, states)
         return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
@@ -318,7 +318,7 @@ def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tup
             yield chain[:, part], np.array([modes[row][mode] for row in part])
 
 
-def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> NDArray[np.bool_]:
+def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> BoolArray:
     """Which states of a chain are Bogdanov–Takens points, one a column."""
     off = np.abs(states[:, :, None] - ends[:, None]) / curves.scale[:, None, None]
     return (off.max(axis=0) < SAME).any(axis=1)

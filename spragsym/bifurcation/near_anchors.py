@@ -10,11 +10,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import jets
 from ..numerics.determinants import cofactor, determinant
-from ..numerics.interval_arrays import Intervals, raised, stacked
+from ..numerics.interval_arrays import BoolArray, Intervals, Shape, raised, stacked
 from ..statics.mechanics.balance import AWAY, Balance, taken
 
 #: Arcs of directions that are looked at one by one.
@@ -23,9 +22,7 @@ ARCS = 32
 ENDLESS = Intervals.between(np.array([1e290]), np.array([1e308]))
 
 
-def regular_at_anchors(
-    balance: Balance, q: Sequence[Intervals], values: Mapping[str, Any], among: NDArray[np.bool_]
-) -> NDArray[np.bool_]:
+def regular_at_anchors(balance: Balance, q: Sequence[Intervals], values: Mapping[str, Any], among: BoolArray) -> BoolArray:
     """Boxes at an anchor in which det K is not 0, whatever the direction of the spring is."""
     out = np.zeros(among.shape, dtype=np.bool_)
     if balance.torsions:
@@ -38,9 +35,7 @@ def regular_at_anchors(
     return out
 
 
-def _regular(
-    balance: Balance, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...], spring: int
-) -> NDArray[np.bool_]:
+def _regular(balance: Balance, q: Sequence[Intervals], values: Mapping[str, Any], shape: Shape, spring: int) -> BoolArray:
     every, place = np.tile(np.arange(shape[0]), ARCS), 3 * spring
     q, values = [part[every] for part in q], taken(values, every)
     directions = balance.directions(q, values, every.shape)

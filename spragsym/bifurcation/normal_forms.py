@@ -20,7 +20,6 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.model_field import undecorated
 from ..numerics import balls
@@ -28,7 +27,7 @@ from ..numerics.ball_functions import XP
 from ..numerics.balls import Ball, Undecided, ball
 from ..numerics.complex_numbers import Complex, as_complex
 from ..numerics.determinants import solved
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.precise_balance import PreciseBalance
@@ -68,11 +67,11 @@ class NormalForm:
     lyapunov_error: float
     crossing: float
     crossing_error: float
-    q: NDArray[np.complex128]
-    p: NDArray[np.complex128]
+    q: ComplexArray
+    p: ComplexArray
     reach: float
     along: FloatArray
-    square: NDArray[np.complex128]
+    square: ComplexArray
     mean: FloatArray
 
 
@@ -333,7 +332,7 @@ def _sign(value: Any) -> int:
     return balls.sign(_ball(value))
 
 
-def _floats(values: Sequence[Any]) -> NDArray[np.complex128]:
+def _floats(values: Sequence[Any]) -> ComplexArray:
     """The middles of balls or of complex numbers."""
     return np.array([complex(_float(z.re)[0], _float(z.im)[0]) for z in map(as_complex, values)])
 

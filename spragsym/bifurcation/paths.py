@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, Range, as_numbers
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
 from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Jump, Path, followed
@@ -259,7 +259,7 @@ class _Way:
         """A column of the states on the path."""
         return getattr(self.turns, name)
 
-    def _stops(self, along: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    def _stops(self, along: FloatArray) -> tuple[FloatArray, BoolArray]:
         """The values in their order, with a stop on each side of each fold."""
         beside = []
         for fold in self.at:
@@ -332,7 +332,7 @@ class _Way:
             begun = [slot for slot in begun if self._turns(stop, slot, stop - 1) == number]
         return next((slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), None)
 
-    def _candidates(self, stop: int, other: int) -> NDArray[np.int64]:
+    def _candidates(self, stop: int, other: int) -> IntArray:
         """Numbers of the points at which states may vanish between two stops, or on them."""
         low, high = sorted((self.stops[stop], self.stops[other]))
         error = self._column("error") * np.maximum(1.0, np.abs(self.at))
@@ -368,7 +368,7 @@ class _Way:
         z = np.array([*(self.eq.coordinates[name][stop, slot] for name in balance.coordinates), self.stops[stop]])
         return tubes, tubes.place(self._part, z[:, None], tubes.n)
 
-    def _states(self, numbers: NDArray[np.int64]) -> FloatArray:
+    def _states(self, numbers: IntArray) -> FloatArray:
         """Coordinates of points at which states vanish, shape (n, numbers)."""
         return np.array([self._column(name)[numbers] for name in self.balance.coordinates])
 

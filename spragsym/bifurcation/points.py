@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals
 from ..numerics.jets import Jet, variables
 from ..progress import doing
 from ..results.points import Ended, Points
@@ -40,7 +40,7 @@ class Found:
 
     roots: Roots
     region: FloatArray
-    whole: NDArray[np.bool_]
+    whole: BoolArray
 
 
 def search(family: Family, condition: Condition, budget: int | None = None) -> Found:
@@ -76,13 +76,13 @@ def nothing(family: Family) -> Found:
     return Found(Roots.none(family.balance.n + len(family.vary)), *_region(family, family.balance))
 
 
-def _region(family: Family, balance: Balance) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
     """Coordinates and the parameters that vary, and whether that holds all equilibria."""
     around, whole = region(balance, family.over, family.asked)
     return _with_sides(family, around), whole
 
 
-def _unbounded(family: Family) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _unbounded(family: Family) -> tuple[FloatArray, BoolArray]:
     points = family.given.shape[1]
     return _with_sides(family, np.full((2, family.balance.n, points), np.inf)), np.ones(points, dtype=np.bool_)
 

@@ -13,12 +13,11 @@ from functools import partial
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
 from ..numerics.krawczyk import as_intervals, narrowed
 from ..statics import stability
 from ..statics.mechanics.border import on_its_side
@@ -87,7 +86,7 @@ def _sightings(system: Augmented) -> list[Sighting]:
     return [(state, omega) for state, omega in out if (np.abs(_signals(system, state[:, None])[0]) <= most).any()]
 
 
-def _states(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
+def _states(found: Roots) -> tuple[FloatArray, IntArray]:
     """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
     boxes = Intervals(found.left)
     small = (boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0)
@@ -100,7 +99,7 @@ def _states(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
     return q[:, first], point[first]
 
 
-def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _crossing(a: ComplexArray, b: ComplexArray) -> ComplexArray:
     """Eigenvalues above the real axis whose real part changes sign to the next state; each is followed."""
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
@@ -111,8 +110,8 @@ def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[n
 
 def _bisected(
     system: Augmented,
-    low: tuple[FloatArray, NDArray[np.complex128]],
-    high: tuple[FloatArray, NDArray[np.complex128]],
+    low: tuple[FloatArray, ComplexArray],
+    high: tuple[FloatArray, ComplexArray],
     halvings: int,
 ) -> list[Sighting]:
     """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
@@ -140,7 +139,7 @@ def _state(system: Augmented, z: FloatArray) -> FloatArray:
     return np.append(q[:, 0], z[-1])
 
 
-def _signals(system: Augmented, z: FloatArray) -> list[NDArray[np.complex128]]:
+def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     """Numbers whose real part changes its sign at an onset, of each state z, shape (n + 1, N).
 
     The λ above the real axis; where friction alone damps, or nothing, the condition's own value.

@@ -23,13 +23,12 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import balls, boxes, certified_roots, contractors
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
 from ..numerics.determinants import determinant
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.reduction import third_derivative
 from ..statics.mechanics.balance import NOTHING, Balance
@@ -101,14 +100,14 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         K = replace(at, q=variables(list(q), order)).slopes()
         return [change(K, number) for number in range(n)]
 
-    def hopeless(at: State) -> NDArray[np.bool_]:
+    def hopeless(at: State) -> BoolArray:
         q, along = stacked(at.q, at.shape).ends, [constant(value) for value in changes(at, at.q, 1)]
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
             along.append(gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd])
         return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
 
-    def given_up(at: State) -> NDArray[np.bool_]:
+    def given_up(at: State) -> BoolArray:
         q = stacked(at.q, at.shape)
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
         small = np.logical_and.reduce(q.width <= NEAR * np.maximum(1.0, q.magnitude))
@@ -146,7 +145,7 @@ class _OnMirror(boxes.System):
         forces, K = at.forces(), at.slopes()
         return [*(forces[i] for i in self.even), determinant([[K[i][j] for j in self.odd] for i in self.odd])]
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
         at = self.completed(list(unknowns), parameters)
         return self.balance.beyond_border(at.q, at.values, at.shape)

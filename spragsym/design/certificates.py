@@ -8,12 +8,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..bifurcation.tubes.tube_regions import ByColumn, Flags, halves
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import FloatArray, IntArray
 from ..progress import doing
 from ..results.result import Result
 
@@ -57,7 +56,7 @@ class Boxes(ByColumn):
         return int(self.low.shape[1])
 
     @property
-    def outcome(self) -> NDArray[np.int64]:
+    def outcome(self) -> IntArray:
         """Whether a claim holds for all of a part, or is false for all of it."""
         raise NotImplementedError
 
@@ -85,7 +84,7 @@ class Held(Boxes):
     holds: Flags
 
     @property
-    def outcome(self) -> NDArray[np.int64]:
+    def outcome(self) -> IntArray:
         """Whether a claim holds."""
         return np.where(self.holds, SAFE, OPEN)
 

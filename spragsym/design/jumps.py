@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..bifurcation.families import FAR
 from ..bifurcation.paths import first_end
@@ -15,7 +14,7 @@ from ..bifurcation.tubes.tubes import Tubes
 from ..bifurcation.tubes.turning_points import SEGMENTS, past, turned
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, Range, as_numbers
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
@@ -250,7 +249,7 @@ class Followed:
             found[rows] = ended
         return found.reshape(self.shape)
 
-    def _none(self, rows: Any) -> NDArray[np.bool_]:
+    def _none(self, rows: Any) -> BoolArray:
         """Whether no state is left, proved, at the end of the way: the one that is followed may have run to infinity."""
         given = {**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.vary: self.until[rows]}
         eq = equilibria(self.model.Parameters(**given))

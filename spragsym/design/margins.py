@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ParameterError
 from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
+from ..numerics.interval_arrays import BoolArray
 from ..questions import Method, model_of, question
 from ..results.result import Result
 from .certificates import OPEN, SAFE, Boxes
@@ -96,7 +96,7 @@ def jump_margin(
     if prove and not isinstance(p, ParameterSet):
         raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
 
-    def ending(z: FloatArray) -> NDArray[np.bool_]:
+    def ending(z: FloatArray) -> BoolArray:
         # A design below where the parameter begins has not come to any end.
         return np.asarray(have_jumped(designs.sets(z), name, designs.begin(z, first)) == 1)
 

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 
-Member = Callable[[FloatArray], NDArray[np.bool_]]
+Member = Callable[[FloatArray], BoolArray]
 #: From a point near the border, or from 0, to the nearest point of the border about there, a member, if it is found.
 Improved = Callable[[FloatArray], FloatArray | None]
 

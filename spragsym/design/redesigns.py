@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ParameterError
 from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters, as_number
+from ..numerics.interval_arrays import BoolArray
 from ..questions import Method, model_of, question
 from ..results.result import Result
 from .design_space import Design, space
@@ -105,7 +105,7 @@ def redesign(
     first = {name: lowest.get(name) if begin is None else begin for name in wanted}
     along = {name: MovedFold(name, first[name]) for name in wanted}
 
-    def keeps(z: FloatArray) -> NDArray[np.bool_]:
+    def keeps(z: FloatArray) -> BoolArray:
         result = np.ones(z.shape[:-1], dtype=np.bool_)
         for name, limit in wanted.items():
             left = np.flatnonzero(result)

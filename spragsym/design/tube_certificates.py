@@ -7,14 +7,13 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..bifurcation.tubes.tube_regions import Flags, Parts, Place, halves
 from ..bifurcation.tubes.tubes import SMALL, Tubes
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, as_count
 from ..models.parameters.units import Unit, checked_units
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
 from ..results import Stability
 from ..statics.equilibria import equilibria
@@ -46,11 +45,11 @@ class Pieces(Boxes):
     top: FloatArray
 
     @property
-    def outcome(self) -> NDArray[np.int64]:
+    def outcome(self) -> IntArray:
         """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
         return np.where(self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN))
 
-    def divisible(self) -> NDArray[np.bool_]:
+    def divisible(self) -> BoolArray:
         """Sides of the free parameters that have floats between their ends."""
         return np.nextafter(self.low[:-1], np.inf) < self.high[:-1]
 

@@ -11,7 +11,6 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 import spragsym as ss
 
@@ -21,6 +20,7 @@ from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.chains import link, walked
+from ..numerics.interval_arrays import IntArray
 from ..results import Columns, Equilibria, Path, Points, Stability
 from ..statics.stability import REAL
 from .labels import as_drawn, window, with_unit
@@ -31,7 +31,7 @@ LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\the
 
 
 #: Equilibria by their indices into the columns.
-States: TypeAlias = tuple[NDArray[np.int64], ...]
+States: TypeAlias = tuple[IntArray, ...]
 
 
 @dataclass(frozen=True)

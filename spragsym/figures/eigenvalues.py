@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..errors import ConvergenceError
 from ..models import Model
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion.pictures import in_letters
+from ..numerics.interval_arrays import ComplexArray
 from ..statics.stability import NEUTRAL
 from .curves import along, chains_between, folds_between
 from .labels import as_drawn, label
@@ -86,7 +86,7 @@ def eigenvalue_figure(
 
 
 #: Of each curve the values of the parameter, and at each all λ with damping and without, each of them in one column.
-_Courses = list[tuple[FloatArray, NDArray[np.complex128], NDArray[np.complex128]]]
+_Courses = list[tuple[FloatArray, ComplexArray, ComplexArray]]
 
 
 def _courses(p: ParameterSet, vary: str, ends: tuple[float, float], contact: bool, n: int) -> _Courses:
@@ -100,7 +100,7 @@ def _courses(p: ParameterSet, vary: str, ends: tuple[float, float], contact: boo
     return found
 
 
-def _followed(values: FloatArray, every: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
     """Rows of λ in such an order that each column goes on straight from the two rows before."""
     out = every.copy()
     for row in range(1, len(out)):

@@ -16,6 +16,7 @@ from ..generated import equilibrium as _equilibrium
 from ..models.parameters import ARTICLE, FloatArray, Parameters
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
 from ..numerics.companion_roots import eigenvalues
+from ..numerics.interval_arrays import BoolArray
 from .captions import BASE_TEXT
 from .planes import draw_bifurcation_set
 from .style import (
@@ -225,7 +226,7 @@ def _in_four(cells: NDArray[Any]) -> NDArray[Any]:
     return np.kron(cells, np.ones((2, 2), dtype=cells.dtype))
 
 
-def _beside_a_step(rms: FloatArray) -> NDArray[np.bool_]:
+def _beside_a_step(rms: FloatArray) -> BoolArray:
     """Cells that differ from a neighbour, beside or above, by a step."""
     found = np.zeros(rms.shape, dtype=bool)
     for axis in (0, 1):

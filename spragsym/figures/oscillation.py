@@ -13,13 +13,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
-from numpy.typing import NDArray
 
 import spragsym as ss
 
 from ..assumed import D, V
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import FloatArray, Parameters
+from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..orbits.maps import Kind
 from .captions import BASE_TEXT, MODEL
@@ -140,7 +140,7 @@ def _height(line: dict[str, Any]) -> float:
 
 
 def draw_stretches(
-    ax: Axes, values: FloatArray, heights: FloatArray, stable: NDArray[np.bool_], colour: str, width: float
+    ax: Axes, values: FloatArray, heights: FloatArray, stable: BoolArray, colour: str, width: float
 ) -> None:  # fmt: skip
     """A branch: full where stable, dashed where not, without a gap between."""
     for wanted, style in ((True, "-"), (False, (0, (3, 1.5)))):

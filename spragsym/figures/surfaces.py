@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 from matplotlib.colors import to_rgba_array
-from numpy.typing import NDArray
 
 import spragsym as ss
 
 from ..assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters
+from ..numerics.interval_arrays import Int8Array
 from ..results import Stability
 from .curves import LABELS
 from .style import BLACK, VERMILION, Sheet, Table, stacked
@@ -26,7 +26,7 @@ POINT = ("theta0_deg", "mu0", "x")
 _LIFT, _HALF = 0.08, 0.0036
 
 
-def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> tuple[FloatArray, NDArray[np.int8]]:
+def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
     """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface between two frictions; and their stability.
 
     Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite: the mesh has no hole.

@@ -12,11 +12,11 @@ import math
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..generated.models.kang_nam import algebra
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..numerics.companion_roots import eigenvalues
+from ..numerics.interval_arrays import BoolArray
 
 #: A well: x and y of its bottom, and the energy of its brim.
 Well: TypeAlias = tuple[float, float, float]
@@ -54,7 +54,7 @@ def wells(p: Parameters) -> list[tuple[Well, ...]]:
     return [tuple(each) for each in told]
 
 
-def aloft(constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+def aloft(constants: FloatArray, states: FloatArray) -> BoolArray:
     """For states of many motions, in rows, whether each is in a well of the energy above the belt that it can't leave."""
     found = states[:, 1] > 0
     if found.any():

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..generated import laws
 from ..models.field import SETTLED
 from ..models.parameters import FloatArray, Parameters
+from ..numerics.interval_arrays import Int8Array
 
 
-def rest_index(p: Parameters, places: FloatArray) -> NDArray[np.int8]:
+def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
     """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1 where there is none."""
     from .quartic.solver import equilibria
 

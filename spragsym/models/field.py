@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..numerics.interval_arrays import BoolArray
 from .parameters import FloatArray
 
 #: What is said of an orbit on which the field jumps.
@@ -89,7 +89,7 @@ def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
     return found
 
 
-def never(constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+def never(constants: FloatArray, states: FloatArray) -> BoolArray:
     """The answer of a model of which no motion is known to stay above the belt."""
     return np.zeros(len(states), dtype=bool)
 
@@ -156,7 +156,7 @@ class Field:
     curved: bool = False
     around: tuple[int, ...] = ()
     is_angle: Callable[[str], bool] = "".__eq__
-    aloft: Callable[[FloatArray, FloatArray], NDArray[np.bool_]] = never
+    aloft: Callable[[FloatArray, FloatArray], BoolArray] = never
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""
@@ -187,7 +187,7 @@ class Field:
         columns: Any = self.initial_mode(states.T, constants.T)
         return list(zip(*(np.broadcast_to(numbers, len(states)).tolist() for numbers in columns), strict=True))
 
-    def are_inside(self, states: Any, constants: Any, modes: Any) -> NDArray[np.bool_]:
+    def are_inside(self, states: Any, constants: Any, modes: Any) -> BoolArray:
         """Whether states, a column each, lie in their modes, or beyond the borders by no more than the gap."""
         within = np.ones(np.shape(states)[1:], dtype=bool)
         for border in self.borders:

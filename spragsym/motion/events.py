@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..models.field import Field
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import BoolArray
 from ..results.result import Result
 from .problem import Event, kinds_of
 from .segment import Crossing
@@ -46,7 +47,7 @@ class Events(Result):
         """The events of some kinds only."""
         return self.select(np.isin(self.which, kinds))
 
-    def select(self, chosen: NDArray[np.bool_]) -> Events:
+    def select(self, chosen: BoolArray) -> Events:
         """The events that are marked."""
         return replace(self, t=self.t[chosen], state=self.state[chosen], which=self.which[chosen])
 

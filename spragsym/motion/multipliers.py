@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import ComplexArray
 
 #: A product no larger than this is multiplied out: its smallest multiplier loses no more than these digits.
 PLAIN = 1e3
@@ -38,11 +38,11 @@ class Multipliers:
     """
 
     trivial: float
-    others: NDArray[np.complex128]
+    others: ComplexArray
     errors: FloatArray
 
     @property
-    def values(self) -> NDArray[np.complex128]:
+    def values(self) -> ComplexArray:
         """All of them, the trivial one first."""
         return np.concatenate([[complex(self.trivial)], self.others])
 
@@ -74,7 +74,7 @@ def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray])
     return Multipliers(trivial, values, SAFETY * moved)
 
 
-def eigenvalues_of_product(parts: Sequence[FloatArray]) -> NDArray[np.complex128]:
+def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     """Eigenvalues of parts[-1] … parts[1] parts[0], each to digits of its own.
 
     Rounds of QR turn the factors triangular; where that is reached, the product falls into blocks whose eigenvalues differ

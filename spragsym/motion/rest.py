@@ -9,11 +9,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..models.field import Field, Mode, in_one_turn
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import ComplexArray
 from .measures import KEPT, Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
@@ -42,8 +42,8 @@ class Rest:
     """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
 
     state: FloatArray
-    values: NDArray[np.complex128]
-    vectors: NDArray[np.complex128]
+    values: ComplexArray
+    vectors: ComplexArray
 
 
 def equilibrium_near(

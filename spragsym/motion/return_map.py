@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..models.field import TURN, apart, in_one_turn
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import ComplexArray
 from .measures import Course
 from .periodic_orbit import Closed, Onward, section
 from .problem import Problem
@@ -49,7 +49,7 @@ PASSAGES, STEPS, MET = 9, 20, 1e-9
 CANDIDATES = 3
 
 #: Multipliers and their vectors.
-Modes: TypeAlias = tuple[NDArray[np.complex128], NDArray[np.complex128]]
+Modes: TypeAlias = tuple[ComplexArray, ComplexArray]
 
 
 @dataclass(frozen=True)
@@ -276,7 +276,7 @@ def _goes_on(cycle: _Cycle, modes: Modes, off: FloatArray, tol: float) -> bool:
     return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest])))
 
 
-def _same_size(off: FloatArray, values: NDArray[np.complex128], vectors: NDArray[np.complex128]) -> Iterator[FloatArray]:
+def _same_size(off: FloatArray, values: ComplexArray, vectors: ComplexArray) -> Iterator[FloatArray]:
     """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones, eight phases of a pair."""
     parts = np.linalg.solve(vectors, off)
     turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)

@@ -12,10 +12,9 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import interval_functions
-from .interval_arrays import FUNCTION_ULPS, Intervals, raised
+from .interval_arrays import FUNCTION_ULPS, FloatArray, Intervals, raised
 from .jets import Functions, Jet
 from .rounded import UNIT, Rounded
 
@@ -107,7 +106,7 @@ class Affine(Rounded):
         return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))
 
 
-def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:
+def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
     """One number for each side of boxes, whose corners have the shape (sides, n)."""
     middle = 0.5 * (low + high)
     half = np.maximum(np.nextafter(high - middle, np.inf), np.nextafter(middle - low, np.inf))

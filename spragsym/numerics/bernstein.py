@@ -15,9 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .interval_arrays import BoolArray, FloatArray, Int8Array
 from .rounded import UNIT, Rounded
-
-FloatArray = NDArray[np.float64]
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
 DEPTH = 30
@@ -43,8 +42,8 @@ class Roots:
 
     row: NDArray[np.intp]
     t: Rounded
-    rising: NDArray[np.int8]
-    undecided: NDArray[np.bool_]
+    rising: Int8Array
+    undecided: BoolArray
 
 
 def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
@@ -76,9 +75,9 @@ class Signs:
     What the bounds leave open is 0 and neither.
     """
 
-    at_low: NDArray[np.int8]
-    negative: NDArray[np.bool_]
-    positive: NDArray[np.bool_]
+    at_low: Int8Array
+    negative: BoolArray
+    positive: BoolArray
 
 
 def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray, off: FloatArray) -> Signs:
@@ -130,7 +129,7 @@ def _beginning(coefficients: list[Rounded], size: int) -> Parts:
     return Parts(np.arange(size), np.zeros(size), np.ones(size), np.ldexp(value, exponent), np.ldexp(error, exponent))
 
 
-def _select(parts: Parts, which: NDArray[np.bool_]) -> Parts:
+def _select(parts: Parts, which: BoolArray) -> Parts:
     if which.all():
         return parts
     index = np.flatnonzero(which)
@@ -142,12 +141,12 @@ def _joined(parts: list[Parts]) -> Parts:
     return Parts(rows, *others)
 
 
-def _signs(parts: Parts) -> NDArray[np.int8]:
+def _signs(parts: Parts) -> Int8Array:
     above, below = parts.value > parts.error, parts.value < -parts.error
     return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
 
 
-def _descartes(parts: Parts) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
     """Where a part holds no root, and where exactly one, a simple one. An open sign between two that differ changes nothing."""
     signs = _signs(parts)
     unknown = signs == 0
@@ -203,7 +202,7 @@ def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
     return value[0] + rise * place, degree * rise
 
 
-def _refined(parts: Parts, undecided: NDArray[np.bool_]) -> Roots:
+def _refined(parts: Parts, undecided: BoolArray) -> Roots:
     """Each root by Newton's rule, or by halving where that leaves its part; and a radius at whose ends the signs differ."""
     degree = len(parts.value) - 1
     noise = parts.error.max(axis=0) + 8 * degree * UNIT * np.abs(parts.value).max(axis=0)
@@ -228,8 +227,8 @@ def _refined(parts: Parts, undecided: NDArray[np.bool_]) -> Roots:
 
 
 def _bracketed(
-    parts: Parts, place: FloatArray, slope: FloatArray, noise: FloatArray, rising: NDArray[np.int8],
-    undecided: NDArray[np.bool_],
+    parts: Parts, place: FloatArray, slope: FloatArray, noise: FloatArray, rising: Int8Array,
+    undecided: BoolArray,
 ) -> Roots:  # fmt: skip
     """The bracket of each root, proved by two signs."""
     radius = 4 * noise / np.abs(slope) + 8 * UNIT

@@ -13,10 +13,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import contractors
-from .interval_arrays import FloatArray, Intervals, matrix, stacked
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
 from .jets import constant, gradient, variables
 from .parameter_tree import Tree, tree
 
@@ -73,7 +72,7 @@ class System:
         rows = self.equations(variables(list(unknowns), self.order + 1), parameters)
         return matrix([gradient(row, unknowns.shape[0]) for row in rows], unknowns.shape[1:])
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
@@ -85,7 +84,7 @@ class System:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
         return unknowns.ends
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Boxes up to a width that halving would never decide, as around a pole of F, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
@@ -95,12 +94,12 @@ class Pairs:
     """Boxes, shape (2, n, N), and the nodes that they are looked at for, shape (N,)."""
 
     ends: FloatArray
-    nodes: NDArray[np.int64]
+    nodes: IntArray
 
     def __len__(self) -> int:
         return int(self.nodes.size)
 
-    def __getitem__(self, which: NDArray[np.bool_] | NDArray[np.int64] | slice) -> Pairs:
+    def __getitem__(self, which: BoolArray | IntArray | slice) -> Pairs:
         return Pairs(self.ends[:, :, which], self.nodes[which])
 
 
@@ -231,7 +230,7 @@ class _Search:
         rows = rows[left]
         return given[rows], Pairs(ends[:, :, left], given.nodes[rows]), parameters[:, left]
 
-    def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
+    def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
         n = now.ends.shape[1]
         widths = now.ends[0] + now.ends[1]
@@ -274,7 +273,7 @@ def _parted(pairs: Pairs) -> Pairs:
     return pairs
 
 
-def _halves(pairs: Pairs, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
+def _halves(pairs: Pairs, slopes: Intervals, closed: BoolArray) -> Pairs:
     """Both halves of each box, cut where the residuals change most in proportion to all that they change.
 
     A component that interval Newton maps into the interior is not what keeps the box open.
@@ -288,7 +287,7 @@ def _halves(pairs: Pairs, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs
     return _cut(pairs, np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0))
 
 
-def _cut(pairs: Pairs, along: NDArray[np.int64]) -> Pairs:
+def _cut(pairs: Pairs, along: IntArray) -> Pairs:
     """Both halves of each box, cut in the unknown of that number."""
     columns = np.arange(len(pairs))
     # Not in the middle, where symmetric systems have their roots.

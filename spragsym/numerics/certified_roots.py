@@ -7,11 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import boxes, contractors
 from .boxes import Outcome, System
-from .interval_arrays import FloatArray, Intervals, raised
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
@@ -27,12 +26,12 @@ class Roots:
 
     ends: FloatArray  #: a box that holds exactly one root
     alone: FloatArray  #: the larger box in which it is the only one
-    point: NDArray[np.int64]  #: the point of each
+    point: IntArray  #: the point of each
     left: FloatArray  #: boxes of which it is not known what they hold
-    left_point: NDArray[np.int64]
+    left_point: IntArray
 
     @classmethod
-    def at(cls, ends: FloatArray, alone: FloatArray | None = None, point: NDArray[np.int64] | None = None) -> Roots:
+    def at(cls, ends: FloatArray, alone: FloatArray | None = None, point: IntArray | None = None) -> Roots:
         """Roots and nothing left: each alone in its box and of point 0, if nothing else is said."""
         point = np.zeros(ends.shape[2], dtype=np.int64) if point is None else point
         return cls(ends, ends if alone is None else alone, point, ends[:, :, :0], point[:0])
@@ -48,15 +47,15 @@ class Roots:
             self.ends[:, :, roots], self.alone[:, :, roots], self.point[roots], self.left[:, :, left], self.left_point[left]
         )
 
-    def of(self, points: NDArray[np.int64], others: bool = False) -> Roots:
+    def of(self, points: IntArray, others: bool = False) -> Roots:
         """Roots and boxes of some points, or of all others."""
         return self.kept(*(np.isin(part, points, invert=others) for part in (self.point, self.left_point)))
 
-    def numbered(self, points: NDArray[np.int64]) -> Roots:
+    def numbered(self, points: IntArray) -> Roots:
         """Roots of some points, by the numbers of all points."""
         return replace(self, point=points[self.point], left_point=points[self.left_point])
 
-    def besides(self, left: FloatArray, point: NDArray[np.int64]) -> Roots:
+    def besides(self, left: FloatArray, point: IntArray) -> Roots:
         """The roots with further undecided boxes."""
         more = np.concatenate([self.left, left], axis=2)
         return replace(self, left=more, left_point=np.concatenate([self.left_point, point]))
@@ -125,9 +124,7 @@ def distinct(found: Roots) -> Roots:
     return found.kept(keep).besides(found.ends[:, :, unclear], found.point[unclear])
 
 
-def _refined(
-    system: System, ends: FloatArray, parameters: Intervals, point: NDArray[np.int64]
-) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _refined(system: System, ends: FloatArray, parameters: Intervals, point: IntArray) -> tuple[FloatArray, BoolArray]:
     """Boxes contracted until they do not get narrower; and whether one was found empty."""
     ends = ends.copy()
     empty = np.zeros(point.size, dtype=np.bool_)
@@ -158,7 +155,7 @@ def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contract
     return contractors.newton(values, slopes, middle, contractors.distance(ends, middle))
 
 
-def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[FloatArray, BoolArray]:
     """Small boxes around guesses, where interval Newton shows that the only root is there; the given ones elsewhere."""
     guess = system.guessed(Intervals(ends).middle, parameters)
     if guess is None:
@@ -170,7 +167,7 @@ def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[F
     return np.where(known, step.ends, ends), known
 
 
-def once(ends: FloatArray, alone: FloatArray, point: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray, IntArray]:
     """Rows of different roots, and rows that may be a root already found or another; sorted by point and lower end.
 
     Two boxes of a point hold the same root if one lies where the other's is alone, and different ones if they do not meet.

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
+
+from .interval_arrays import IntArray
 
 
 def link(links: list[set[int]], pairs: Iterable[tuple[int, int]]) -> None:
@@ -15,7 +16,7 @@ def link(links: list[set[int]], pairs: Iterable[tuple[int, int]]) -> None:
         links[other].add(one)
 
 
-def walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
+def walked(links: list[set[int]]) -> list[IntArray]:
     """Chains of a graph, open ones from an end, closed ones from anywhere and back to there."""
     seen: set[int] = set()
     chains = []

@@ -15,9 +15,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .interval_arrays import EPS, TINY, FloatArray, Intervals, raised, scaled
+from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, raised, scaled
 
 
 @dataclass(frozen=True)
@@ -26,8 +25,8 @@ class Newton:
 
     ends: FloatArray  #: −low and high of the operator's result, (2, n, N)
     noise: FloatArray  #: half the width of Y F(m), which does not shrink with the box, (n, N)
-    dominant: NDArray[np.bool_]  #: where A_ii is positive, without which a component of the result is unbounded, (n, N)
-    none: NDArray[np.bool_]  #: where |Y F(m)| > |A| r in some row, so that there is no root, (N,)
+    dominant: BoolArray  #: where A_ii is positive, without which a component of the result is unbounded, (n, N)
+    none: BoolArray  #: where |Y F(m)| > |A| r in some row, so that there is no root, (N,)
 
 
 def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
@@ -46,9 +45,7 @@ def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Flo
     return _solved(slopes.ends, values.ends, middle, reach).ends
 
 
-def by_each_row(
-    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
-) -> tuple[FloatArray, NDArray[np.bool_]]:
+def by_each_row(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> tuple[FloatArray, BoolArray]:
     """The operator with every cyclic permutation of the rows: each unknown by each row, without a matrix.
 
     Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a single row tells how the unknowns
@@ -89,7 +86,7 @@ def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:
     return (magnitude * reach[None]).sum(axis=1) * (1 + 2 * (len(reach) + 1) * EPS) + TINY
 
 
-def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
+def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
     """Boxes where G + M u = 0 for no unit vector u of two components: G of shape (n, N), M of shape (n, 2, N).
 
     With any P, u = −P G − (P M − 1) u, so that |u + P G| is at most the sum of |P M − 1| by rows, since |u_i| ≤ 1.
@@ -105,17 +102,17 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
     return (square.low > 1) | (square.high < 1)
 
 
-def inside(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
+def inside(inner: FloatArray, outer: FloatArray) -> BoolArray:
     """Boxes, shape (2, n, N), of which the one lies in the interior of the other."""
     return np.logical_and.reduce(inner < outer, axis=(0, 1))
 
 
-def within(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
+def within(inner: FloatArray, outer: FloatArray) -> BoolArray:
     """Boxes of which the one lies in the other, its border included."""
     return np.logical_and.reduce(inner <= outer, axis=(0, 1))
 
 
-def apart(one: FloatArray, other: FloatArray) -> NDArray[np.bool_]:
+def apart(one: FloatArray, other: FloatArray) -> BoolArray:
     """Boxes that have no common point."""
     return np.logical_or.reduce(one + other[::-1] < 0, axis=(0, 1))
 

@@ -15,6 +15,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 from ..generated import double_double
+from .interval_arrays import Shape
 
 Array = NDArray[Any]
 #: Its functions take whatever has a high and a low part.
@@ -39,7 +40,7 @@ class DoubleDouble(NDArrayOperatorsMixin):
         self.high, self.low = np.asarray(high, dtype=np.float64), np.asarray(low, dtype=np.float64)
 
     @property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Shape of the arrays."""
         return np.broadcast_shapes(self.high.shape, self.low.shape)
 

@@ -25,6 +25,11 @@ from numpy.typing import ArrayLike, NDArray
 from .arithmetic import Arithmetic
 
 FloatArray: TypeAlias = NDArray[np.float64]
+BoolArray: TypeAlias = NDArray[np.bool_]
+IntArray: TypeAlias = NDArray[np.int64]
+Int8Array: TypeAlias = NDArray[np.int8]
+ComplexArray: TypeAlias = NDArray[np.complex128]
+Shape: TypeAlias = tuple[int, ...]
 
 #: Twice the unit of rounding.
 EPS = 2.0**-52
@@ -88,7 +93,7 @@ class Intervals(Arithmetic):
         return self.ends[1]
 
     @property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Shape of the array."""
         return self.ends.shape[1:]
 
@@ -113,7 +118,7 @@ class Intervals(Arithmetic):
         halved = 0.5 * self.ends
         return np.clip(halved[1] - halved[0], -self.ends[0], self.ends[1])
 
-    def holds_zero(self) -> NDArray[np.bool_]:
+    def holds_zero(self) -> BoolArray:
         """Whether each holds 0, or bounds nothing."""
         return ~((self.ends[0] < 0) | (self.ends[1] < 0))
 
@@ -245,7 +250,7 @@ def _point(value: Any) -> Intervals | None:
     return Intervals.point(value) if isinstance(value, np.ndarray) else None
 
 
-def stacked(parts: Sequence[Any], shape: tuple[int, ...]) -> Intervals:
+def stacked(parts: Sequence[Any], shape: Shape) -> Intervals:
     """Several arrays of one shape, or numbers, as one array of intervals with one more axis, the first."""
     out = np.empty((2, len(parts), *shape))
     for place, part in enumerate(parts):
@@ -256,7 +261,7 @@ def stacked(parts: Sequence[Any], shape: tuple[int, ...]) -> Intervals:
     return Intervals(out)
 
 
-def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
+def matrix(rows: Sequence[Sequence[Any]], shape: Shape) -> Intervals:
     """Rows of entries as one array of intervals, shape (rows, columns, …)."""
     entries = stacked([entry for row in rows for entry in row], shape)
     return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))

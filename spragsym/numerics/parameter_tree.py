@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .interval_arrays import FloatArray, Intervals
+from .interval_arrays import FloatArray, IntArray, Intervals
 
 
 @dataclass(frozen=True)
@@ -15,11 +14,11 @@ class Tree:
     """A binary tree; node i has the children 2 i + 1 and 2 i + 2, and the root is node 0."""
 
     bounds: Intervals  #: the smallest box around the points of a node, (parameters, nodes)
-    size: NDArray[np.int64]  #: number of points below each node; 0 for nodes that are not there
-    order: NDArray[np.int64]  #: the points' numbers in the order of the leaves, which stand last; −1 where there is none
+    size: IntArray  #: number of points below each node; 0 for nodes that are not there
+    order: IntArray  #: the points' numbers in the order of the leaves, which stand last; −1 where there is none
     depth: int  #: levels below the root
 
-    def below(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def below(self, nodes: IntArray) -> tuple[IntArray, IntArray]:
         """Rows (place among ``nodes``, point) for all points of all of these nodes."""
         nodes = nodes.astype(np.int64)
         level = np.frexp(nodes + 1)[1].astype(np.int64) - 1
@@ -38,7 +37,7 @@ class Tree:
             levels.append(levels[-1].reshape(*ends.shape[:2], -1, 2).max(axis=3))
         return np.concatenate(levels[::-1], axis=2)
 
-    def children(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def children(self, nodes: IntArray) -> tuple[IntArray, IntArray]:
         """Rows (place among ``nodes``, child) for all children that have points."""
         children = np.concatenate([2 * nodes + 1, 2 * nodes + 2])
         there = np.flatnonzero(self.size[children] > 0)
@@ -69,7 +68,7 @@ def tree(low: FloatArray, high: FloatArray) -> Tree:
     return Tree(bounds, np.concatenate(sizes), order, depth)
 
 
-def _halved(blocks: NDArray[np.int64], low: FloatArray, along: NDArray[np.int64]) -> NDArray[np.int64]:
+def _halved(blocks: IntArray, low: FloatArray, along: IntArray) -> IntArray:
     """Each block in the order of its parameter ``along``, those that are not there last."""
     keys = np.where(blocks >= 0, low[along[:, None], blocks], np.inf)
     half = blocks.shape[1] // 2

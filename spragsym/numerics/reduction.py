@@ -18,12 +18,12 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import balls
 from .balls import Ball, Undecided
 from .descartes import shifted
 from .determinants import is_zero, solved
+from .interval_arrays import FloatArray
 from .jets import Jet, gradient, variables
 from .polynomials import derivative, evaluate
 
@@ -56,7 +56,7 @@ class Reduced:
     left: list[Box]
 
 
-def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobian: NDArray[np.float64], bits: int) -> Reduced:
+def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobian: FloatArray, bits: int) -> Reduced:
     """All roots in a box; ``jacobian`` is F's somewhere in it, roughly."""
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with balls.precision(bits):
@@ -64,14 +64,14 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
     return found
 
 
-def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64], bits: int, among: Sequence[int]) -> Ball:
+def third_derivative(evaluate: Evaluate, box: Box, jacobian: FloatArray, bits: int, among: Sequence[int]) -> Ball:
     """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones."""
     with balls.precision(bits):
         task = _task(evaluate, jacobian, among)
         return task.third(box[task.along], task.others(box[task.along], box))
 
 
-def _task(evaluate: Evaluate, jacobian: NDArray[np.float64], among: Sequence[int]) -> _Task:
+def _task(evaluate: Evaluate, jacobian: FloatArray, among: Sequence[int]) -> _Task:
     """With u and the equation that is left among the given ones."""
     left, _, right = np.linalg.svd(jacobian)
     unknowns, equations = (_first(max(among, key=lambda i: abs(float(part[i]))), part.size) for part in (right[-1], left[:, -1]))

@@ -10,10 +10,9 @@ from __future__ import annotations
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .arithmetic import Arithmetic
-from .interval_arrays import FUNCTION_ULPS
+from .interval_arrays import FUNCTION_ULPS, Int8Array
 
 _Number = TypeVar("_Number")
 
@@ -90,7 +89,7 @@ class Rounded(Arithmetic):
             return self
         return Rounded(self.value[index], np.broadcast_to(self.error, np.shape(self.value))[index])
 
-    def sign(self) -> NDArray[np.int8]:
+    def sign(self) -> Int8Array:
         """−1 or 1 where all that it stands for has that sign, else 0; 0 for NaN."""
         reach = self.radius()
         above, below = self.value > reach, -self.value > reach

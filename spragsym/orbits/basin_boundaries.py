@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion.simulation import state_of
+from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
@@ -74,7 +75,7 @@ class BasinBoundary(Result):
     plane: tuple[str, str]
     points: FloatArray
     error: FloatArray
-    boundary: NDArray[np.bool_]
+    boundary: BoolArray
     sides: NDArray[np.str_]
     saddle: FloatArray
     growth: float

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
 from ..motion.shooting import Loop, extent, rate
+from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
@@ -115,7 +115,7 @@ class CycleBranch(Result):
     rms: FloatArray
     lowest: FloatArray
     highest: FloatArray
-    stable: NDArray[np.bool_]
+    stable: BoolArray
     cycles: Cycles = field(repr=False)
     events: tuple[CycleEvent, ...]
     to: tuple[float, float] = field(repr=False)

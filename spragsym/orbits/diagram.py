@@ -14,12 +14,12 @@ from itertools import combinations, pairwise
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.field import apart
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
+from ..numerics.interval_arrays import BoolArray
 from ..questions import model_of
 from ..remarks import At, Remark
 from ..results.result import Result
@@ -72,7 +72,7 @@ class EquilibriumBranch(Result):
 
     values: FloatArray
     states: FloatArray
-    stable: NDArray[np.bool_]
+    stable: BoolArray
     mode: str
 
 

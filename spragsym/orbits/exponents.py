@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.simulation import state_of
+from ..numerics.interval_arrays import BoolArray
 from ..results.result import Result
 from .attractors import judged, settled
 from .growth_rates import PROVED, rates_along
@@ -51,7 +51,7 @@ class Lyapunov(Result):
 
     exponents: FloatArray
     error: FloatArray
-    zero: NDArray[np.bool_]
+    zero: BoolArray
     trivial: int
     trace: float
     t: FloatArray

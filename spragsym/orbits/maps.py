@@ -22,6 +22,7 @@ from ..motion.simulation import state_of
 from ..motion.sweeps.points import made_or_loaded
 from ..motion.sweeps.result import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers
+from ..numerics.interval_arrays import Int8Array
 from ..questions import model_of
 from ..results.result import Result
 from .verdicts import UNFOLLOWED, fate
@@ -73,7 +74,7 @@ class FateMap(Result):
     start: tuple[float, ...]
     t_end: float
     backend: str
-    kind: NDArray[np.int8]
+    kind: Int8Array
     period: FloatArray
     exponent: FloatArray
     exponent_error: FloatArray

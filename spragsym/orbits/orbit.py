@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
@@ -33,6 +32,7 @@ from ..motion.shooting import (
     solved,
 )
 from ..motion.simulation import motion_of
+from ..numerics.interval_arrays import ComplexArray
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.
@@ -87,7 +87,7 @@ class Cycle(Result):
 
     period: float
     state: FloatArray
-    multipliers: NDArray[np.complex128]
+    multipliers: ComplexArray
     multiplier_errors: FloatArray
     stable: bool
     error: float

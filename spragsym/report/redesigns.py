@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..design.design_space import Design, space
 from ..design.jumps import jump_gradient
@@ -22,6 +21,7 @@ from ..design.redesigns import redesign
 from ..errors import SpragsymError
 from ..models.parameters import Range
 from ..models.units import factor
+from ..numerics.interval_arrays import BoolArray
 from ..results.result import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
@@ -121,7 +121,7 @@ class _Search:
         alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
-    def _keep(self, designs: Sequence[Mapping[str, float]]) -> NDArray[np.bool_]:
+    def _keep(self, designs: Sequence[Mapping[str, float]]) -> BoolArray:
         """Whether each of some designs may be, jumps at the target at the earliest, and at no corner of its tolerances."""
         kept = np.array([all(self._may_be(*item) for item in one.items()) for one in designs])
         for shares, target in (None, self.target), (self.corners, None):

@@ -16,6 +16,7 @@ from ..display import Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import BoolArray, IntArray
 from .named_columns import OfStates
 from .result import WHOLE, Result
 
@@ -48,7 +49,7 @@ class Source(Protocol):
     def column(self, name: str) -> NDArray[Any] | None:
         """A column; None if it is not known here."""
 
-    def linearized(self, eq: Equilibria, states: tuple[NDArray[np.int64], ...]) -> Any:
+    def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Any:
         """The full linearization of some states, by their indices into the columns: ``growth``, ``kind`` and ``eigenvalues``."""
 
     def held(self, columns: Mapping[str, NDArray[Any]]) -> Source:
@@ -118,7 +119,7 @@ class Equilibria(OfStates):
     parameters: Any
     contact: bool
     count: NDArray[Any]
-    decided: NDArray[np.bool_]
+    decided: BoolArray
     undecided: tuple[Undecided, ...]
     remarks: tuple[str, ...]
     _source: Source = field(repr=False)
@@ -134,7 +135,7 @@ class Equilibria(OfStates):
         return self._model.regimes[self.contact]
 
     @property
-    def states(self) -> tuple[NDArray[np.int64], ...]:
+    def states(self) -> tuple[IntArray, ...]:
         """Where there are equilibria: indices into the columns, in order."""
         return np.nonzero(np.arange(self.stability.shape[-1]) < self.count[..., None])
 
@@ -173,7 +174,7 @@ class Equilibria(OfStates):
         """A row for each equilibrium: the parameters that vary over the points, its stability and place, growth and error."""
         return self._rows(self.states)
 
-    def _rows(self, states: tuple[NDArray[np.int64], ...]) -> dict[str, NDArray[Any]]:
+    def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
         p, (damped, growth) = self.parameters, self.told(states)
         vary = [name for name in p.ranges if getattr(p, name) is not None and getattr(p, name).size > 1]
         given = {name: np.broadcast_to(getattr(p, name), p.shape)[states[:-1]] for name in vary}
@@ -202,7 +203,7 @@ class Equilibria(OfStates):
     def offered(self) -> tuple[str, ...]:
         return tuple(dict.fromkeys([*self.columns, *self._made, *_KNOWN, *_LINEARIZED]))
 
-    def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
+    def told(self, states: tuple[IntArray, ...]) -> tuple[NDArray[np.str_], FloatArray]:
         """``damped`` and ``growth`` of some states only, by their indices into the columns."""
         found = self._source.linearized(self, states)
         return found.damped, found.growth

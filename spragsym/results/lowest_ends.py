@@ -10,6 +10,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 from ..display import Shown
+from ..numerics.interval_arrays import Shape
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +46,7 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
     remarks: tuple[str, ...] = ()
 
     @property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Shape of the parameters."""
         return np.shape(self.value)
 

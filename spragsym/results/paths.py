@@ -6,10 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import Int8Array
 from .equilibria import Equilibria, Stability
 from .named_columns import Columns, OfStates
 from .result import Result, Rows
@@ -48,7 +46,7 @@ class Path(OfStates, Columns, Rows, held_in="places"):
     parameters: Any
     vary: str
     values: FloatArray
-    stability: NDArray[np.int8]
+    stability: Int8Array
     jumps: tuple[Jump, ...]
     places: Mapping[str, FloatArray] = field(repr=False)
     _along: Equilibria = field(repr=False)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..display import Table, counted, not_all, shown, with_cut, words
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import BoolArray
 from .named_columns import OfStates
 from .result import Result, Rows
 
@@ -139,7 +140,7 @@ class Points(OfStates, Rows):
         caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
         return with_cut(caption, tuple(map(said.heading, columns)), rows, cut)
 
-    def select(self, which: NDArray[np.bool_]) -> Self:
+    def select(self, which: BoolArray) -> Self:
         """The points that ``which`` marks."""
         values = {name: column[which] for name, column in self._values.items()}
         ended = self._ended

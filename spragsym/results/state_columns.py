@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..numerics.interval_arrays import BoolArray, Int8Array, IntArray
+
 #: What is known of an equilibrium.
 COLUMNS = ("theta", "L", "x", "y", "error", "stability")
 _TYPES: dict[str, Any] = dict.fromkeys(COLUMNS, np.float64) | {"stability": np.int8}
@@ -35,15 +37,15 @@ class Slots:
 
     size: int
     slots: int
-    count: NDArray[np.int8] = field(init=False)
+    count: Int8Array = field(init=False)
     first: dict[str, NDArray[Any]] = field(init=False)
-    further: list[tuple[NDArray[np.int64], Columns]] = field(init=False, default_factory=list)
+    further: list[tuple[IntArray, Columns]] = field(init=False, default_factory=list)
 
     def __post_init__(self) -> None:
         self.count = np.zeros(self.size, dtype=np.int8)
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
-    def put(self, rows: NDArray[np.int64], count: NDArray[Any], columns: Columns) -> None:
+    def put(self, rows: IntArray, count: NDArray[Any], columns: Columns) -> None:
         """Store all equilibria of the points in ``rows``, columns of shape (some slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():
@@ -75,7 +77,7 @@ def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
     return {name: np.full((slots, points), nothing, dtype=_TYPES[name]) for name, nothing in _NOTHING.items()}
 
 
-def gathered(members: NDArray[np.bool_], candidates: Columns) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
+def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, dict[str, NDArray[Any]]]:
     """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them."""
     size, points = members.shape
     pattern = np.zeros(points, dtype=np.uint8)
@@ -95,7 +97,7 @@ def gathered(members: NDArray[np.bool_], candidates: Columns) -> tuple[NDArray[n
 
 
 @cache
-def _orders(candidates: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _orders(candidates: int) -> tuple[IntArray, IntArray]:
     """For every set of members, as bits, the order that puts them first, and how many they are."""
     flags = np.arange(1 << candidates)[:, None] >> np.arange(candidates) & 1
     return np.argsort(1 - flags, axis=1, kind="stable"), flags.sum(axis=1)

@@ -7,11 +7,10 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import certified_roots, contractors
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, stacked
 from .mechanics.balance import Balance
 from .mechanics.precise_balance import PreciseBalance, refined, settled_by_digits
 from .polar import Given, Polar, ends_are_linear
@@ -33,7 +32,7 @@ ROOM = 1.0 + 2.0**-10
 STEPS = 6
 
 
-def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
+def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, BoolArray]:
     """Roots and undecided boxes of points with a torsion spring, and which points these are.
 
     A model with torsion springs along several lines, or along one whose first end is not at two coordinates, has none of them.
@@ -48,7 +47,7 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
     return _of_points(system, given, regions, np.flatnonzero(done)), done
 
 
-def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
+def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, BoolArray]:
     """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
     if not hasattr(balance.model.algebra, "stiffnesses"):
         return Roots.none(balance.n), np.zeros(given.shape[1], dtype=np.bool_)
@@ -74,9 +73,7 @@ def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses")
     return stacked(balance.of_no_place(name, values), given.shape[1:])
 
 
-def _of_any_spring(
-    balance: Balance, given: FloatArray, around: FloatArray, points: NDArray[np.int64]
-) -> tuple[Roots, NDArray[np.bool_]]:
+def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, points: IntArray) -> tuple[Roots, BoolArray]:
     """Roots of the points of which all is decided around one of the springs, and which these are."""
     done = np.zeros(given.shape[1], dtype=np.bool_)
     parts: list[Roots] = []
@@ -103,7 +100,7 @@ def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Po
     return Polar(balance, spring, (x, y), turns, False)
 
 
-def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: NDArray[np.int64]) -> Roots:
+def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: IntArray) -> Roots:
     """Roots and undecided boxes of some points, by their numbers."""
     given, around = given[:, points], around[:, :, points]
     parts: list[Roots] = []
@@ -119,7 +116,7 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: NDA
     return certified_roots.concatenated(parts, system.balance.n)
 
 
-def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
     """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
     values = balance.arguments(balance.prepared(Intervals.point(given)))
@@ -179,7 +176,7 @@ def _once_around(found: Roots) -> Roots:
     return certified_roots.distinct(turned.kept(left=inside))
 
 
-def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
     """Boxes that may hold an equilibrium; and those of which lengths are proved to be positive, angles those of least turning."""
     possible = np.ones((2, ends.shape[2]), dtype=np.bool_)
     if system.turns:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
+from ..numerics.interval_arrays import Int8Array
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
 
@@ -75,7 +73,7 @@ def equilibria(
 
 
 @question
-def count(p: ParameterSet, *, method: Method = "auto") -> NDArray[np.int8]:
+def count(p: ParameterSet, *, method: Method = "auto") -> Int8Array:
     """The number of equilibria in contact of every point; for the article's model without solving for the states.
 
     Parameters

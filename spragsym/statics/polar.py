@@ -40,12 +40,11 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import boxes, jets
 from ..numerics.ball_functions import XP as BALLS
 from ..numerics.balls import ball
-from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, raised, stacked
 from ..numerics.interval_functions import length as interval_length
 from ..numerics.krawczyk import Digits
 from .mechanics.balance import Balance
@@ -67,7 +66,7 @@ class Given:
 
     values: Mapping[str, Any]
     scale: Any
-    shape: tuple[int, ...] = ()
+    shape: Shape = ()
     xp: Any = XP
 
     def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
@@ -166,7 +165,7 @@ class Polar(boxes.System):
         given = self._given(parameters)
         return self.rows(*self.place(unknowns, given), given)
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
         given = self._given(parameters)
         return self.balance.beyond_border(self.place(list(unknowns), given)[0], given.values, given.shape)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..models.model_field import undecorated
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals
 from ..numerics.jets import variables
 from ..results.equilibria import Equilibria, Stability
 from .mechanics.laws import XP
@@ -37,7 +37,7 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
 
 
 def chosen_state(
-    model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: NDArray[np.bool_], near: Mapping[str, float] | None
+    model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: BoolArray, near: Mapping[str, float] | None
 ) -> NDArray[np.intp]:
     """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
     if near is not None:

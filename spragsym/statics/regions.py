@@ -15,11 +15,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import ParameterError, ParameterTypeError
 from ..models.parameters import as_numbers
-from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
 from .mechanics import contact_bounds
 from .mechanics.balance import Balance
 
@@ -43,7 +42,7 @@ ROUNDS = 200
 ENOUGH, BOUNDED = 0.999, 0.8
 
 
-def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None) -> tuple[FloatArray, NDArray[np.bool_]]:
+def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None) -> tuple[FloatArray, BoolArray]:
     """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold all equilibria of its point.
 
     ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`by_hand`.
@@ -58,7 +57,7 @@ def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None)
     box = np.minimum(asked, balance.border)[:, :, None]
     if (box[0] + box[1] < 0).any():
         raise ParameterError("within lies beyond the border of the contact, where none of these states is; widen it")
-    whole: NDArray[np.bool_] = proved & (wider <= box).all(axis=(0, 1))
+    whole: BoolArray = proved & (wider <= box).all(axis=(0, 1))
     given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
     both = np.minimum(wider, box)
     # Where the forces bound nothing, and where they show that nothing is in the box, it is looked at as it is.
@@ -87,7 +86,7 @@ def by_hand(coordinates: Sequence[str], within: Mapping[str, tuple[float, float]
     return asked
 
 
-def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArray]:
     """Bounds of all equilibria by their forces, and where there are any."""
     count = bounds.shape[1]
     with np.errstate(all="ignore"):
@@ -114,7 +113,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray
     return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
 
 
-def _in_pieces(balance: Balance, bounds: Intervals, known: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _in_pieces(balance: Balance, bounds: Intervals, known: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no bound."""
     count = bounds.shape[1]
     by_scales = np.where(known < FAR * 1e-6, known, np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]))

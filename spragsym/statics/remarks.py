@@ -7,9 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..remarks import At, Remark
 from .mechanics.balance import NOTHING, Balance
 
@@ -56,7 +55,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         gap = stacked([balance.gap(q, values)], (count,))[0]
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
         relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
-        free: NDArray[np.bool_] = np.zeros(count, dtype=np.bool_)
+        free: BoolArray = np.zeros(count, dtype=np.bool_)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
             free = np.logical_or.reduce(forces.magnitude <= NOTHING)
@@ -70,7 +69,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     ).tolist()  # fmt: skip
 
 
-def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:
+def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[str, ...]:
     """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape (2, n, points)."""
     if whole.all():
         return ()

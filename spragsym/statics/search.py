@@ -14,7 +14,7 @@ from ..models.field import SETTLED, apart
 from ..models.parameters import ParameterSet
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals
 from ..questions import question
 from ..results.equilibria import Equilibria, Undecided
 from . import stability as _stability
@@ -61,7 +61,7 @@ def balance_of(model: Model, contact: bool) -> Balance:
 
 
 @question
-def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
+def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
 
     ``places`` are the coordinates of each, in the shape of ``p`` behind the first axis; NaN for motions that do not rest.
@@ -99,7 +99,7 @@ def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -
     return certified_roots.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
 
 
-def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
+def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, BoolArray]:
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
     around, whole = region(balance, Intervals.point(given), asked)
     turned, turning = turned_points(balance, given, around)
@@ -128,7 +128,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     return around_anchors(balance, given, around, found, 0.0)
 
 
-def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:
+def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray) -> Equilibria:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))

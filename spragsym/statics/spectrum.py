@@ -12,13 +12,12 @@ from contextlib import suppress
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..numerics import balls
 from ..numerics.ball_functions import XP as BALLS
 from ..numerics.balls import Undecided, ball
 from ..numerics.determinants import characteristic, determinant, hurwitz
-from ..numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals, Shape, matrix, stacked
 from ..numerics.krawczyk import as_balls, narrowed
 from ..results.equilibria import Stability
 from .mechanics.balance import NOTHING, Balance
@@ -32,9 +31,7 @@ Matrix: TypeAlias = Sequence[Sequence[Any]]
 Ask: TypeAlias = Callable[[State, int], Sequence[Sequence[Any]]]
 
 
-def classified(
-    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray
-) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
+def classified(balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray) -> tuple[Int8Array, BoolArray]:
     """Codes of :class:`spragsym.Stability`, and whether each is proved; a sign that is not known counts as that of 0.
 
     ``given`` are parameters, shape (P, N), ``ends`` boxes with one equilibrium each, shape (2, n, N), the only one in those of
@@ -50,22 +47,20 @@ def classified(
     return codes, proved
 
 
-def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> NDArray[np.bool_]:
+def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:
     """Boxes of coordinates and prepared parameters all over which all κ are proved to be real, those that meet included."""
     _, minors, conservative = _over(balance, parameters, ends)
     return np.asarray(conservative | (minors > 0).all(axis=0))
 
 
-def _over(
-    balance: Balance, parameters: Intervals, ends: FloatArray
-) -> tuple[NDArray[np.int8], NDArray[np.int8], NDArray[np.bool_]]:
+def _over(balance: Balance, parameters: Intervals, ends: FloatArray) -> tuple[Int8Array, Int8Array, BoolArray]:
     """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
     at = State(balance, list(Intervals(ends)), balance.arguments(parameters), ends.shape[2:])
     elementary, minors = invariants(*(_rows(matrix(part, at.shape)) for part in (at.stiffness(), at.mass())))
     return _signs(elementary, at.shape), _signs(minors, at.shape), without_flutter(balance, parameters)
 
 
-def without_flutter(balance: Balance, parameters: Intervals) -> NDArray[np.bool_]:
+def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric, or one number."""
     shape = parameters.shape[1:]
     friction = stacked([balance.friction(balance.arguments(parameters))], shape)[0].magnitude
@@ -76,8 +71,8 @@ def without_flutter(balance: Balance, parameters: Intervals) -> NDArray[np.bool_
 
 
 def decay(
-    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8], growth: FloatArray
-) -> NDArray[np.int8]:
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array, growth: FloatArray
+) -> Int8Array:
     """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
@@ -129,7 +124,7 @@ def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 
 
-def _told_to_decay(signs: Sequence[NDArray[np.int8]]) -> NDArray[np.int8]:
+def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
     """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the second that it grows only."""
     here, beyond = (np.where((part > 0).all(axis=0), 1, np.where((part < 0).any(axis=0), -1, 0)) for part in signs)
     return np.where(here != 0, here, np.minimum(beyond, 0)).astype(np.int8)
@@ -151,16 +146,14 @@ def invariants(K: Matrix, M: Matrix) -> tuple[list[Any], list[Any]]:
     return e[1:], [determinant([row[:size] for row in hermite[:size]]) for size in range(2, n + 1)]
 
 
-def _signs(values: Sequence[Any], shape: tuple[int, ...]) -> NDArray[np.int8]:
+def _signs(values: Sequence[Any], shape: Shape) -> Int8Array:
     if not values:
         return np.zeros((0, *shape), dtype=np.int8)
     known = stacked(values, shape)
     return (known.low > 0).astype(np.int8) - (known.high < 0).astype(np.int8)
 
 
-def _told(
-    elementary: NDArray[np.int8], minors: NDArray[np.int8], conservative: NDArray[np.bool_]
-) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
+def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> tuple[Int8Array, BoolArray]:
     """Codes, and whether the signs that are known decide them; 0 for a sign that is not known."""
     flutter = (minors < 0).any(axis=0) & ~conservative
     real = conservative | (minors > 0).all(axis=0)
@@ -171,7 +164,7 @@ def _told(
 
 def _with_digits(
     balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray, ask: Ask
-) -> list[NDArray[np.int8]] | None:  # fmt: skip
+) -> list[Int8Array] | None:  # fmt: skip
     """Signs at one state with many digits, of what is asked; None where the box around the state can't be made smaller."""
     precise = PreciseBalance(balance, given, BITS)
     q = narrowed(precise, box, alone)
@@ -191,7 +184,7 @@ def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stab
     return Stability(int(code[0]))
 
 
-def _signs_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[NDArray[np.int8]]:
+def _signs_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:
     """Signs of what is asked of a state of balls."""
     parts = ask(State(balance, q, precise.arguments, (), xp=BALLS), precise.bits)
     return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
 from ..results.equilibria import Equilibria, Stability
 from . import spectrum
 from .mechanics.balance import Balance
@@ -28,8 +28,8 @@ class Linearized:
     """N states by the full linearization, with dampers and the slope of the friction law."""
 
     growth: FloatArray  #: largest real part of the λ
-    sign: NDArray[np.int8]  #: 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
-    eigenvalues: NDArray[np.complex128]  #: all λ, shape (N, 2 n), by falling real part
+    sign: Int8Array  #: 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
+    eigenvalues: ComplexArray  #: all λ, shape (N, 2 n), by falling real part
 
     @property
     def damped(self) -> NDArray[np.str_]:
@@ -45,7 +45,7 @@ class Linearized:
         return np.select([neutral, self.growth < 0, self.growth > 0], ["neutral", "decays", "grows"], "")
 
 
-def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
+def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
     """The full linearization at some states, by their indices; ``around`` are boxes around all states, and around each alone.
 
     Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see
@@ -73,8 +73,8 @@ def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tu
 
 
 def _linearized(
-    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
-) -> tuple[FloatArray, NDArray[np.int8], NDArray[np.complex128]]:
+    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array
+) -> tuple[FloatArray, Int8Array, ComplexArray]:
     every = _damped(balance, q, given)
     fastest = every[:, 0].real
     sign = -spectrum.decay(balance, given, ends, alone, undamped, fastest)
@@ -82,7 +82,7 @@ def _linearized(
     return np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest)), sign, every
 
 
-def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:
+def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> ComplexArray:
     """All λ with dampers and the slope of the friction law, by falling real part; NaN where they are no floats."""
     with np.errstate(all="ignore"):
         every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, states, given)))
@@ -91,7 +91,7 @@ def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[
 
 def classified(
     balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray
-) -> tuple[NDArray[np.int8], NDArray[np.bool_], NDArray[np.complex128]]:
+) -> tuple[Int8Array, BoolArray, ComplexArray]:
     """Codes of N states, whether each is proved, see :mod:`spragsym.statics.spectrum`, and the 2 n roots without damping, floats.
 
     States have the shape (n, N), parameters (P, N), boxes around the states, and around each alone, (2, n, N).
@@ -106,17 +106,17 @@ def classified(
     return *spectrum.classified(balance, given, ends, alone), np.concatenate([roots, -roots], axis=1)
 
 
-def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
+def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
     """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n); NaN where an entry is not finite."""
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
     companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
     known = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
-    out: NDArray[np.complex128] = np.linalg.eigvals(np.where(known, companion, 0.0)).astype(complex)
+    out: ComplexArray = np.linalg.eigvals(np.where(known, companion, 0.0)).astype(complex)
     return np.where(known[..., 0], out, np.nan)
 
 
-def frequency(roots: NDArray[np.complex128]) -> float:
+def frequency(roots: ComplexArray) -> float:
     """ω of the two roots λ whose sum is the nearest to 0; 0 if they are real."""
     sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
     one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
@@ -139,6 +139,6 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
 
 
-def filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:
+def filled(rows: Sequence[Sequence[Any]], shape: Shape) -> FloatArray:
     """A matrix of numbers and arrays as an array, each entry of one shape."""
     return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import Int8Array, IntArray
 from ..results.equilibria import Equilibria
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ class Linearizing:
     #: Boxes around each state, and around each alone, shape (2, n, states), where ``error`` does not say as much.
     around: tuple[FloatArray, FloatArray] | None = None
 
-    def linearized(self, eq: Equilibria, states: tuple[NDArray[np.int64], ...]) -> Linearized:
+    def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Linearized:
         """The linearization of some states, by their indices into the columns."""
         from .stability import linearized  # closed forms answer without it
 
@@ -45,7 +46,7 @@ class Held(Linearizing):
         return self.columns.get(name)
 
 
-def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.int8], error: NDArray[Any] | float) -> Equilibria:
+def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: Int8Array, error: NDArray[Any] | float) -> Equilibria:
     """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}

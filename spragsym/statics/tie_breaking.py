@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.interval_arrays import FloatArray
+from ..numerics.interval_arrays import FloatArray, IntArray
 
 #: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes and distances are rounded, too.
 ALIKE = 8.0
@@ -36,7 +36,7 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> ND
     return left.argmax(axis=-1)
 
 
-def in_order(rows: FloatArray, error: FloatArray, point: NDArray[np.int64]) -> NDArray[np.intp]:
+def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> NDArray[np.intp]:
     """Numbers of states of some points in their order: by the rows from the first on, of which those that agree decide nothing.
 
     Two states that mirror each other have equal coordinates, of which rounding would make a first and a second. ``rows`` are

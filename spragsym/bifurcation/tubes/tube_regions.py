@@ -11,14 +11,13 @@ from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...numerics import contractors
 from ...numerics.affine import Affine
-from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
+from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ...numerics.rounded import UNIT
 
-Flags = NDArray[np.bool_]
+Flags = BoolArray
 
 #: A sum of a few products of floats, rounded up.
 UP = 1 + 2.0**-40
@@ -44,7 +43,7 @@ class ByColumn:
         return replace(self, **{name: of(*each) for name, each in parts.items() if not isinstance(each[0], Mapping)})
 
 
-def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
+def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
     """Boxes, one a column, cut in the middle of their side of most weight: its number, and the
     upper ends of one half and the lower ones of the other.
 
@@ -190,7 +189,7 @@ class Slopes:
         return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
 
 
-def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: tuple[int, ...]) -> Slopes:
+def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: Shape) -> Slopes:
     """Slopes from rows of affine numbers, multiplied by the inverse of their midpoints before they become intervals."""
     middles = np.array([[_middle(row[j], shape) for j in others] for row in rows])
     Y, zero = contractors.inverse(middles), Affine(np.zeros(shape), np.zeros((1, *shape)))
@@ -198,5 +197,5 @@ def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: tuple
     return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
 
 
-def _middle(entry: Any, shape: tuple[int, ...]) -> FloatArray:
+def _middle(entry: Any, shape: Shape) -> FloatArray:
     return np.broadcast_to(entry.value if isinstance(entry, Affine) else float(entry), shape)

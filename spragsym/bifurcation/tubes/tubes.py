@@ -16,11 +16,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...numerics import contractors
 from ...numerics.affine import AFFINE, Affine
-from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
+from ...numerics.interval_arrays import FloatArray, IntArray, Intervals, matrix, stacked
 from ...statics.mechanics.balance import Balance
 from ...statics.mechanics.border import on_side
 from ...statics.mechanics.laws import XP
@@ -269,7 +268,7 @@ class Tubes:
             left.append(total)
         return left
 
-    def rises(self, parts: Parts, region: Region, by_s: FloatArray, pivot: int) -> NDArray[np.int64]:
+    def rises(self, parts: Parts, region: Region, by_s: FloatArray, pivot: int) -> IntArray:
         """Sign of dv/ds for all states in regions, 0 where it is not known; ``by_s`` is about dz/ds."""
         others, v = self._others(pivot), self.n
         slopes, zero = self.over(parts, region, pivot), np.zeros((self.n, by_s.shape[1]))

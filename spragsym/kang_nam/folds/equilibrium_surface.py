@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...errors import ParameterError
 from ...generated import catastrophe as _catastrophe
 from ...generated import kernel as solver
 from ...models.parameters import RANGES, FloatArray, Parameters, as_numbers
+from ...numerics.interval_arrays import Int8Array
 from ...questions import of_article
 from ...results.equilibria import Stability
 from ...results.result import Result
@@ -35,7 +36,7 @@ class Surface(Result):
     L: FloatArray
     x: FloatArray
     y: FloatArray
-    stability: NDArray[np.int8]
+    stability: Int8Array
 
 
 @of_article("equilibria(p) has all states over a grid of parameters")

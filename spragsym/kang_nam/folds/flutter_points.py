@@ -16,6 +16,7 @@ from ...generated import stability as _stability
 from ...models.parameters import FloatArray, Parameters, as_count
 from ...numerics.adaptive_bits import as_floats, with_enough_bits
 from ...numerics.half_angle import on_circle
+from ...numerics.interval_arrays import IntArray
 from ...questions import NotInClosedForm, of_article
 from ...results.points import in_closed_form
 from ...results.result import Result
@@ -99,9 +100,9 @@ class FlutterBoundary(Result):
     L: FloatArray
     x: FloatArray
     y: FloatArray
-    branch: NDArray[np.int64]
-    count: NDArray[np.int64]
-    curve: NDArray[np.int64]
+    branch: IntArray
+    count: IntArray
+    curve: IntArray
 
 
 @of_article("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
@@ -169,7 +170,7 @@ def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) ->
 _ONSET = Condition(_polynomial, _friction)
 
 
-def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) -> tuple[IntArray, IntArray]:
     """Rank of each point among the equilibria there, and their number.
 
     From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ...models.parameters import NAMES, FloatArray
 from ...numerics import bernstein
 from ...numerics.half_angle import on_circle
+from ...numerics.interval_arrays import BoolArray, Int8Array
 from ...numerics.rounded import Rounded, cosine_and_sine
 from ..quartic import kernel
 
@@ -33,9 +34,9 @@ class FoldArrays:
     value: Rounded
     best: Rounded
     t: Rounded
-    side: NDArray[np.int8]
-    upper: NDArray[np.bool_]
-    undecided: NDArray[np.bool_]
+    side: Int8Array
+    upper: BoolArray
+    undecided: BoolArray
 
     def rows(self, index: NDArray[np.intp]) -> FoldArrays:
         """Some of them."""
@@ -218,8 +219,8 @@ def _kept(
     best: Rounded,
     angles: tuple[Rounded, Rounded, Rounded, Rounded],
     here: Mapping[str, Rounded],
-    side: NDArray[np.int8],
-    upper: NDArray[np.int8],
+    side: Int8Array,
+    upper: Int8Array,
 ) -> FoldArrays:
     """Candidates in contact with the value in its range; a sign that is needed and open makes the point undecided."""
     L, _, y = kernel.state(*angles, here["kappa"], here["sigma"], here["beta"], 1)

@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...bifurcation.tubes.tube_regions import ByColumn
 from ...models.parameters import FloatArray
 from ...numerics.chains import link, walked
 from ...numerics.companion_roots import by_power, eigenvalues, polished
 from ...numerics.half_angle import on_circle
+from ...numerics.interval_arrays import BoolArray, IntArray
 from ...numerics.polynomials import evaluate
 from .fixed_parameters import Fixed
 
@@ -56,11 +56,11 @@ class _Columns(ByColumn):
         theta0 = 2 * np.arctan(_positive_roots(coefficients)).T
         return cls(t, theta0, condition.friction(c, s, theta0, fixed))
 
-    def goes_on(self, other: _Columns, step: float) -> NDArray[np.bool_]:
+    def goes_on(self, other: _Columns, step: float) -> BoolArray:
         """Whether there are as many points, and with μ₀ ≥ 0 none is farther than a step in θ₀/π or μ₀/(1 + μ₀)."""
         one, two = (np.stack([it.theta0 / np.pi, 1 / (1 + np.abs(it.mu0))]) for it in (self, other))
         far = (np.abs(one - two) > step).any(axis=0) & ((self.mu0 >= 0) | (other.mu0 >= 0))
-        as_many: NDArray[np.bool_] = (np.isnan(self.theta0) == np.isnan(other.theta0)).all(axis=0)
+        as_many: BoolArray = (np.isnan(self.theta0) == np.isnan(other.theta0)).all(axis=0)
         return as_many & ~far.any(axis=0)
 
 
@@ -96,7 +96,7 @@ def curves(condition: Condition, fixed: Fixed, t: FloatArray, step: float) -> It
             yield points[:, chain]
 
 
-def _links(columns: _Columns, number: NDArray[np.int64], step: float) -> list[set[int]]:
+def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
     """Neighbours of each point: in the next θ, and two that vanish or are born together."""
     links: list[set[int]] = [set() for _ in range(number.max(initial=-1) + 1)]
     on = columns[:-1].goes_on(columns[1:], step)

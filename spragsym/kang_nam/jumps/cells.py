@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...bifurcation.tubes.tube_regions import ByColumn
 from ...design.certificates import Held
 from ...models.parameters import NAMES, FloatArray
 from ...numerics.affine import Affine, cosine_and_sine, sides
+from ...numerics.interval_arrays import BoolArray
 
 #: Cells of a box to begin with, how often one is halved in any case, and at most.
 _CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
@@ -79,7 +79,7 @@ class Line(ByColumn):
         """How far it goes from its value."""
         return np.asarray(np.abs(self.slopes).sum(axis=0))
 
-    def where(self, mine: NDArray[np.bool_], other: Line) -> Line:
+    def where(self, mine: BoolArray, other: Line) -> Line:
         """This one for some boxes, another for the rest."""
         return Line(np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes))
 
@@ -108,11 +108,11 @@ def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray
 class Verdict(NamedTuple):
     """Which cells are decided, and the quantities whose terms say which side of a box to cut where one is not."""
 
-    done: NDArray[np.bool_]
+    done: BoolArray
     decisive: tuple[Affine, ...]
 
 
-def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[NDArray[np.bool_], FloatArray]:
+def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[BoolArray, FloatArray]:
     """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
     size = len(boxes)
     weight = np.zeros_like(boxes.low)

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...bifurcation.paths import first_end
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES, FloatArray, Parameters
 from ...numerics.affine import Affine
+from ...numerics.interval_arrays import BoolArray
 from ...results.equilibria import Stability
 from ..quartic import kernel
 from ..quartic.solver import count, equilibria
@@ -40,7 +40,7 @@ def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affi
     return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)
 
 
-def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:
+def _not_in_contact(ground: Ground, others: list[Affine]) -> BoolArray:
     """y ≥ 0 for the state of any direction here: κ ≤ σ (sin θ₀ − sin θ)."""
     return (others[1] - others[3] * (ground.s0 - ground.s)).sign() < 0
 
@@ -48,7 +48,7 @@ def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:
 # ----------------------------------------------------------------------------------------------- all states in contact
 
 
-def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[NDArray[np.bool_], FloatArray]:
+def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[BoolArray, FloatArray]:
     """Every equilibrium in contact has f′ of a sign, or a positive discriminant of K in λ² if that is asked for too."""
 
     def test(ground: Ground) -> Verdict:
@@ -65,12 +65,12 @@ def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[N
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
 
-def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+def _one_equilibrium(boxes: Boxes) -> tuple[BoolArray, FloatArray]:
     """Every equilibrium has f′ > 0. Of three the middle one has not, and of two that meet neither has: so there is one."""
     return _at_all_states(boxes, 1, False)
 
 
-def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+def _no_flutter(boxes: Boxes) -> tuple[BoolArray, FloatArray]:
     """Every equilibrium in contact has f′ < 0, which is divergence, or a positive discriminant of K in λ²."""
     return _at_all_states(boxes, -1, True)
 
@@ -78,7 +78,7 @@ def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
 # ------------------------------------------------------------------------------------------------------------ no jump
 
 
-def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+def _no_jump(boxes: Boxes) -> tuple[BoolArray, FloatArray]:
     """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at another, and is 0 once between,
     at the reference state: so that is followed without a fold.
 
@@ -92,7 +92,7 @@ def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     return result, weight
 
 
-def _followed_with(boxes: Boxes, margin: float) -> tuple[NDArray[np.bool_], FloatArray]:
+def _followed_with(boxes: Boxes, margin: float) -> tuple[BoolArray, FloatArray]:
     with np.errstate(all="ignore"):
         *lines, known = _directions(boxes, margin)
     result, weight = known.copy(), np.zeros_like(boxes.low)
@@ -103,7 +103,7 @@ def _followed_with(boxes: Boxes, margin: float) -> tuple[NDArray[np.bool_], Floa
     return result, weight
 
 
-def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[np.bool_]]:
+def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, BoolArray]:
     """A direction below the state at μ₀ = 0, one above it, one above the state at the largest friction; where they exist."""
     middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
     bare = equilibria(Parameters(**middle).replace(mu0=0.0))
@@ -138,7 +138,7 @@ def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
     return others
 
 
-def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
     result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
     none = np.zeros(len(boxes))
@@ -158,7 +158,7 @@ def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[
     return result, weight
 
 
-def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
 
     def test(ground: Ground) -> Verdict:
@@ -170,7 +170,7 @@ def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDAr
     return covered(boxes, lowest, highest, test)
 
 
-def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
     """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
 
     Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has \\|x\\| ≥ \\|cos θ₀\\|: see
@@ -197,7 +197,7 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[N
     return result, np.abs(reach.terms[:-1])
 
 
-def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
+def _alone(boxes: Boxes, low: Line, high: Line) -> BoolArray:
     """No equilibrium in contact without friction between two directions."""
 
     def test(ground: Ground) -> Verdict:
@@ -208,7 +208,7 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
     return covered(boxes, low, high, test)[0]
 
 
-def _jumps(p: Parameters) -> NDArray[np.bool_]:
+def _jumps(p: Parameters) -> BoolArray:
     """The first of some points whose state jumps below its friction, by its path too."""
     out = np.zeros(p.shape, dtype=np.bool_)
     for i in np.flatnonzero(first_jumps(p, "mu0", apart_from=p.mu0).value < p.mu0 * (1 - 1e-11))[:1]:
@@ -218,7 +218,7 @@ def _jumps(p: Parameters) -> NDArray[np.bool_]:
 
 
 #: For each claim, of which boxes it is proved and which side to cut of the others; and at which points it is false.
-CLAIMS: dict[str, tuple[Callable[[Boxes], tuple[NDArray[np.bool_], FloatArray]], Callable[[Parameters], NDArray[np.bool_]]]] = {
+CLAIMS: dict[str, tuple[Callable[[Boxes], tuple[BoolArray, FloatArray]], Callable[[Parameters], BoolArray]]] = {
     "no jump": (_no_jump, _jumps),
     "one equilibrium": (_one_equilibrium, lambda p: count(p) == 3),
     "no flutter": (_no_flutter, lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1)),

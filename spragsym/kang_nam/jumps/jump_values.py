@@ -22,6 +22,7 @@ from ...design.jump_ends import FIRST_ANGLE, FROM_LOWER_END, Ends
 from ...errors import ConvergenceError
 from ...models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ...numerics.balls import Undecided
+from ...numerics.interval_arrays import BoolArray, Int8Array
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Stability
 from ..folds import fold_arrays
@@ -137,8 +138,8 @@ def small(eq: Equilibria) -> NDArray[np.intp]:
 
 
 def _walk(
-    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: NDArray[np.intp], count: NDArray[np.int8],
-    undecided: NDArray[np.bool_],
+    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: NDArray[np.intp], count: Int8Array,
+    undecided: BoolArray,
 ) -> tuple[FloatArray, FloatArray, NDArray[np.intp]]:  # fmt: skip
     """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``.
 

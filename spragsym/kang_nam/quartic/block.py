@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...generated import kernel
 from ...generated._where import where
 from ...numerics.double_double import DoubleDouble, cosine_and_sine
+from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ...results.state_columns import Slots, gathered
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
@@ -21,7 +22,7 @@ TOLERANCE = 1e-12
 _STORED = 4 * 2.0**-53
 
 
-def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np.floating[Any]]) -> NDArray[np.int64]:
+def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np.floating[Any]]) -> IntArray:
     """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
 
     Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
@@ -58,7 +59,7 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     return np.flatnonzero(~settled)
 
 
-def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
     u = np.float64(kernel.WIDE_ROUNDOFF)
@@ -90,7 +91,7 @@ def _ascending(values: list[NDArray[Any]]) -> NDArray[Any]:
     return np.stack(values)
 
 
-def rows_of(record: Any, rows: NDArray[np.int64]) -> Any:
+def rows_of(record: Any, rows: IntArray) -> Any:
     """Some of the points of a record."""
     return type(record)(*(value[rows] if getattr(value, "ndim", 0) else value for value in record))
 
@@ -109,14 +110,12 @@ def _sure(t: Any, root: kernel.Root) -> Any:
     return root.member & root.known & (_error(t, root) <= TOLERANCE)
 
 
-def _some(
-    t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
-) -> NDArray[np.bool_]:
+def _some(t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: IntArray, u: np.floating[Any]) -> BoolArray:
     """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
     root = kernel.at_root(t, point, line, u)  # what depends on the point alone is computed once for all of its roots
     sure = _sure(t, root) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
-    settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
+    settled: BoolArray = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
     count, packed = gathered(root.member, _columns(t, root))
     if point.nbar > 0:
         settled &= (count % 2 == 1) & (t[0] > 0.0)

@@ -6,9 +6,9 @@ import threading
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...models.extensions import fits
+from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from ...results.state_columns import COLUMNS, Slots
 
 _ROOM = threading.local()
@@ -19,7 +19,7 @@ def available() -> bool:
     return fits(f"{__package__}._compiled")
 
 
-def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+def solve(values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """:func:`.block.solve` in float64: write settled points to ``out`` and return which are not settled.
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
@@ -29,7 +29,7 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
     return _solve(_compiled.solve, values, contact, out, begin, size)
 
 
-def solve_widely(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+def solve_widely(values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """:func:`.block.solve_widely`: double-double arithmetic."""
     from . import _compiled
 
@@ -37,8 +37,8 @@ def solve_widely(values: Sequence[NDArray[np.float64]], contact: bool, out: Slot
 
 
 def _solve(
-    method: Callable[..., int], values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int
-) -> NDArray[np.int64]:
+    method: Callable[..., int], values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int
+) -> IntArray:
     rows, further = _room(out.slots - 1, size)
     settled = np.empty(size, dtype=np.bool_)
     here = slice(begin, begin + size)
@@ -52,7 +52,7 @@ def _solve(
     return np.flatnonzero(~settled)
 
 
-def count(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
+def count(values: Sequence[FloatArray], size: int) -> Int8Array:
     """The number of equilibria in contact, 0 where that is open; ``values`` as for :func:`solve`."""
     from . import _compiled
 
@@ -62,7 +62,7 @@ def count(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
     return counts
 
 
-def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
+def _room(slots: int, size: int) -> tuple[IntArray, tuple[FloatArray, ...]]:
     """Work arrays of one thread, used again for every block, for points with more than one equilibrium."""
     kept = _ROOM.__dict__.setdefault("by_slots", {})
     if slots not in kept or kept[slots][0].size < size:

@@ -15,6 +15,7 @@ from ...errors import ConvergenceError
 from ...generated import kernel
 from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters
+from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...results.state_columns import COLUMNS, Columns, Slots, empty
@@ -43,8 +44,8 @@ class _Closed(Linearizing):
     p: Parameters
     contact: bool
     slots: Slots
-    escalated: NDArray[np.int64]  #: points
-    folds: NDArray[np.int64]
+    escalated: IntArray  #: points
+    folds: IntArray
 
     def column(self, name: str) -> NDArray[Any] | None:
         """A column of the kernel's, or made of these; None for another name."""
@@ -58,7 +59,7 @@ class _Closed(Linearizing):
     def _known(self, *names: str) -> list[NDArray[Any]]:
         return [column for name in names if (column := self.column(name)) is not None]
 
-    def _marginal(self) -> NDArray[np.bool_]:
+    def _marginal(self) -> BoolArray:
         """At a fold the two slots that hold one state."""
         (theta,) = self._known("theta")
         out = np.zeros(theta.shape, dtype=np.bool_)
@@ -66,7 +67,7 @@ class _Closed(Linearizing):
         out[..., 1:] |= out[..., :-1]
         return out & _flags(self.p.shape, self.folds)[..., None]
 
-    def _eigenvalues(self) -> NDArray[np.complex128]:
+    def _eigenvalues(self) -> ComplexArray:
         """The four λ of (27)."""
         mu0, alpha, sigma, beta = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
         theta, L = self._known("theta", "L")
@@ -107,7 +108,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
 
 
 def _answer(
-    p: Parameters, contact: bool, out: Slots, escalated: NDArray[np.int64], folds: NDArray[np.int64], reasons: Mapping[int, str]
+    p: Parameters, contact: bool, out: Slots, escalated: IntArray, folds: IntArray, reasons: Mapping[int, str]
 ) -> Equilibria:
     decided = np.ones(p.shape, dtype=np.bool_)
     undecided: tuple[Undecided, ...] = ()
@@ -122,13 +123,13 @@ def _answer(
     return Equilibria(p, contact, counts, decided, undecided, remarks, _Closed(p, contact, out, escalated, folds))
 
 
-def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _flags(shape: Shape, rows: IntArray) -> BoolArray:
     flags = np.zeros(math.prod(shape), dtype=np.bool_)
     flags[rows] = True
     return flags.reshape(shape)
 
 
-def count(p: Parameters) -> NDArray[np.int8]:
+def count(p: Parameters) -> Int8Array:
     """The closed form of :func:`spragsym.count`.
 
     Notes
@@ -151,7 +152,7 @@ def count(p: Parameters) -> NDArray[np.int8]:
 # ----------------------------------------------------------------------------------------------------- float64
 
 
-def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
+def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[FloatArray], int, int], T]) -> list[T]:
     """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
 
     No more threads than have ``a_thread`` points each.
@@ -181,7 +182,7 @@ def _block(size: int, threads: int) -> int:
     return max(1, math.ceil(share / max(1, share // BLOCK)))
 
 
-def _column(p: Parameters, name: str) -> NDArray[np.float64]:
+def _column(p: Parameters, name: str) -> FloatArray:
     """A parameter as it was given if it is one number or has the common shape; otherwise broadcast to that shape."""
     value = getattr(p, name)
     if value.size == 1 or value.shape == p.shape:
@@ -189,29 +190,29 @@ def _column(p: Parameters, name: str) -> NDArray[np.float64]:
     return np.broadcast_to(value, p.shape)
 
 
-def _part(values: NDArray[np.float64], begin: int, end: int) -> NDArray[np.float64]:
+def _part(values: FloatArray, begin: int, end: int) -> FloatArray:
     """A range of points in C order, contiguous: one number as it is, and of a broadcast array a copy of this range only."""
     if values.size == 1:
         return values
     return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
 
 
-def _compiled(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+def _compiled(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     return compiled.solve(values, contact, out, begin, size)
 
 
-def _numpy(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+def _numpy(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     with np.errstate(all="ignore"):
         return block.solve(_point(values, contact), size, out, begin, np.float64)
 
 
-def _count(values: list[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
+def _count(values: list[FloatArray], size: int) -> Int8Array:
     u = np.float64(2.0**-53)
     with np.errstate(all="ignore"):
         return np.array(np.broadcast_to(kernel.one_or_three(_point(values, True), u), size), dtype=np.int8)
 
 
-def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
+def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
     theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
     cos0, sin0 = kernel.cosine_and_sine(theta0)
     return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
@@ -220,7 +221,7 @@ def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
 # -------------------------------------------------------------------------------------------------- more digits
 
 
-def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], dict[int, str]]:
+def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple[IntArray, dict[int, str]]:
     """Solve the given points again, in double-double arithmetic and then, what that can't settle, in intervals.
 
     Returns which of them are folds, and why points are left without an answer, by row.
@@ -248,8 +249,8 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64])
 
 
 def _solve_widely(
-    given: list[NDArray[np.float64]], contact: bool, out: Slots, rows: NDArray[np.int64]
-) -> NDArray[np.int64]:  # fmt: skip
+    given: list[FloatArray], contact: bool, out: Slots, rows: IntArray
+) -> IntArray:  # fmt: skip
     """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
     compiled_or_not, _ = backends.chosen()
     solve = compiled.solve_widely if compiled_or_not == "compiled" else block.solve_widely

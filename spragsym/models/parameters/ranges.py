@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ParameterError, ParameterTypeError
-
-FloatArray: TypeAlias = NDArray[np.float64]
+from ...numerics.interval_arrays import BoolArray, FloatArray
 
 #: How far inside an end that a range does not hold a value is taken, over its length.
 INSIDE = 2.0**-40
@@ -38,7 +37,7 @@ class Range:
             return end
         return end + INSIDE * length * (1 if end <= self.low else -1)
 
-    def inside(self, values: FloatArray) -> NDArray[np.bool_]:
+    def inside(self, values: FloatArray) -> BoolArray:
         """Where numbers are allowed."""
         above = values > self.low if self.open_low else values >= self.low
         below = values <= self.high if self.closed_high else values < self.high

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 from ... import names
 from ...display import Shown
 from ...errors import ParameterError, ParameterTypeError
-from .ranges import FloatArray, Range, as_number, as_numbers
+from ...numerics.interval_arrays import FloatArray, Shape
+from .ranges import Range, as_number, as_numbers
 
 _C = TypeVar("_C")
 
@@ -56,7 +57,7 @@ class Values(Shown):
     """Fields that are numbers, arrays that broadcast together, or None."""
 
     @functools.cached_property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Common shape of all fields."""
         known = {field.name: np.shape(getattr(self, field.name)) for field in fields(self)}
         return common_shape(known) if any(known.values()) else ()

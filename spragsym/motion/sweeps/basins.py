@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...display import named_fields
 from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
+from ...numerics.interval_arrays import IntArray
 from ...results.named_columns import Named
 from ..regimes import Outcome, Regime, same_limit
 from .many import rms_sweep
@@ -38,7 +38,7 @@ class Basin(Named):
 
     plane: tuple[str, str]
     starts: tuple[FloatArray, FloatArray]
-    attractor: NDArray[np.int64]
+    attractor: IntArray
     attractors: tuple[tuple[Regime, int, float, float], ...]
     sweep: Sweep
 
@@ -117,7 +117,7 @@ def basin(
     return Basin((one, other), (first, second), labels, attractors, sweep)
 
 
-def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:
+def _attractors(sweep: Sweep) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:
     """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or of a cycle's one state."""
     labels = np.full(sweep.regime.shape, -1)
     known: list[Outcome] = []

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...files import storage
 from ...files.journal import Record
 from ...models.parameters import FloatArray, degrees
+from ...numerics.interval_arrays import Int8Array, Shape
 from ...results.named_columns import Columns
 from ...statics.search import rest_index
 from .. import integrators
@@ -67,8 +68,8 @@ class Sweep(Columns, held_in="measured"):
     backend: str
     max_steps: int
     measured: dict[str, FloatArray]
-    regime: NDArray[np.int8]
-    equilibrium: NDArray[np.int8]
+    regime: Int8Array
+    equilibrium: Int8Array
     reason: NDArray[np.str_]
     model: Any
 
@@ -160,7 +161,7 @@ def made_of(
     return Sweep(inputs, **vars(settings), measured=measured, regime=regime, equilibrium=which, reason=reason, model=model)
 
 
-def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
+def _dimensions(inputs: dict[str, FloatArray], shape: Shape) -> tuple[str, ...]:
     """A name for every axis: the input that alone varies along it, and along no other axis."""
 
     def axes(values: FloatArray) -> tuple[int, ...]:

@@ -7,11 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...numerics import contractors, jets
 from ...numerics.boxes import POLE, System
-from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
+from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from .forces import Forces
 from .laws import FREE
 
@@ -23,7 +22,7 @@ GUESSES = 4
 NOTHING = 1e-290
 
 #: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
-Excluded: TypeAlias = Callable[[NDArray[np.int64], Sequence[int]], NDArray[np.bool_]]
+Excluded: TypeAlias = Callable[[IntArray, Sequence[int]], BoolArray]
 Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
@@ -64,11 +63,11 @@ class Balance(Forces, System):
         rows = self.call("forces_jacobian", q, self.directions(q, values, shape), values)
         return matrix(rows, shape)
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
         return self.nothing_at(*self._taken(unknowns, parameters))
 
-    def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: Shape) -> BoolArray:
         """Whether nothing acts at coordinates, with their arguments."""
         out = self.beyond_border(q, values, shape)
         for spring, (dx, dy) in enumerate(self.anchors(q, values, shape)):
@@ -77,16 +76,14 @@ class Balance(Forces, System):
             if rows.size:
                 out[rows] = self._no_direction([part[rows] for part in q], taken(values, rows), rows.shape, spring)
 
-        def unbalanced(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
+        def unbalanced(rows: IntArray, sides: Sequence[int]) -> BoolArray:
             place, some = [part[rows] for part in q], taken(values, rows)
             forces = self.call("forces", place, self.directions(place, some, rows.shape, sides=sides), some)
             return ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
 
         return out | self.beside_jumps(q, values, ~out, unbalanced)
 
-    def beside_jumps(
-        self, q: Sequence[Intervals], values: Mapping[str, Any], among: NDArray[np.bool_], excluded: Excluded
-    ) -> NDArray[np.bool_]:
+    def beside_jumps(self, q: Sequence[Intervals], values: Mapping[str, Any], among: BoolArray, excluded: Excluded) -> BoolArray:
         """Boxes in which a turning jumps, and that are excluded on each side of the jump."""
         out = np.zeros(among.shape, dtype=np.bool_)
         if not self.torsions or not among.any():
@@ -99,13 +96,13 @@ class Balance(Forces, System):
             out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
         return out
 
-    def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: Shape) -> BoolArray:
         """Boxes that lie on the other side of the contact's border."""
         if not self.opens:
             return np.zeros(shape, dtype=np.bool_)
         return self.sides(stacked([self.gap(q, values)], shape)[0])[1]
 
-    def sides(self, gap: Intervals) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
         """Gaps on this side of the contact's border or on it, and gaps beyond it."""
         if self.contact:
             return gap.high <= self.room, gap.low > self.room
@@ -116,9 +113,7 @@ class Balance(Forces, System):
         q, values, shape = self._taken(unknowns, parameters)
         return stacked([self.gap(q, values)], shape)[0]
 
-    def _no_direction(
-        self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...], spring: int
-    ) -> NDArray[np.bool_]:
+    def _no_direction(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: Shape, spring: int) -> BoolArray:
         """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
         directions = self.directions(q, values, shape)
         place = 3 * spring
@@ -130,11 +125,11 @@ class Balance(Forces, System):
         G = stacked(self.call("forces", q, directions, values), shape)
         return contractors.no_unit_vector(G, M)
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
         return self.at_poles(*self._taken(unknowns, parameters), width)
 
-    def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], width: float) -> NDArray[np.bool_]:
+    def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: Shape, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole, with their arguments."""
         out = np.zeros(shape, dtype=np.bool_)
         if self._lengths:
@@ -142,7 +137,7 @@ class Balance(Forces, System):
                 out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
         return out
 
-    def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[tuple[Intervals, Intervals]]:
+    def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: Shape) -> list[tuple[Intervals, Intervals]]:
         """The vectors from the mass to the anchors of all springs."""
         return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in self.geometry(q, values)]
 
@@ -212,6 +207,6 @@ class Balance(Forces, System):
         return list(unknowns), self.arguments(parameters), unknowns.shape[1:]
 
 
-def taken(values: Mapping[str, Any], rows: NDArray[np.int64]) -> dict[str, Any]:
+def taken(values: Mapping[str, Any], rows: IntArray) -> dict[str, Any]:
     """The arguments of some boxes."""
     return {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}

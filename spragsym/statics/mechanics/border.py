@@ -12,12 +12,11 @@ from contextlib import suppress
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...models.field import BEGIN, TURN
 from ...numerics.balls import Ball, Undecided
 from ...numerics.certified_roots import Roots
-from ...numerics.interval_arrays import FloatArray, Intervals
+from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ...numerics.krawczyk import as_intervals, narrowed
 from .balance import Balance
 from .precise_balance import ROOT_BITS
@@ -32,7 +31,7 @@ class WithGap(Protocol):
     def prepared(self, bounds: Intervals) -> Intervals:
         """Parameters as the system takes them."""
 
-    def sides(self, gap: Intervals) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
         """Gaps on the side of the border that is asked for or on it, and gaps beyond it."""
 
     def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
@@ -59,7 +58,7 @@ def on_its_side(system: WithGap, given: FloatArray, found: Roots, precise: Calla
     return found.kept(left=~on_side(system, _at(system, given, found.left_point), found.left)[1])
 
 
-def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
     """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that lie beyond it."""
     if not system.opens:
         every = np.ones(ends.shape[2], dtype=np.bool_)
@@ -68,7 +67,7 @@ def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[N
         return system.sides(system.gap_over(Intervals(ends), parameters))
 
 
-def _at(system: WithGap, given: FloatArray, point: NDArray[np.int64]) -> Intervals:
+def _at(system: WithGap, given: FloatArray, point: IntArray) -> Intervals:
     with np.errstate(all="ignore"):
         return system.prepared(Intervals.point(given[:, point]))
 
@@ -90,7 +89,7 @@ def once_around(balance: Balance, found: Roots) -> Roots:
     return found.kept(~beyond & ~across, ~hidden).besides(found.ends[:, :, open_], found.point[open_])
 
 
-def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _parted(ends: FloatArray, around: list[int]) -> tuple[BoolArray, BoolArray]:
     """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
     low, high = -ends[0, around], ends[1, around]
     beyond = np.logical_or.reduce((low > END) | (high < BEGIN))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics.interval_arrays import Intervals, stacked
+from ...numerics.interval_arrays import Intervals, Shape, stacked
 from ...numerics.interval_functions import atan2, length, unit_vector
 from ...numerics.jets import Jet, argument, binomial_series, change, constant, turned
 
@@ -18,7 +18,7 @@ def quotients(dx: Any, dy: Any, xp: Any) -> tuple[Any, Any, Any]:
     return dx / length, dy / length, length
 
 
-def direction(dx: Any, dy: Any, shape: tuple[int, ...], square: Any = None) -> tuple[Any, Any, Any]:
+def direction(dx: Any, dy: Any, shape: Shape, square: Any = None) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
 
     ``square`` is the squared length without its changes, where another form of it is known that may be narrower. With the turned
@@ -38,9 +38,7 @@ def direction(dx: Any, dy: Any, shape: tuple[int, ...], square: Any = None) -> t
     return cosine * c - sine * s, cosine * s + sine * c, root * L
 
 
-def turning(
-    value: tuple[Any, Any], vector: tuple[Any, Any], rest: tuple[Any, Any], shape: tuple[int, ...], side: int | None
-) -> Any:
+def turning(value: tuple[Any, Any], vector: tuple[Any, Any], rest: tuple[Any, Any], shape: Shape, side: int | None) -> Any:
     """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes meet the ray φ = ±π.
 
     ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at rest; ``side`` says what is
@@ -61,7 +59,7 @@ def turning(
     return moved
 
 
-def _at(dx: Any, dy: Any, shape: tuple[int, ...]) -> tuple[Intervals, Intervals, Intervals]:
+def _at(dx: Any, dy: Any, shape: Shape) -> tuple[Intervals, Intervals, Intervals]:
     """Direction and length without their changes."""
     along, across = (as_intervals(constant(part), shape) for part in (dx, dy))
     return *unit_vector(along, across), length(along, across)
@@ -73,5 +71,5 @@ def _turn(dx: Any, dy: Any, c: Intervals, s: Intervals, L: Intervals, order: int
     return (hx * c + hy * s) / L, (hy * c - hx * s) / L
 
 
-def as_intervals(value: Any, shape: tuple[int, ...]) -> Intervals:
+def as_intervals(value: Any, shape: Shape) -> Intervals:
     return stacked([value], shape)[0]

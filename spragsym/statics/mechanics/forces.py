@@ -6,11 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...models.model_field import undecorated
 from ...numerics import jets
-from ...numerics.interval_arrays import Intervals, stacked
+from ...numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, stacked
 from .directions import direction, quotients, turning
 from .laws import XP
 
@@ -106,7 +105,7 @@ class Forces:
                 found |= {cosine: xp.cos(values[name]), sine: xp.sin(values[name])}
         return found
 
-    def floats(self, columns: Iterable[NDArray[np.float64]]) -> dict[str, Any]:
+    def floats(self, columns: Iterable[FloatArray]) -> dict[str, Any]:
         """Arguments as floats, shape (parameters, N)."""
         return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
@@ -149,7 +148,7 @@ class Forces:
         self,
         q: Sequence[Any],
         values: Mapping[str, Any],
-        shape: tuple[int, ...],
+        shape: Shape,
         upright: Sequence[int] = (),
         sides: Sequence[int] | None = None,
     ) -> list[Any]:
@@ -174,7 +173,7 @@ class Forces:
         self,
         q: Sequence[Any],
         values: Mapping[str, Any],
-        shape: tuple[int, ...],
+        shape: Shape,
         steps: Sequence[tuple[Any, Any]],
         directions: Sequence[Any],
         sides: Sequence[int] | None,
@@ -253,7 +252,7 @@ class Forces:
         """Slope of the friction law at steady sliding."""
         return self._of("friction_slope", (), values, xp=xp)
 
-    def slope_has_a_sign(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    def slope_has_a_sign(self, values: Mapping[str, Any], shape: Shape) -> BoolArray:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
         out = np.zeros(shape, dtype=np.bool_)
         if not self.slope_is_a_sum:

@@ -10,14 +10,13 @@ from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...numerics import balls, contractors
 from ...numerics.ball_functions import XP
 from ...numerics.balls import Undecided, ball
 from ...numerics.boxes import POLE, System
 from ...numerics.certified_roots import Roots, concatenated, different
-from ...numerics.interval_arrays import FloatArray, Intervals
+from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ...numerics.krawczyk import Digits, as_intervals, narrowed, outward
 from ...numerics.reduction import Reduced, reduced_roots
 from .balance import Balance
@@ -66,7 +65,7 @@ class PreciseBalance(Digits):
         return self.balance.call(name, q, directions, self.arguments, XP)
 
 
-def renewed(found: Roots, around: FloatArray, points: NDArray[np.int64], parts: Sequence[Roots]) -> Roots:
+def renewed(found: Roots, around: FloatArray, points: IntArray, parts: Sequence[Roots]) -> Roots:
     """Roots and boxes of all points, of the given ones those that are known well or are in the parts, each once."""
     mine, n = found.of(points), around.shape[1]
     again = different(concatenated([mine.kept(mine.error <= TOLERANCE, slice(0)), *parts], n), around)
@@ -81,7 +80,7 @@ def clustered(around: FloatArray, found: Roots) -> Roots:
     return renewed(found, around, np.unique(owner), [Roots.none(len(hulls[0])).besides(hulls, owner)])
 
 
-def refined(given: FloatArray, found: Roots, precise: Precise, among: NDArray[np.bool_] | bool = False) -> Roots:
+def refined(given: FloatArray, found: Roots, precise: Precise, among: BoolArray | bool = False) -> Roots:
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
@@ -118,7 +117,7 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
     return found.kept(inside, slice(0))
 
 
-def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
+def boxes_of(found: Roots) -> tuple[FloatArray, IntArray]:
     """Boxes that are left, and boxes around roots that are known to few digits, and the point of each."""
     poor = ~(found.error <= TOLERANCE)
     ends = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
@@ -147,12 +146,12 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Pre
     return Roots(ends, alone, np.full(ends.shape[2], point), left, np.full(left.shape[2], point))
 
 
-def clusters(boxes: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:
+def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
     """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls meet; and the point of each.
 
     Two meet if one of them, widened by half of itself, meets the other.
     """
-    parts, owner = [boxes[:, :, :0]], list[NDArray[np.int64]]()
+    parts, owner = [boxes[:, :, :0]], list[IntArray]()
     for number in np.unique(point):
         hulls = boxes[:, :, :0]
         for box in np.moveaxis(boxes[:, :, point == number], 2, 0):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from ...numerics.interval_arrays import Shape
 from .balance import Balance
 from .laws import XP
 
@@ -18,7 +19,7 @@ class State:
     balance: Balance
     q: Sequence[Any]
     values: Mapping[str, Any]
-    shape: tuple[int, ...]
+    shape: Shape
     upright: Sequence[int] = ()
     xp: Any = XP
     sides: Sequence[int] | None = None

@@ -9,8 +9,7 @@ from ..models.parameters import Parameters
 from ..numerics.adaptive_bits import as_numbers, with_enough_bits
 from ..numerics.balls import as_mpf
 from ..questions import NotInClosedForm
-from ..results.equilibria import Stability
-from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
+from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria
 from .folds import cusp_proofs
 from .folds.fold_enclosures import Point
 from .quartic import adaptive_precision
@@ -20,13 +19,7 @@ def precise_equilibria(_p: Parameters, exact: Mapping[str, Any], contact: bool, 
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
     given = [exact[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")]
     found = adaptive_precision.equilibria(*given, contact=contact, digits=digits)
-    states = (
-        PreciseEquilibrium(
-            {name: getattr(state, name) for name in ("theta", "L", "x", "y")}, Stability(state.stability), state.error, found.fold
-        )
-        for state in found.states
-    )
-    return PreciseEquilibria(tuple(states), True, {})
+    return PreciseEquilibria(found.states, True, {})
 
 
 def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int) -> CuspProof:

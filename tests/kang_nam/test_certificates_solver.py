@@ -164,7 +164,7 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact
     p = _points(8 if contact else 4)
     whole = ss.equilibria(p, contact=contact)
     monkeypatch.setattr(solver, "BLOCK", 7)
-    monkeypatch.setattr(solver, "A_THREAD", dict.fromkeys(solver.A_THREAD, 7))
+    monkeypatch.setattr(block, "A_THREAD", 7)
     for threads in (1, 3):
         ss.set_backend("numpy", threads=threads)
         pieces = ss.equilibria(p, contact=contact)

@@ -17,6 +17,7 @@ from spragsym.kang_nam.quartic import adaptive_precision, kernel
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls
 from spragsym.numerics.balls import Undecided
+from spragsym.results.precise_states import PreciseEquilibrium
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
 from tests.support import as_fraction
@@ -32,11 +33,11 @@ def _points(number: int) -> Iterator[tuple[float, ...]]:
         yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*NAMES), strict=True))
 
 
-def _truth(state: adaptive_precision.State, point: tuple[float, ...], contact: bool, digits: int) -> tuple[mpmath.mpf, ...]:
+def _truth(state: PreciseEquilibrium, point: tuple[float, ...], contact: bool, digits: int) -> tuple[mpmath.mpf, ...]:
     return reference.refine(state.x, state.y, *point, contact=contact, digits=digits)
 
 
-def _holds(states: tuple[adaptive_precision.State, ...], point: tuple[float, ...], contact: bool, digits: int) -> float:
+def _holds(states: tuple[PreciseEquilibrium, ...], point: tuple[float, ...], contact: bool, digits: int) -> float:
     """Largest share of its bound that an error takes, of the numbers as they stand."""
     share = 0.0
     for state in states:
@@ -46,7 +47,7 @@ def _holds(states: tuple[adaptive_precision.State, ...], point: tuple[float, ...
     return share
 
 
-def _code(state: adaptive_precision.State, point: tuple[float, ...], contact: bool) -> int:
+def _code(state: PreciseEquilibrium, point: tuple[float, ...], contact: bool) -> int:
     """Stability by the roots of the characteristic polynomial of the stiffnesses, written out."""
     _, mu0, _, alpha, sigma, beta = map(mpmath.mpf, point)
     push = int(contact)

@@ -8,11 +8,8 @@ bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is repo
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
-
-import mpmath
+from typing import Any, NamedTuple
 
 from ...errors import ConvergenceError
 from ...numerics import balls
@@ -20,6 +17,8 @@ from ...numerics.adaptive_bits import as_numbers
 from ...numerics.balls import Interval, Undecided, as_mpf
 from ...numerics.half_angle import on_circle
 from ...numerics.polynomials import derivative, evaluate, roots_on_the_line, squarefree
+from ...results.equilibria import Stability
+from ...results.precise_states import PreciseEquilibrium
 from . import kernel
 
 #: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the
@@ -28,28 +27,11 @@ from . import kernel
 FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
 
 
-@dataclass(frozen=True)
-class State:
-    """One equilibrium; ``error`` bounds |error| / max(1, |value|) of the four, ``stability`` is a code of Stability.
-
-    The numbers carry every bit that they were computed with: none is rounded after ``error`` is known.
-    """
-
-    theta: mpmath.mpf
-    L: mpmath.mpf
-    x: mpmath.mpf
-    y: mpmath.mpf
-    stability: int
-    error: mpmath.mpf
-
-
-@dataclass(frozen=True)
-class Settled:
+class Settled(NamedTuple):
     """All equilibria of one point, ascending in θ, and whether it is a fold to the last digit tried."""
 
-    states: tuple[State, ...]
+    states: tuple[PreciseEquilibrium, ...]
     fold: bool
-    bits: int
 
 
 def equilibria(
@@ -100,7 +82,7 @@ def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, b
     states = [state for root in roots for state in _state(root, trig, values, digits, fold, shrunk)]
     if contact and len(states) % 2 == 0:
         raise Undecided("an even number of equilibria in contact")
-    return Settled(tuple(sorted(states, key=lambda state: state.theta)), fold, bits)
+    return Settled(tuple(sorted(states, key=lambda state: state.theta)), fold)
 
 
 # ------------------------------------------------------------------------------------------------------- roots
@@ -153,7 +135,7 @@ def _fold_roots(trig: tuple[Interval, ...], quartic: tuple[Interval, ...], bits:
 def _state(
     t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool,
     shrunk: bool,
-) -> list[State]:  # fmt: skip
+) -> list[PreciseEquilibrium]:  # fmt: skip
     """The equilibrium at t, none if the root is not one; nor is it where the spring has the length 0, ``shrunk``."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
     c, s, _ = on_circle(t)
@@ -163,8 +145,9 @@ def _state(
         return []
     if 0 in sides:
         raise Undecided("L or y holds 0")
-    (theta, L, x, y), error, _ = as_numbers((2 * balls.atan(t), *state), None if fold else digits)
-    return [State(theta, L, x, y, _stability(c, s, state[0], trig, values, fold), as_mpf(error))]
+    found, error, _ = as_numbers((2 * balls.atan(t), *state), None if fold else digits)
+    numbers = dict(zip(("theta", "L", "x", "y"), found, strict=True))
+    return [PreciseEquilibrium(numbers, Stability(_stability(c, s, state[0], trig, values, fold)), as_mpf(error), fold)]
 
 
 def _stability(c: Interval, s: Interval, L: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], fold: bool) -> int:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from types import ModuleType
 
 from ...errors import BackendError, ParameterError
-from . import compiled
+from . import block, compiled
 
 
 @dataclass
@@ -69,8 +70,7 @@ def get_backend() -> str:
     return _choice.name
 
 
-def chosen() -> tuple[str, int]:
-    """The backend to use, and its threads."""
-    if _choice.name == "auto":
-        return ("compiled" if compiled.available() else "numpy"), _choice.threads
-    return _choice.name, _choice.threads
+def chosen() -> tuple[ModuleType, int]:
+    """What solves points, and its threads."""
+    name = ("compiled" if compiled.available() else "numpy") if _choice.name == "auto" else _choice.name
+    return (compiled if name == "compiled" else block), _choice.threads

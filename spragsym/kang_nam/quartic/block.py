@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...generated import kernel
 from ...generated._where import where
 from ...numerics.double_double import DoubleDouble, cosine_and_sine
-from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray
+from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray
 from ...results.state_columns import Slots, gathered
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
@@ -22,19 +22,18 @@ TOLERANCE = 1e-12
 _STORED = 4 * 2.0**-53
 
 
-def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np.floating[Any]]) -> IntArray:
+#: Points that are worth a thread of their own, and the same where they are only counted.
+A_THREAD, A_COUNTING_THREAD = 1 << 16, 1 << 19
+
+
+def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
 
     Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
-    number is odd. One root of every point comes first, then all of those that have more.
-
-    Parameters
-    ----------
-    point : Point
-        Each an array of length ``size`` or one number for all.
+    number is odd. One root of every point comes first, then all of those that have more. ``values`` are θ₀, μ₀, κ, α, σ and β,
+    arrays of length ``size`` or 1.
     """
-    u = dtype(np.finfo(dtype).eps / 2)
-    contact = point.nbar > 0
+    point, u = _point(values, contact), np.float64(2.0**-53)
     line = kernel.Balance(*np.broadcast_arrays(*kernel.balance(point), np.empty(size))[:-1])
     trig = line.a, line.b, line.d, line.m
     quartic, cubic = kernel.quartic(*trig), kernel.cubic(*trig)
@@ -76,6 +75,18 @@ def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int
             t = _stacked([value[rows] for value in found[:roots]])
             settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
     return np.flatnonzero(~settled)
+
+
+def count(values: list[FloatArray], size: int) -> Int8Array:
+    """The number of equilibria in contact, 0 where that is open."""
+    found = kernel.one_or_three(_point(values, True), np.float64(2.0**-53))
+    return np.array(np.broadcast_to(found, size), dtype=np.int8)
+
+
+def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
+    theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
+    cos0, sin0 = kernel.cosine_and_sine(theta0)
+    return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
 
 
 def _stacked(values: list[DoubleDouble]) -> DoubleDouble:

@@ -12,6 +12,8 @@ from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from ...results.state_columns import COLUMNS, Slots
 
 _ROOM = threading.local()
+#: Points that are worth a thread of their own, and the same where they are only counted.
+A_THREAD, A_COUNTING_THREAD = 1 << 15, 1 << 17
 
 
 def available() -> bool:

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ConvergenceError
-from ...generated import kernel
 from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
@@ -20,7 +19,7 @@ from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...results.state_columns import COLUMNS, Columns, Slots, empty
 from ...statics.states import Linearizing
-from . import backends, block, compiled
+from . import backends
 
 if TYPE_CHECKING:
     from .adaptive_precision import Settled
@@ -30,10 +29,7 @@ T = TypeVar("T")
 #: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for NumPy to compute in place, which
 #: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 15
-#: Points that are worth a thread of their own, by what solves them, and the same where they are only counted.
-A_THREAD = {"compiled": 1 << 15, "numpy": 1 << 16}
-A_COUNTING_THREAD = {"compiled": 1 << 17, "numpy": 1 << 19}
-#: The same in double-double arithmetic, which has more in between.
+#: Points solved at a time in double-double arithmetic, which has more in between.
 WIDE_BLOCK = 1 << 12
 
 
@@ -94,10 +90,9 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         raise NotInClosedForm  # the general algorithm says what contact may be
     p.require("theta0", "mu0")
     out = Slots(math.prod(p.shape), 3 if contact else 4)
-    compiled_or_not, threads = backends.chosen()
-    solve = _compiled if compiled_or_not == "compiled" else _numpy
+    backend, threads = backends.chosen()
     unsettled = _in_blocks(
-        p, threads, A_THREAD[compiled_or_not], lambda values, begin, size: begin + solve(values, contact, out, begin, size)
+        p, threads, backend.A_THREAD, lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size)
     )
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
@@ -138,9 +133,8 @@ def count(p: Parameters) -> Int8Array:
     positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
     """
     p.require("theta0", "mu0")
-    compiled_or_not, threads = backends.chosen()
-    method = compiled.count if compiled_or_not == "compiled" else _count
-    blocks = _in_blocks(p, threads, A_COUNTING_THREAD[compiled_or_not], lambda values, _, size: method(values, size))
+    backend, threads = backends.chosen()
+    blocks = _in_blocks(p, threads, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size))
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
@@ -164,7 +158,8 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
 
     def one(begin: int) -> T:
         end = min(begin + length, size)
-        return work([_part(values, begin, end) for values in given], begin, end - begin)
+        with np.errstate(all="ignore"):
+            return work([_part(values, begin, end) for values in given], begin, end - begin)
 
     # glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that
     # has to be more than all arrays in between take.
@@ -195,27 +190,6 @@ def _part(values: FloatArray, begin: int, end: int) -> FloatArray:
     if values.size == 1:
         return values
     return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
-
-
-def _compiled(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
-    return compiled.solve(values, contact, out, begin, size)
-
-
-def _numpy(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
-    with np.errstate(all="ignore"):
-        return block.solve(_point(values, contact), size, out, begin, np.float64)
-
-
-def _count(values: list[FloatArray], size: int) -> Int8Array:
-    u = np.float64(2.0**-53)
-    with np.errstate(all="ignore"):
-        return np.array(np.broadcast_to(kernel.one_or_three(_point(values, True), u), size), dtype=np.int8)
-
-
-def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
-    theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
-    cos0, sin0 = kernel.cosine_and_sine(theta0)
-    return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
 
 
 # -------------------------------------------------------------------------------------------------- more digits
@@ -252,14 +226,13 @@ def _solve_widely(
     given: list[FloatArray], contact: bool, out: Slots, rows: IntArray
 ) -> IntArray:  # fmt: skip
     """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
-    compiled_or_not, _ = backends.chosen()
-    solve = compiled.solve_widely if compiled_or_not == "compiled" else block.solve_widely
+    backend, _ = backends.chosen()
     again = Slots(rows.size, out.slots)
     left = []
     for begin in range(0, rows.size, WIDE_BLOCK):
         values = [value[begin : begin + WIDE_BLOCK] for value in given]
         with np.errstate(all="ignore"):
-            left.append(begin + solve(values, contact, again, begin, values[0].size))
+            left.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
     out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
     return np.concatenate(left)
 

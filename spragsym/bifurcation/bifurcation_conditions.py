@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..numerics.arithmetic import Matrix
 from ..numerics.determinants import Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.interval_arrays import BoolArray, stacked
 from ..numerics.jets import Jet
@@ -149,7 +150,7 @@ NO_SLOPE = Condition(
 KINDS = {"BT": bogdanov_takens, "ZH": zero_hopf, "HH": double_hopf}
 
 
-def change(K: Sequence[Sequence[Any]], column: int) -> Any:
+def change(K: Matrix, column: int) -> Any:
     """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
     value = determinant(K)
     moved = [_slope(value, i) * cofactor(K, column, i) for i in range(len(K))]

@@ -6,7 +6,7 @@ t across n, has rank one. So l det K = l det K∞ + Σ cofactors of K∞ × R, w
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from ..numerics import jets
 from ..numerics.determinants import cofactor, determinant
 from ..numerics.interval_arrays import BoolArray, Intervals, Shape, raised, stacked
 from ..statics.mechanics.balance import AWAY, Balance, taken
+from ..statics.mechanics.forces import Values
 
 #: Arcs of directions that are looked at one by one.
 ARCS = 32
@@ -22,7 +23,7 @@ ARCS = 32
 ENDLESS = Intervals.between(np.array([1e290]), np.array([1e308]))
 
 
-def regular_at_anchors(balance: Balance, q: Sequence[Intervals], values: Mapping[str, Any], among: BoolArray) -> BoolArray:
+def regular_at_anchors(balance: Balance, q: Sequence[Intervals], values: Values, among: BoolArray) -> BoolArray:
     """Boxes at an anchor in which det K is not 0, whatever the direction of the spring is."""
     out = np.zeros(among.shape, dtype=np.bool_)
     if balance.torsions:
@@ -35,7 +36,7 @@ def regular_at_anchors(balance: Balance, q: Sequence[Intervals], values: Mapping
     return out
 
 
-def _regular(balance: Balance, q: Sequence[Intervals], values: Mapping[str, Any], shape: Shape, spring: int) -> BoolArray:
+def _regular(balance: Balance, q: Sequence[Intervals], values: Values, shape: Shape, spring: int) -> BoolArray:
     every, place = np.tile(np.arange(shape[0]), ARCS), 3 * spring
     q, values = [part[every] for part in q], taken(values, every)
     directions = balance.directions(q, values, every.shape)

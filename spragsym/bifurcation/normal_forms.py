@@ -23,6 +23,7 @@ import numpy as np
 
 from ..models.model_field import undecorated
 from ..numerics import balls
+from ..numerics.arithmetic import Matrix
 from ..numerics.ball_functions import XP
 from ..numerics.balls import Ball, Undecided, ball
 from ..numerics.complex_numbers import Complex, as_complex
@@ -30,6 +31,7 @@ from ..numerics.determinants import solved
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant
 from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.forces import Values
 from ..statics.mechanics.precise_balance import PreciseBalance
 
 if TYPE_CHECKING:
@@ -213,10 +215,10 @@ class _Point:
         """Arguments of generated functions by name."""
         return self.values | self.balance.with_angles({self.vary: parameter}, XP)
 
-    def _constants(self, values: Mapping[str, Any]) -> list[Any]:
+    def _constants(self, values: Values) -> list[Any]:
         return [values[name] for name in self.model.about["arguments"]["motion"]]
 
-    def _shift(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+    def _shift(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
         """Accelerations, linear in it, by what the friction of the equilibrium is larger than the law at the belt's speed."""
         balance, statics = self.balance, self.model.algebra
         if self.model.about["friction"] is None or balance.law == "friction_at_speed":
@@ -281,7 +283,7 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     return omega, [entry / length for entry in q], left
 
 
-def _solved(rows: Sequence[Sequence[Any]], values: Sequence[Any]) -> list[Any]:
+def _solved(rows: Matrix, values: Sequence[Any]) -> list[Any]:
     """Solution of a linear system; the largest pivots first."""
 
     def choose(table: list[list[Any]], k: int) -> None:

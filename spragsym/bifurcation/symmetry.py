@@ -33,6 +33,7 @@ from ..numerics.jets import constant, gradient, variables
 from ..numerics.reduction import third_derivative
 from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.mechanics.border import on_side
+from ..statics.mechanics.forces import Values
 from ..statics.mechanics.parity import follows
 from ..statics.mechanics.precise_balance import PreciseBalance, clusters
 from ..statics.mechanics.state import State
@@ -85,7 +86,7 @@ def _mirrors(family: Family) -> list[_Mirror]:
     return found
 
 
-def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Mapping[str, Any]) -> list[Any]:
+def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Values) -> list[Any]:
     return [-part if i in odd else part for i, part in enumerate(q)]
 
 

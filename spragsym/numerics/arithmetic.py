@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from collections.abc import Sequence
+from typing import Any, Self, TypeAlias
+
+#: Rows of entries of any number type.
+Matrix: TypeAlias = Sequence[Sequence[Any]]
 
 
 class Arithmetic:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from .arithmetic import Arithmetic
+from .arithmetic import Arithmetic, Matrix
 
 
-def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+def determinant(rows: Matrix) -> Any:
     """By the first row; entries of any number type, integers 0 among them."""
     if not rows:
         return 1
@@ -19,7 +19,7 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
     return total
 
 
-def cofactor(rows: Sequence[Sequence[Any]], i: int, j: int) -> Any:
+def cofactor(rows: Matrix, i: int, j: int) -> Any:
     """Cofactor of the entry in row i and column j: entry (j, i) of the adjugate."""
     minor = determinant([[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i])
     return -minor if (i + j) % 2 else minor
@@ -53,12 +53,12 @@ class Polynomial(Arithmetic):
         return Polynomial(out)
 
 
-def pencil(*matrices: Sequence[Sequence[Any]]) -> list[list[Polynomial]]:
+def pencil(*matrices: Matrix) -> list[list[Polynomial]]:
     """A + λ B + λ² C + …."""
     return [[Polynomial(entries) for entries in zip(*rows, strict=True)] for rows in zip(*matrices, strict=True)]
 
 
-def characteristic(*matrices: Sequence[Sequence[Any]]) -> list[Any]:
+def characteristic(*matrices: Matrix) -> list[Any]:
     """Coefficients of det(A + λ B + λ² C + …), the lowest first."""
     return determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
 
@@ -100,7 +100,7 @@ def is_zero(value: Any) -> bool:
     return isinstance(value, int) and value == 0
 
 
-def solved(matrix: Sequence[Sequence[Any]], values: Sequence[Any], choose: Choice | None = None) -> list[Any]:
+def solved(matrix: Matrix, values: Sequence[Any], choose: Choice | None = None) -> list[Any]:
     """Solution by elimination, pivots in the order of the rows unless ``choose`` exchanges them."""
     rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
     n = len(rows)

@@ -22,7 +22,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .arithmetic import Arithmetic
+from .arithmetic import Arithmetic, Matrix
 
 FloatArray: TypeAlias = NDArray[np.float64]
 BoolArray: TypeAlias = NDArray[np.bool_]
@@ -261,7 +261,7 @@ def stacked(parts: Sequence[Any], shape: Shape) -> Intervals:
     return Intervals(out)
 
 
-def matrix(rows: Sequence[Sequence[Any]], shape: Shape) -> Intervals:
+def matrix(rows: Matrix, shape: Shape) -> Intervals:
     """Rows of entries as one array of intervals, shape (rows, columns, …)."""
     entries = stacked([entry for row in rows for entry in row], shape)
     return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))

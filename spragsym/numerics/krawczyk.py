@@ -10,6 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from . import balls, contractors
+from .arithmetic import Matrix
 from .balls import Ball, Undecided, ball
 from .interval_arrays import FloatArray, Intervals
 from .jets import constant, gradient, variables
@@ -35,7 +36,7 @@ class Digits(Protocol):
         """F of balls, or of jets of balls where no derivatives are needed."""
         return list(map(constant, self.equations(variables(unknowns, self.order)))) if self.order else self.equations(unknowns)
 
-    def slopes(self, unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
+    def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """∂F/∂x over a box."""
         return [gradient(row, len(unknowns)) for row in self.equations(variables(unknowns, self.order + 1))]
 
@@ -77,7 +78,7 @@ def _proved(
     return around if max(map(_norm, off)) <= Fraction(1, 2) else None
 
 
-def as_balls(rows: Sequence[Sequence[Any]], bits: int) -> list[list[Ball]]:
+def as_balls(rows: Matrix, bits: int) -> list[list[Ball]]:
     """Entries that are numbers as balls, too."""
     return [[entry if isinstance(entry, Ball) else ball(float(entry), bits) for entry in row] for row in rows]
 

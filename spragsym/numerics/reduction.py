@@ -20,6 +20,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from . import balls
+from .arithmetic import Matrix
 from .balls import Ball, Undecided
 from .descartes import shifted
 from .determinants import is_zero, solved
@@ -105,7 +106,7 @@ class _Task:
         rows = [gradient(row, len(unknowns)) for row in self.evaluate(variables(self._ordered(unknowns), 1))]
         return [[rows[row][place] for place in self.unknowns] for row in self.equations]
 
-    def _coefficients(self, series: Sequence[Sequence[Any]], order: int) -> list[Any]:
+    def _coefficients(self, series: Matrix, order: int) -> list[Any]:
         """Coefficients of that order of F along series of u and the others to one order less, the equation that is left first."""
         jets = [Jet({(0,) * k: part[k] for k in range(order) if not is_zero(part[k])}, order) for part in series]
         return [row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0 for row in self._values(jets)]

@@ -35,7 +35,7 @@ from one on the border are undecided.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -49,6 +49,7 @@ from ..numerics.interval_functions import length as interval_length
 from ..numerics.krawczyk import Digits
 from .mechanics.balance import Balance
 from .mechanics.directions import direction, quotients
+from .mechanics.forces import Values
 from .mechanics.laws import XP
 from .mechanics.precise_balance import PreciseBalance
 
@@ -64,7 +65,7 @@ Place: TypeAlias = tuple[list[Any], list[Any], Any]
 class Given:
     """Arguments of the forces, the scale, and the kind of all numbers: intervals of a shape and jets of them, or balls."""
 
-    values: Mapping[str, Any]
+    values: Values
     scale: Any
     shape: Shape = ()
     xp: Any = XP
@@ -222,7 +223,7 @@ class _PrecisePolar(Digits):
         return self.system.rows(*self.system.place(unknowns, self.given), self.given)
 
 
-def end_slopes(balance: Balance, values: Mapping[str, Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(balance: Balance, values: Values, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
     rows = balance.geometry(jets.variables([near] * balance.n, 1), values)
     return [(jets.gradient(dx, balance.n), jets.gradient(dy, balance.n)) for dx, dy, _ in rows]

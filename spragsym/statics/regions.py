@@ -21,6 +21,7 @@ from ..models.parameters import as_numbers
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
 from .mechanics import contact_bounds
 from .mechanics.balance import Balance
+from .mechanics.forces import Values
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
@@ -165,7 +166,7 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
-def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any]) -> FloatArray:
+def _near_anchors(balance: Balance, ends: FloatArray, values: Values) -> FloatArray:
     """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without bounds where that is not known."""
     hull = np.full(ends.shape, -np.inf)
     for spring in balance.torsions:

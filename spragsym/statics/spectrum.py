@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..numerics import balls
+from ..numerics.arithmetic import Matrix
 from ..numerics.ball_functions import XP as BALLS
 from ..numerics.balls import Undecided, ball
 from ..numerics.determinants import characteristic, determinant, hurwitz
@@ -26,9 +27,8 @@ from .mechanics.state import State
 
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
-Matrix: TypeAlias = Sequence[Sequence[Any]]
 #: Numbers whose signs are asked for at a state of balls of so many bits.
-Ask: TypeAlias = Callable[[State, int], Sequence[Sequence[Any]]]
+Ask: TypeAlias = Callable[[State, int], Matrix]
 
 
 def classified(balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray) -> tuple[Int8Array, BoolArray]:
@@ -92,7 +92,7 @@ def decay(
     for row in np.flatnonzero(found == 0).tolist():
         shift = ball(float(half[row]), BITS)
 
-        def ask(at: State, bits: int, shift: Any = shift) -> Sequence[Sequence[Any]]:
+        def ask(at: State, bits: int, shift: Any = shift) -> Matrix:
             M, C, K = (as_balls(part, bits) for part in (at.mass(), at.damping(), at.stiffness()))
             return _routh_twice(M, C, K, shift)
 
@@ -106,7 +106,7 @@ def _rows(part: Intervals) -> list[list[Any]]:
     return list(map(list, part))
 
 
-def _types(at: State, bits: int) -> Sequence[Sequence[Any]]:
+def _types(at: State, bits: int) -> Matrix:
     """:func:`invariants` of balls."""
     return invariants(*(as_balls(part, bits) for part in (at.stiffness(), at.mass())))
 

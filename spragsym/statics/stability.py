@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..numerics.arithmetic import Matrix
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
 from ..results.equilibria import Equilibria, Stability
 from . import spectrum
@@ -139,6 +139,6 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
 
 
-def filled(rows: Sequence[Sequence[Any]], shape: Shape) -> FloatArray:
+def filled(rows: Matrix, shape: Shape) -> FloatArray:
     """A matrix of numbers and arrays as an array, each entry of one shape."""
     return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])

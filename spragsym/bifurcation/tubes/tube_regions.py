@@ -14,6 +14,7 @@ import numpy as np
 
 from ...numerics import contractors
 from ...numerics.affine import Affine
+from ...numerics.arithmetic import Matrix
 from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ...numerics.rounded import UNIT
 
@@ -164,7 +165,7 @@ class Slopes:
     ``zero`` is the 0 of their type; what belongs to the rows beside slopes ``Y`` multiplies as well.
     """
 
-    rows: Sequence[Sequence[Any]]
+    rows: Matrix
     zero: Any
     Y: FloatArray | None = None
 
@@ -189,7 +190,7 @@ class Slopes:
         return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
 
 
-def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: Shape) -> Slopes:
+def of_affine(rows: Matrix, others: Sequence[int], shape: Shape) -> Slopes:
     """Slopes from rows of affine numbers, multiplied by the inverse of their midpoints before they become intervals."""
     middles = np.array([[_middle(row[j], shape) for j in others] for row in rows])
     Y, zero = contractors.inverse(middles), Affine(np.zeros(shape), np.zeros((1, *shape)))

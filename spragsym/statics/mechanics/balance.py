@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from ...numerics import contractors, jets
 from ...numerics.boxes import POLE, System
 from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
-from .forces import Forces
+from .forces import Forces, Values
 from .laws import FREE
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
@@ -67,7 +67,7 @@ class Balance(Forces, System):
         """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
         return self.nothing_at(*self._taken(unknowns, parameters))
 
-    def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: Shape) -> BoolArray:
+    def nothing_at(self, q: Sequence[Intervals], values: Values, shape: Shape) -> BoolArray:
         """Whether nothing acts at coordinates, with their arguments."""
         out = self.beyond_border(q, values, shape)
         for spring, (dx, dy) in enumerate(self.anchors(q, values, shape)):
@@ -83,7 +83,7 @@ class Balance(Forces, System):
 
         return out | self.beside_jumps(q, values, ~out, unbalanced)
 
-    def beside_jumps(self, q: Sequence[Intervals], values: Mapping[str, Any], among: BoolArray, excluded: Excluded) -> BoolArray:
+    def beside_jumps(self, q: Sequence[Intervals], values: Values, among: BoolArray, excluded: Excluded) -> BoolArray:
         """Boxes in which a turning jumps, and that are excluded on each side of the jump."""
         out = np.zeros(among.shape, dtype=np.bool_)
         if not self.torsions or not among.any():
@@ -96,7 +96,7 @@ class Balance(Forces, System):
             out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
         return out
 
-    def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: Shape) -> BoolArray:
+    def beyond_border(self, q: Sequence[Any], values: Values, shape: Shape) -> BoolArray:
         """Boxes that lie on the other side of the contact's border."""
         if not self.opens:
             return np.zeros(shape, dtype=np.bool_)
@@ -113,7 +113,7 @@ class Balance(Forces, System):
         q, values, shape = self._taken(unknowns, parameters)
         return stacked([self.gap(q, values)], shape)[0]
 
-    def _no_direction(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: Shape, spring: int) -> BoolArray:
+    def _no_direction(self, q: Sequence[Intervals], values: Values, shape: Shape, spring: int) -> BoolArray:
         """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
         directions = self.directions(q, values, shape)
         place = 3 * spring
@@ -129,7 +129,7 @@ class Balance(Forces, System):
         """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
         return self.at_poles(*self._taken(unknowns, parameters), width)
 
-    def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: Shape, width: float) -> BoolArray:
+    def at_poles(self, q: Sequence[Any], values: Values, shape: Shape, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole, with their arguments."""
         out = np.zeros(shape, dtype=np.bool_)
         if self._lengths:
@@ -137,7 +137,7 @@ class Balance(Forces, System):
                 out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
         return out
 
-    def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: Shape) -> list[tuple[Intervals, Intervals]]:
+    def anchors(self, q: Sequence[Any], values: Values, shape: Shape) -> list[tuple[Intervals, Intervals]]:
         """The vectors from the mass to the anchors of all springs."""
         return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in self.geometry(q, values)]
 
@@ -148,17 +148,17 @@ class Balance(Forces, System):
         q, values, shape = self._taken(unknowns, parameters)
         return self.with_directions(unknowns, values, self.directions(q, values, shape, sides=self.anywhere))
 
-    def with_directions(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+    def with_directions(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
         step = contractors.newton(*self._linear(unknowns, unknowns.middle, values, directions))
         return np.fmin(step.ends, unknowns.ends)
 
-    def by_rows(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+    def by_rows(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
         return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
 
-    def with_waves(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+    def with_waves(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
         """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
         given = self.linear(unknowns, near, lambda q: self.by_coordinate("forces", q, directions, values, FREE))
@@ -174,7 +174,7 @@ class Balance(Forces, System):
         self,
         unknowns: Intervals,
         at: FloatArray,
-        values: Mapping[str, Any],
+        values: Values,
         directions: Sequence[Any],
         call: Callable[..., Any] | None = None,
     ) -> Linear:
@@ -190,7 +190,7 @@ class Balance(Forces, System):
         forces = stacked(call("forces", list(Intervals.point(at)), directions, values), shape)
         return forces, slopes, at, contractors.distance(unknowns.ends, at)
 
-    def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
+    def _lengths_matter(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> bool:
         """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""
         if self._lengths is None and unknowns.shape[1]:
             one = np.zeros(1, dtype=np.int64)
@@ -207,6 +207,6 @@ class Balance(Forces, System):
         return list(unknowns), self.arguments(parameters), unknowns.shape[1:]
 
 
-def taken(values: Mapping[str, Any], rows: IntArray) -> dict[str, Any]:
+def taken(values: Values, rows: IntArray) -> dict[str, Any]:
     """The arguments of some boxes."""
     return {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}

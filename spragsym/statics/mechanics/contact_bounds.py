@@ -7,7 +7,7 @@ needed of what is cut off, which has none at the border.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ import numpy as np
 from ...numerics import contractors, jets
 from ...numerics.interval_arrays import FloatArray, Intervals, stacked
 from .balance import Balance
+from .forces import Values
 from .laws import FREE
 
 
@@ -63,7 +64,7 @@ def applies(balance: Balance) -> bool:
     )
 
 
-def by_contact_force(balance: Balance, ends: FloatArray, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+def by_contact_force(balance: Balance, ends: FloatArray, values: Values, directions: Sequence[Any]) -> FloatArray:
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and sines left free."""
     ends = _closed(balance, ends, values)
     unknowns = Intervals(ends)
@@ -84,7 +85,7 @@ def by_contact_force(balance: Balance, ends: FloatArray, values: Mapping[str, An
     return np.fmin(found, ends)
 
 
-def _closed(balance: Balance, ends: FloatArray, values: Mapping[str, Any]) -> FloatArray:
+def _closed(balance: Balance, ends: FloatArray, values: Values) -> FloatArray:
     """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and the others."""
     unknowns = Intervals(ends)
     near, shape = np.clip(0.0, unknowns.low, unknowns.high), unknowns.shape[1:]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
@@ -13,6 +13,8 @@ from ...numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape,
 from .directions import direction, quotients, turning
 from .laws import XP
 
+#: Arguments of generated functions by name, of any number type.
+Values: TypeAlias = Mapping[str, Any]
 #: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
 TURN = np.pi + 0.02
 #: Of the cosine of an angle a width that is rounding.
@@ -93,11 +95,11 @@ class Forces:
             parts += [] if self.only_turns(name) else [value]
         return stacked(parts, bounds.shape[1:])
 
-    def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
+    def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
         """Arguments by name, from parameters of any number type."""
         return self.with_angles(values, xp)
 
-    def with_angles(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
+    def with_angles(self, values: Values, xp: Any) -> dict[str, Any]:
         """Some parameters with cosine and sine of those that are angles."""
         found = dict(values)
         for name, (cosine, sine) in self.angles.items():
@@ -122,24 +124,24 @@ class Forces:
         values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
         return values | self.with_angles(changed or {}, XP)
 
-    def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:
+    def _listed(self, values: Values, kind: str) -> list[Any]:
         return [values[name] for name in self.model.about["arguments"][kind]]
 
-    def _of(self, name: str, first: Iterable[Any], values: Mapping[str, Any], *last: Any, kind: str = "motion", xp: Any) -> Any:
+    def _of(self, name: str, first: Iterable[Any], values: Values, *last: Any, kind: str = "motion", xp: Any) -> Any:
         """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
         return undecorated(getattr(self.model.algebra, name))(*first, *self._listed(values, kind), *last, xp=xp)
 
     # ---------------------------------------------------------------------------------------------- forces
 
-    def geometry(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
+    def geometry(self, q: Sequence[Any], values: Values, xp: Any = XP) -> Any:
         """Vector and undeformed length of every line."""
         return self._of("geometry", q, values, kind="statics", xp=xp)
 
-    def of_no_place(self, name: str, values: Mapping[str, Any], xp: Any = XP) -> Sequence[Any]:
+    def of_no_place(self, name: str, values: Values, xp: Any = XP) -> Sequence[Any]:
         """A function that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
         return self._of(name, [0] * self.n, values, kind="statics", xp=xp)
 
-    def at_rest(self, values: Mapping[str, Any], xp: Any = XP) -> list[tuple[Any, Any]]:
+    def at_rest(self, values: Values, xp: Any = XP) -> list[tuple[Any, Any]]:
         """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
         pairs = self._of("turnings", [0] * self.n + [1, 0, 1] * self.springs, values, kind="statics", xp=xp)
         return [(cosine, -sine) for cosine, sine in pairs]
@@ -147,7 +149,7 @@ class Forces:
     def directions(
         self,
         q: Sequence[Any],
-        values: Mapping[str, Any],
+        values: Values,
         shape: Shape,
         upright: Sequence[int] = (),
         sides: Sequence[int] | None = None,
@@ -162,7 +164,7 @@ class Forces:
         parts = [part for (dx, dy), square in zip(steps, squares, strict=True) for part in direction(dx, dy, shape, square)]
         return parts + self._turnings(q, values, shape, steps, parts, sides) if self.torsions else parts
 
-    def _squared_lengths(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+    def _squared_lengths(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
         """l² of every spring without its changes, where an angle is so wide that its form counts; else None."""
         if not any(_is_wide(values[code]) for parts in self.angles.values() for code in parts):
             return [None] * self.springs
@@ -172,7 +174,7 @@ class Forces:
     def _turnings(
         self,
         q: Sequence[Any],
-        values: Mapping[str, Any],
+        values: Values,
         shape: Shape,
         steps: Sequence[tuple[Any, Any]],
         directions: Sequence[Any],
@@ -192,7 +194,7 @@ class Forces:
         return found
 
     def plain_directions(
-        self, q: Sequence[Any], values: Mapping[str, Any], xp: Any, turnings: Sequence[Any] = ()
+        self, q: Sequence[Any], values: Values, xp: Any, turnings: Sequence[Any] = ()
     ) -> list[Any]:  # fmt: skip
         """Cosine, sine and length of every spring, then turnings if not given, for numbers that are narrow: quotients."""
         directions = [part for dx, dy, _ in self.geometry(q, values, xp) for part in quotients(dx, dy, xp)]
@@ -201,7 +203,7 @@ class Forces:
         pairs = self._of("turnings", [*q, *directions], values, kind="statics", xp=xp)
         return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 
-    def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
+    def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Values, xp: Any = XP) -> Any:
         """A function that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
         return self.by_coordinate(self.sums.get(name, name), q, directions, values, xp)
 
@@ -210,7 +212,7 @@ class Forces:
         name: str,
         q: Sequence[Any],
         directions: Sequence[Any],
-        values: Mapping[str, Any],
+        values: Values,
         xp: Any = XP,
         pushing: Any = None,
     ) -> Any:
@@ -218,12 +220,12 @@ class Forces:
         pushing = self.pushing if pushing is None else pushing
         return self._of(name, [*q, *directions], values, self.friction(values, xp), pushing, kind="statics", xp=xp)
 
-    def contact_force(self, q: Sequence[Any], values: Mapping[str, Any], pushing: Any, xp: Any = XP) -> Any:
+    def contact_force(self, q: Sequence[Any], values: Values, pushing: Any, xp: Any = XP) -> Any:
         """The normal force of the contact."""
         return self._of("contact_force", q, values, pushing, xp=xp)
 
     def by_parameters(
-        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
+        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Values, xp: Any = XP
     ) -> list[list[Any]]:
         """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
         law = self._of("friction_by_parameters", (), values, xp=xp)
@@ -233,26 +235,26 @@ class Forces:
             for row in self.by_coordinate("forces_by_parameters", q, directions, values, xp)
         ]
 
-    def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
+    def friction(self, values: Values, xp: Any = XP) -> Any:
         """The friction coefficient at steady sliding."""
         return self._of(self.law, (), values, xp=xp)
 
-    def mass(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
+    def mass(self, q: Sequence[Any], values: Values, xp: Any = XP) -> Any:
         """M of the kinetic energy."""
         return self._of("mass_matrix", q, values, xp=xp)
 
     def damping(
-        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None, xp: Any = XP
+        self, q: Sequence[Any], directions: Sequence[Any], values: Values, pushing: int | None = None, xp: Any = XP
     ) -> Any:
         """C of dampers and of the slope of the friction law."""
         pushing = self.pushing if pushing is None else pushing
         return self._of("damping", [*q, *directions[: 3 * self.springs]], values, pushing, xp=xp)
 
-    def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
+    def slope(self, values: Values, xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
         return self._of("friction_slope", (), values, xp=xp)
 
-    def slope_has_a_sign(self, values: Mapping[str, Any], shape: Shape) -> BoolArray:
+    def slope_has_a_sign(self, values: Values, shape: Shape) -> BoolArray:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
         out = np.zeros(shape, dtype=np.bool_)
         if not self.slope_is_a_sum:
@@ -263,11 +265,11 @@ class Forces:
             out |= ~total.holds_zero()
         return out
 
-    def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
+    def gap(self, q: Sequence[Any], values: Values, xp: Any = XP) -> Any:
         """The gap of the contact."""
         return self._of("contact_gap", q, values, kind="statics", xp=xp)
 
-    def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+    def mirrored(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
         """The image of a state in the model's mirror."""
         return self._of("mirror", q, values, kind="statics", xp=XP)
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from typing import Any
 
 from .balance import Balance
+from .forces import Values
 
 #: Functions that are even, and functions that are odd.
 EVEN, ODD = ("cos", "cosh"), ("sin", "sinh", "tanh", "atan")
@@ -58,7 +59,7 @@ class _Functions:
         return parity
 
 
-def follows(balance: Balance, values: Mapping[str, Any], odd: Collection[int]) -> bool:
+def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
     """Whether the rows of these coordinates, and no others, change their signs with them; the gap does not."""
     xp: Any = _Functions()
     q = [Parity(i in odd) for i in range(balance.n)]

@@ -12,6 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ...numerics import balls, contractors
+from ...numerics.arithmetic import Matrix
 from ...numerics.ball_functions import XP
 from ...numerics.balls import Undecided, ball
 from ...numerics.boxes import POLE, System
@@ -52,7 +53,7 @@ class PreciseBalance(Digits):
         """Forces at coordinates."""
         return self._called("forces", unknowns)
 
-    def slopes(self, unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
+    def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """Stiffness at coordinates."""
         return self._called("forces_jacobian", unknowns)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from ...numerics.interval_arrays import Shape
 from .balance import Balance
+from .forces import Values
 from .laws import XP
 
 
@@ -18,7 +19,7 @@ class State:
 
     balance: Balance
     q: Sequence[Any]
-    values: Mapping[str, Any]
+    values: Values
     shape: Shape
     upright: Sequence[int] = ()
     xp: Any = XP

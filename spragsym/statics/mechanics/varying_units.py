@@ -16,7 +16,7 @@ import numpy as np
 from ...models.parameters.units import Unit
 from ...numerics.interval_arrays import Intervals, stacked
 from .balance import Balance
-from .forces import Model
+from .forces import Model, Values
 from .laws import XP
 
 
@@ -36,7 +36,7 @@ class BalanceInUnits(Balance):
         self.needed = [name for name in self.factors if law != "friction_at_rest" or name in self.balanced]
         self.codes += [*units, *(self.factors[name] for name in self.needed)]
 
-    def scaled(self, values: Mapping[str, Any], xp: Any = np, names: Iterable[str] | None = None) -> dict[str, Any]:
+    def scaled(self, values: Values, xp: Any = np, names: Iterable[str] | None = None) -> dict[str, Any]:
         """P and u by name, of any number type, with the page's parameters p in place of P, all or some, and beside them p/P."""
         found = dict(values)
         for name in self.factors if names is None else names:
@@ -53,19 +53,19 @@ class BalanceInUnits(Balance):
         known = super().prepared(stacked([found[name] for name in self.parameters], shape))
         return Intervals(np.concatenate([known.ends, *(found[self.factors[name]].ends[:, None] for name in self.needed)], axis=1))
 
-    def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
+    def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
         """Arguments by name, of any number type."""
         return super().arguments_of(self.scaled(values, xp, self.needed), xp)
 
     def by_parameters(
-        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
+        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Values, xp: Any = XP
     ) -> list[list[Any]]:
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
         rows = super().by_parameters(needed, q, directions, values, xp)
         return [[self._slope(name, dict(zip(needed, row, strict=True)), values) for name in names] for row in rows]
 
-    def _slope(self, name: str, slopes: Mapping[str, Any], values: Mapping[str, Any]) -> Any:
+    def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Any:
         if name in self.units:
             powers = self.units[name].powers
             return sum(slopes[key] * values[key] * powers[key] for key in self.scaling[name]) / values[name]

@@ -36,7 +36,7 @@ def folds(case: Case) -> Any:
     """
     along = case.span
     with show_progress(f"searching for folds along {along.name}"):
-        told = points_of(case, ss.folds(case.set(along.name), along.name, **case.searching(along)), after=True)
+        told = points_of(case, ss.folds(case.set(along.name), along.name, **case.searching(along.name)), after=True)
     return {"vary": along.title, **told}, lambda: print_points("Folds", told, [along.title])
 
 
@@ -67,13 +67,13 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     names, name = _plane(case), case.span.name
     if plot is not None and len(names) < 2:
         raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
-    p, ways = case.set(name), case.searching(case.span)
+    p, ways = case.set(name), case.searching(name)
     questions: dict[str, tuple[Sequence[str], Callable[[], Any]]] = {
         "folds": (names[:1], lambda: ss.folds(p, name, **ways)),
         "onsets": (names[:1], lambda: ss.flutter_onsets(p, name, damping=False if undamped else None, **ways)),
     }
     if len(names) == 2:
-        questions["cusps"] = names, lambda: ss.cusps(case.set(*names), names, **case.searching(*case.spans))
+        questions["cusps"] = names, lambda: ss.cusps(case.set(*names), names, **case.searching(*names))
     elif len(case.model.axes) > 1:
         click.echo(f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME", err=True)
     found = {}
@@ -119,7 +119,7 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     from ..figures import bifurcation_figure
     from ..figures.labels import window
 
-    p, ranges = case.set(*vary), case.between(*case.spans)
+    p, ranges = case.set(*vary), case.between
     closed = case.has_closed_form(ss.bifurcation_set, p) and vary == case.model.axes and not ranges
     shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
     if undamped or len(found["onsets"]) or not (closed or len(found["folds"]) or len(found["cusps"])):
@@ -156,9 +156,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
         raise ParameterError(f"onsets of {case.model.name} are curves in a plane; give two different parameters with --vary")
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
     with show_progress(f"searching for onsets {plane}"):
-        found = ss.onset_curves(
-            case.set(*names), names, n, damping=False if undamped else None, between=case.between(*case.spans)
-        )
+        found = ss.onset_curves(case.set(*names), names, n, damping=False if undamped else None, between=case.between)
     if plot is not None:
         from ..figures import stability_figure
 

@@ -6,7 +6,7 @@ import copy
 import inspect
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ from ..errors import ParameterError
 from ..models import load
 from ..models.load import USUAL
 from ..models.parameter_class import options_of
-from ..models.parameters import FloatArray, Range, degrees, shown
+from ..models.parameters import FloatArray, Range, degrees
 from ..questions import has_closed_form
 from . import options as o
 from .output import drawable, print_json, refuse
@@ -87,13 +87,14 @@ class Case(Units):
         """Whether the model brings a closed form of a question, and it is not the search that is asked for."""
         return self.ask.get("method") != "search" and has_closed_form(question, p)
 
-    def between(self, *spans: Span) -> dict[str, tuple[float, float]]:
+    @property
+    def between(self) -> dict[str, tuple[float, float]]:
         """Ranges of what varies, where they were given."""
-        return {name: ends for span in spans for name, ends in span.between.items()}
+        return {name: ends for span in self.spans for name, ends in span.between.items()}
 
-    def searching(self, *spans: Span) -> dict[str, Any]:
+    def searching(self, *names: str) -> dict[str, Any]:
         """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
-        between = self.between(*spans)
+        between = {name: ends for name, ends in self.between.items() if name in names}
         return {**self.ask, **({"between": between} if between else {})}
 
     @property
@@ -179,9 +180,8 @@ class Case(Units):
         return found
 
 
-def _in_degrees(allowed: Range) -> str:
-    low, high = (shown(math.degrees(end)) for end in (allowed.low, allowed.high))
-    return f"{'(' if allowed.open_low else '['}{low}, {high}{']' if allowed.closed_high else ')'}"
+def _in_degrees(allowed: Range, remedy: str = "") -> Range:
+    return replace(allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy)
 
 
 class OfModel(o.Command):
@@ -283,8 +283,7 @@ class OfModel(o.Command):
             name, default = entry["name"], self.model.base.get(entry["name"])
             allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
             if name in self.model.about["angles"]:
-                low, high = math.degrees(allowed.low), math.degrees(allowed.high)
-                allowed = Range(low, high, allowed.open_low, f"give the {entry['meaning']} in degrees", allowed.closed_high)
+                allowed = _in_degrees(allowed, f"give the {entry['meaning']} in degrees")
                 meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
             exact = default is not None and float(f"{default:.7g}") == default
             # Click puts a default that is told in words into parentheses.

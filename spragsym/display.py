@@ -10,7 +10,7 @@ import enum
 import html
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -50,7 +50,7 @@ class Shown:
         return named_fields(self)
 
     def _repr_html_(self) -> str:
-        return "\n".join(_html(table) for table in tables(self))
+        return "\n".join(map(_html, tables(self)))
 
 
 @dataclass(frozen=True)
@@ -58,14 +58,13 @@ class Words:
     """What a table calls its columns, and how it writes what is in them."""
 
     known: Callable[[str], bool]  #: whether a parameter, a coordinate, a direction is an angle
-    codes: Mapping[str, type[enum.IntEnum]] = field(default_factory=dict)
-    angles: frozenset[str] = frozenset()
+    kind: type[Shown] = Shown  #: the class of the result
     vary: str = "value"  #: what ``value`` and ``values`` are of
-    varied: frozenset[str] = frozenset()
 
     def is_angle(self, name: str) -> bool:
         """Whether a column's numbers are radians."""
-        return name in self.angles or self.known(self.vary if name in self.varied or name in ("value", "values") else name)
+        varied = name in self.kind.table_varied or name in ("value", "values")
+        return name in self.kind.table_angles or self.known(self.vary if varied else name)
 
     def heading(self, key: str) -> str:
         """A column's name, of an angle with its unit."""
@@ -79,8 +78,7 @@ class Words:
             value = value.item() if value.ndim == 0 else self.listed(key, value)
         if isinstance(value, tuple):
             return ", ".join(self.cell(key, part) for part in value)
-        if key in self.codes:
-            code = self.codes[key]
+        if (code := self.kind.table_codes.get(key)) is not None:
             value = code(value) if value in set(code) else "other"
         if isinstance(value, enum.Enum):
             return value.name.lower()
@@ -108,7 +106,7 @@ def words(thing: Any, above: Words | None = None) -> Words:
     model, vary = thing.table_model if kind is not Shown else None, getattr(thing, "vary", None)
     known: Callable[[str], bool] = getattr(model, "is_angle", above.known if above is not None else _by_name)
     varies = vary if isinstance(vary, str) else above.vary if above is not None else "value"
-    return Words(known, kind.table_codes, kind.table_angles, varies, kind.table_varied)
+    return Words(known, kind, varies)
 
 
 def _by_name(name: str) -> bool:
@@ -153,8 +151,7 @@ def sorted_out(thing: Any, said: Words) -> tuple[dict[str, NDArray[Any]], dict[s
         values["vary"] = ", ".join(values["vary"])
     single = {key: value for key, value in values.items() if _is_single(value)}
     arrays = {key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim}
-    extra = thing.table_angles if isinstance(thing, Shown) else frozenset()
-    shape = max((value.shape for key, value in arrays.items() if key not in extra), key=math.prod, default=())
+    shape = max((value.shape for key, value in arrays.items() if key not in said.kind.table_angles), key=math.prod, default=())
     columns = {key: value for key, value in arrays.items() if value.shape == shape}
     single |= {key: said.listed(key, value) for key, value in arrays.items() if value.shape != shape}
     return columns, single, values
@@ -243,12 +240,12 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     """The fields, each array by its smallest and its largest value."""
     out: dict[str, Any] = {}
     for key, value in values.items():
-        if isinstance(value, np.ndarray) and value.ndim and value.dtype.kind in "USO":
-            out[key] = ", ".join(dict.fromkeys(map(str, value.ravel())))
-        elif isinstance(value, np.ndarray) and value.ndim:
-            out |= {f"{key} from": value.min() if value.size else np.inf, f"{key} to": value.max() if value.size else -np.inf}
-        else:
+        if not isinstance(value, np.ndarray) or not value.ndim:
             out[key] = value
+        elif value.dtype.kind in "USO":
+            out[key] = ", ".join(dict.fromkeys(map(str, value.ravel())))
+        else:
+            out |= {f"{key} from": value.min(initial=np.inf), f"{key} to": value.max(initial=-np.inf)}
     return out
 
 

@@ -21,7 +21,7 @@ _INWARD = 0.003
 
 def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
     """Names, ranges, sliders that reach all presets, and what its functions take."""
-    about = model.about
+    about, contact = model.about, model.about["contact"]
     return {
         "name": model.name,
         "quoted": shlex.quote(model.where),
@@ -30,29 +30,20 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
             for one in about["coordinates"]
         ],
         "parameters": [
-            {
-                "name": entry["name"],
-                "meaning": entry["meaning"],
-                "role": entry["role"],
-                "angle": entry["name"] in about["angles"],
-                "flag": options_of(about, entry["name"])[0],
+            {key: entry[key] for key in ("name", "meaning", "role")}
+            | {
+                "angle": entry["name"] in about["angles"], "flag": options_of(about, entry["name"])[0],
                 "range": {key: entry[key] for key in ("low", "high", "low_open", "high_open") if entry[key] is not None},
                 **_slider(entry, entry["name"] in about["angles"], [preset.point[entry["name"]] for preset in presets]),
             }
             for entry in about["parameters"]
         ],
         "axes": list(model.plane),
-        "angles": about["angles"],
-        "arguments": about["arguments"],
-        "gap": about["contact"]["gap"],
-        "unilateral": about["contact"]["unilateral"],
-        "polynomial": about["contact"]["polynomial"],
-        "layers": about["layers"],
+        **{key: about[key] for key in ("angles", "arguments", "layers", "ties", "drawn")},
+        **{key: contact[key] for key in ("gap", "unilateral", "polynomial")},
         "torsions": len(about.get("torsions", ())),
         "belt": about["friction"] and about["friction"]["belt"],
-        "ties": about["ties"],
-        "drawn": about["drawn"],
-    }
+    }  # fmt: skip
 
 
 def _slider(entry: Mapping[str, Any], angle: bool, values: Sequence[float]) -> dict[str, float]:

@@ -21,13 +21,15 @@ from .units import dimension, registry
 class Quantities:
     """The quantities of a model's page; ``values`` of them are in SI, of many brakes arrays.
 
-    ``bases`` are the units of all others; ``units`` the SI units of all, and ``parameters`` what each is called in the model.
+    ``bases`` are the units of all others; ``units`` the SI units of all, ``coordinates`` those of coordinates, and ``parameters``
+    what each is called in the model.
     """
 
     def __init__(self, model: Model) -> None:
         self.model, self.about = model, model.about
         self.bases = {entry["name"]: entry["unit"] for entry in self.about["units"]}
         self.parameters = {entry["quantity"]: entry["name"] for entry in self.about["parameters"]}
+        self.coordinates = {entry["name"]: entry["unit"] for entry in self.about["coordinates"]}
         self.units = self.bases | {entry["quantity"]: entry["quantity_unit"] for entry in self.about["parameters"]}
         self.meanings = {entry["name"]: entry["meaning"] for entry in self.about["units"]}
         self.meanings |= {entry["quantity"]: entry["meaning"] for entry in self.about["parameters"]}

@@ -192,7 +192,7 @@ def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | N
 
 
 def _state(given: Any, kind: Quantities) -> dict[str, float]:
-    units = {entry["name"]: entry["unit"] for entry in kind.about["coordinates"]}
+    units = kind.coordinates
     if not isinstance(given, dict) or not set(given) <= set(units):
         example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
         raise ParameterError(f"state = {given!r} does not name coordinates; write state = {{ {example} }}")

@@ -148,14 +148,13 @@ class Oscillation(Result):
 
 def unit_of(study: Study, name: str = "") -> tuple[str, float]:
     """The unit of a coordinate, by default of the first, and its size: lengths in millimetres, angles in degrees."""
-    entries = study.kind.about["coordinates"]
-    si = next(entry["unit"] for entry in entries if name in ("", entry["name"]))
+    si = study.kind.coordinates[name or study.kind.model.coordinates[0]]
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
 
 def in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]:
     """The coordinates of a place by name and unit."""
-    units = {name: unit_of(study, name) for name in study.kind.model.coordinates}
+    units = {name: unit_of(study, name) for name in study.kind.coordinates if name in place}
     return {f"{name}_{unit}": size * float(place[name]) for name, (unit, size) in units.items()}
 
 

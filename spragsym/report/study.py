@@ -240,15 +240,17 @@ class Study:
 
     def placed(self, p: Any) -> Any:
         """A set of parameters that follows the state that was chosen, if one was."""
-        si = {entry["name"]: entry["unit"] for entry in self.kind.about["coordinates"]}
-        near = {name: value / self.scale(si.get(name, "1")) for name, value in self.state.items()}
-        return p.following(**near) if near else p
+        return p.following(**self.near) if self.near else p
+
+    @property
+    def near(self) -> dict[str, float]:
+        """Coordinates near which that lies, as the model has them."""
+        return {name: value / self.scale(self.kind.coordinates.get(name, "1")) for name, value in self.state.items()}
 
     @cached_property
     def at_work(self) -> Any:
         """The brake with the μ₀ with which statics has the friction that works, where the model has one."""
-        p = self.dimensionless
-        return p.replace(mu0=self.fraction * p.mu0) if "mu0" in p.model.parameters else p
+        return self.risen(self.values, None)
 
     @cached_property
     def moves(self) -> bool:
@@ -348,12 +350,17 @@ class Study:
             p = p.replace(mu0=np.broadcast_to(works if target is None or not self.of_friction else target, p.shape))
         return p
 
+    @cached_property
+    def closed(self) -> bool:
+        """Whether the jump is known in closed form."""
+        return (self.rise is None or self.of_friction) and has_closed_form(first_ends, self.at_work)
+
     @property
     def top(self) -> float:
         """Up to which value a jump is looked for, as it is told: all, or the end of a search; NaN where nothing rises."""
         if self.rise is None:
             return math.nan
-        if self.of_friction and has_closed_form(first_ends, self.at_work):
+        if self.closed:
             return math.inf
         return self.told(float(ranges(self.kind.model, (self.rise.name,), {})[0, 1]))
 

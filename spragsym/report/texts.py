@@ -11,7 +11,7 @@ from ..models.load import USUAL
 from ..progress import doing
 from .next_steps import next_steps
 from .redesigns import FACTOR
-from .states import AWAY, State
+from .states import AWAY, State, in_units
 from .study import Study
 from .units import ENDS
 
@@ -55,14 +55,7 @@ def _on_others(report: Report) -> str:
 
 def followed_state(study: Study) -> str:
     """What the state is called that is followed."""
-    if not study.state:
-        return "the reference state"
-    units = {entry["name"]: entry["unit"] for entry in study.kind.about["coordinates"]}
-    shown = {"rad": ("deg", math.degrees(1.0)), "m": ("mm", 1e3)}
-    near = ", ".join(
-        f"{name} = {shown[units[name]][1] * value:.4g} {shown[units[name]][0]}" for name, value in study.state.items()
-    )
-    return f"the state chosen near {near}"
+    return f"the state chosen near {_places(in_units(study, study.near))}" if study.state else "the reference state"
 
 
 def _on_the_motion(report: Report) -> str:

@@ -10,13 +10,12 @@ import numpy as np
 from scipy.stats import qmc
 
 from ..design.jump_probability import measured
-from ..design.jumps import first_ends, have_jumped
+from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated
 from ..design.tube_certificates import Splitting, certify
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..models.parameters.units import Unit
-from ..questions import has_closed_form
 from ..results.result import Result
 from . import friction, tolerance_boxes
 from .study import Study
@@ -57,8 +56,7 @@ _CLOSED = Effort(
 
 def effort(study: Study) -> Effort:
     """Effort for the study's model, whose closed forms are of rising friction."""
-    closed = has_closed_form(first_ends, study.at_work) and (study.rise is None or study.of_friction)
-    return _CLOSED if closed else Effort()
+    return _CLOSED if study.closed else Effort()
 
 
 @dataclass(frozen=True)

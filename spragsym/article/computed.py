@@ -26,6 +26,7 @@ from ..models.parameters import NAMES, FloatArray, Parameters
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
+from ..orbits import cycle, fate_boundary
 from ..results import Equilibria, Jump, Stability
 from ..statics.equilibria import equilibria
 from .ledger import package_text
@@ -34,6 +35,15 @@ from .ledger import package_text
 Outcome: TypeAlias = tuple[Any, dict[str, Any]]
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]
+
+#: Inclinations far below the fold, degrees, and the one at which the cycle is looked for with other belts.
+FAR_BELOW, WITH_OTHERS = (10.0, 20.0, 30.0, 40.0), 30.0
+#: V and d of other belts, of which the article states neither: between rest and oscillation the motions of these are regular.
+OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
+#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: one pair for each of these belts.
+FATES_CHANGE = ((41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
+#: A state on the oscillation at 42°.
+ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
 _MODEL = load(USUAL)
 _article = Parameters.article
@@ -307,14 +317,14 @@ def no_return() -> Outcome:
 
 
 def friction_law() -> Outcome:
-    share = float(_MODEL.friction(_article(mu0=1.0, V=V, d=D)))
+    share = float(_working(_article(mu0=1.0), V, D))
     return 0.99 < share < 1, {"friction at steady sliding over mu0": share}
 
 
 def limit_cycle() -> Outcome:
     p = _at(49.0)
     late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
-    eq = equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=V, d=D))))
+    eq = equilibria(p.replace(mu0=_working(p, V, D)))
     outcome, x = late.outcome(0.0), eq.x[0]
     growth = linearized_growth(p, x, eq.y[0], V, D)
     alone = eq.count == 1 and eq.stability[0] == Stability.STABLE
@@ -339,6 +349,64 @@ def amplitude_jump() -> Outcome:
     at, before, after = (float(np.ravel(value)[0]) for value in (_deg(table.theta0), table.before, table.after))
     apart = _deg(folds(_article()).theta0[0]) - at
     return after > 5 * before and abs(apart) < 5, {"theta0_deg": at, "before the fold by (deg)": _few_digits(apart, 3)}
+
+
+# ----------------------------------------------------------------------- where the oscillation lives, and the fate of rest
+
+
+def lives_below() -> Outcome:
+    """Stable cycles beside stable sliding, far below the fold."""
+    found = cycle(_at(42.0), V=V, d=D, near=ON_CYCLE, patient=False)
+    periods, multipliers, holds, known = [], [], True, {}
+    for degrees in sorted(FAR_BELOW, reverse=True):
+        found = known[degrees] = cycle(_at(degrees), V=V, d=D, near=found)
+        holds &= found.stable and _slides_stably(degrees, V, D)
+        periods.append(found.period)
+        multipliers.append(np.abs(found.multipliers[1]))
+    others = []
+    for speed, creep in OTHER_BELTS:
+        other = cycle(_at(WITH_OTHERS), V=speed, d=creep, near=known[WITH_OTHERS])
+        holds &= other.stable and _slides_stably(WITH_OTHERS, speed, creep)
+        others.append(other.period)
+    return holds, {
+        "theta0_deg": FAR_BELOW, "periods": periods[::-1], "largest multipliers": multipliers[::-1], **_of_others(),
+        "periods with these at 30 degrees": others,
+    }  # fmt: skip
+
+
+def _of_others() -> dict[str, Any]:
+    speeds, creeps = zip(*OTHER_BELTS, strict=True)
+    return {"V of other belts": speeds, "d of other belts": creeps}
+
+
+def _working(p: Parameters, speed: float, creep: float) -> Any:
+    """The friction of steady sliding on a belt."""
+    return _MODEL.friction(p.replace(V=speed, d=creep))
+
+
+def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
+    """Whether the state of smallest deformation is stable at the friction of this belt."""
+    p = _at(degrees)
+    rest = equilibria(p.replace(mu0=_working(p, speed, creep)))
+    return bool(rest.stability[int(np.nanargmin(np.abs(rest.x)))] == Stability.STABLE)
+
+
+def fate_of_rest() -> Outcome:
+    """Where the motion from rest changes its fate, and at which saddle it hovers there."""
+    found = fate_boundary(_article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
+    at, fold = _deg(found.value), _deg(folds(_article()).theta0[0])
+    holds, others, apart = found.saddle == "equilibrium" and 1 < fold - at < 5, [], []
+    for (speed, creep), (low, high) in zip(OTHER_BELTS, np.radians(FATES_CHANGE), strict=True):
+        other = fate_boundary(_article(), vary="theta0", bracket=(low, high), V=speed, d=creep)
+        sliding = folds(_article(mu0=float(_working(_article(), speed, creep)))).theta0[0]
+        others.append(_deg(other.value))
+        apart.append(_deg(sliding) - others[-1])
+        holds &= other.saddle == "equilibrium" and 3 < apart[-1] < 4
+    return holds, {
+        "theta0_deg": at, "before the fold by (deg)": fold - at, "x of the saddle": found.state[0],
+        "y of the saddle": found.state[1], "its growth rate": found.growth, **_of_others(),
+        "theta0_deg with these": others, "before the fold at their sliding friction by (deg)": apart,
+    }  # fmt: skip
 
 
 # ------------------------------------------------------------------------------------------ cross-references

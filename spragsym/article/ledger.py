@@ -34,7 +34,7 @@ class Statement:
     id: str
     where: str
     stated: str
-    computed: str | list[Any]  #: a function of computed.py or oscillation.py, with its arguments if it has any
+    computed: str | list[Any]  #: a function of computed.py, with its arguments if it has any
     outcome: str  #: in words, if the computation holds
     test: str  #: in tests/article/test_claims.py
     command: str
@@ -55,11 +55,10 @@ class Statement:
 
     def compute(self) -> Found:
         """Whether it holds, and the numbers behind it."""
-        from . import computed, oscillation
+        from . import computed
 
         name, *arguments = [self.computed] if isinstance(self.computed, str) else self.computed
-        function = getattr(computed, name, None) or getattr(oscillation, name)
-        holds, values = function(*arguments)
+        holds, values = getattr(computed, name)(*arguments)
         return Found(bool(holds), values)
 
 

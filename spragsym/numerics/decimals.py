@@ -71,7 +71,7 @@ def upward(bound: Any) -> str:
     if isinstance(bound, float) and not math.isfinite(bound):
         return f"{bound:g}"
     mantissa, power = f"{_cut(exactly(bound), decimal.ROUND_UP):.{BOUND_DIGITS - 1}e}".split("e")
-    return f"{mantissa}e{int(power):+03d}"
+    return f"{mantissa}e{int(power) if bound else 0:+03d}"
 
 
 def float_above(bound: Fraction) -> float:

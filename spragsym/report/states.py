@@ -295,10 +295,8 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
         return None
     course = np.asarray(motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS))))
     springs, contact = _forces(study, _extremes(at, course))
-    lowest, highest = (
-        in_units(study, dict(zip(p.model.coordinates, ends, strict=True)))
-        for ends in (course[: start.size].min(axis=1), course[: start.size].max(axis=1))
-    )
+    ends = (end(course[: start.size], axis=1) for end in (np.min, np.max))
+    lowest, highest = (in_units(study, dict(zip(p.model.coordinates, end, strict=True))) for end in ends)
     return JumpPeak(
         at=jump, before=in_units(study, turn.before), after=in_units(study, turn.after),
         ranges={name: (lowest[name], highest[name]) for name in lowest},

@@ -212,8 +212,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
         return 0.0, 1.0
 
     def law(name: str, scale: float) -> Any:
-        distribution = study.quantities[name].whole
-        return lambda value: distribution.cdf(np.asarray(value) * scale)
+        return lambda value: study.quantities[name].whole.cdf(np.asarray(value) * scale)
 
     low, high, units = box(study)
     splitting, of = Splitting(low, high, study.rises.name, study.begins(), units), tolerance_boxes.sides(study)

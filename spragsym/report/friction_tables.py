@@ -61,11 +61,7 @@ EXAMPLE = "v [m/s],mu"
 
 
 class _RefusedError(Exception):
-    """Why a file can't be read with one character between columns, and how far that came."""
-
-    def __init__(self, reason: str, line: int | None = None, progress: int = 0) -> None:
-        super().__init__(reason)
-        self.reason, self.line, self.progress = reason, line, progress
+    """Why a file can't be read with one character between columns, on which line, and how far that came."""
 
 
 def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
@@ -90,8 +86,8 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     if len(found) > 1:
         raise ParameterError(f"{path} may be read in two ways; put semicolons between the columns, and nowhere else")
     if not found:
-        worst = max(failures, key=lambda one: one.progress)
-        raise ParameterError(f"{path}{f', line {worst.line}' if worst.line else ''}: {worst.reason}")
+        reason, line, _ = max((one.args for one in failures), key=lambda one: one[2])
+        raise ParameterError(f"{path}{f', line {line}' if line else ''}: {reason}")
     (rows,) = found
     speed, friction = np.abs([row[0] for row in rows]), np.array([row[1] for row in rows])
     if len(set(speed[speed > 0].tolist())) < 2:
@@ -108,7 +104,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
 def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[float, float]]:
     """Speed in m/s and coefficient of every line, if columns stand between these characters."""
     if not lines:
-        raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}")
+        raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0)
     cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
     # Above the head may stand what a test rig says of itself.
     words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
@@ -150,7 +146,7 @@ def _cells(line: str, between: str) -> list[str]:
         try:
             return [_number(cell.strip(" \t\"'")) for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
         except csv.Error as error:
-            raise _RefusedError(f"a line of {len(line)} characters is too long ({error}); write one a line") from error
+            raise _RefusedError(f"a line of {len(line)} characters is too long ({error}); write one a line", 0, 0) from error
     # Blanks in a row are one: patterns go back over each of them.
     together = re.sub(r" in (\S+)", r"[\1]", re.sub(r" (?=[\[(])", "", " ".join(line.split())))
     return [_number(cell.strip("\"'")) for cell in together.split()]

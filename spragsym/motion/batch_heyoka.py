@@ -15,10 +15,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.field import Field, Mode
-from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course, Turns
-from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
+from .problem import Event, Problem, StiffError, kinds_of, out_of_range
 from .with_heyoka import Carrier, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
@@ -129,29 +128,15 @@ class Lanes(Carrier):
 
     def _arrived(self, after: Stage, rows: list[int], end: float) -> bool:
         """Go on to the end; whether all are there: where one breaks off the others begin again."""
-        overflow, steps = library().taylor_outcome.err_nf_state, [after.steps[row] for row in rows]
-        times = self.times.tolist()
-        while min(times) < end:
-            before, (late, early) = times, self.solver.dtime
+        steps = [after.steps[row] for row in rows]
+        while self.times.min() < end:
+            begun, (late, early) = self.times.tolist(), self.solver.dtime
             self.solver.set_dtime(late.copy(), np.where(late == end, 0.0, early))  # who has ended does not move by rounding
             self.solver.propagate_until(end, max_steps=BURST)
-            times, results = self.times.tolist(), self.solver.propagate_res
             for lane, row in enumerate(rows):
-                outcome, made = results[lane][0], results[lane][3]
-                steps[lane] += made
-                problem = after.problems[row]
+                one = after.problems[row]
                 try:
-                    if lane in self.strays:
-                        raise missed(self.strays[lane])
-                    if outcome == overflow:
-                        raise out_of_range()
-                    if steps[lane] > problem.max_steps:
-                        raise too_many_steps(problem.max_steps, times[lane], end, problem.rtol)
-                    if times[lane] < end:
-                        step = (times[lane] - before[lane]) / max(made, 1)
-                        check_stiffness(
-                            self.field, self.state[: self.m, lane], problem.constants, step, problem.t_end - times[lane]
-                        )
+                    steps[lane] = self._counted(lane, begun[lane], steps[lane], one.max_steps, one.t_end, one.constants)
                 except ConvergenceError as error:
                     after.errors[row] = error
             if not after.errors.keys().isdisjoint(rows):

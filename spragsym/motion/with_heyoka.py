@@ -202,6 +202,23 @@ class Carrier:
         """Note a turn of a border's level, or (−1) of the first coordinate."""
         raise NotImplementedError
 
+    def _counted(self, lane: int, begun: float, steps: int, most: int, t_end: float, constants: tuple[float, ...]) -> int:
+        """Steps of a lane with those of a stretch that ``begun``; an error where it can't go on."""
+        outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
+        if self.jumped:
+            raise ConvergenceError(JUMPED)
+        if lane in self.strays:
+            raise missed(self.strays[lane])
+        if outcome == outcomes.err_nf_state:
+            raise out_of_range()
+        if steps + made > most:
+            raise too_many_steps(most, t, t_end, self.tol)
+        if outcome == outcomes.step_limit:
+            check_stiffness(self.field, self.state[: self.m, lane], constants, (t - begun) / max(made, 1), t_end - t)
+        elif outcome not in (outcomes.time_limit, outcomes.success):  # another lane may have stopped this one
+            raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
+        return steps + int(made)
+
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         state = self.state[: self.m, lane].copy()
         passed = each.passed(state, self.pars[:, lane].copy())
@@ -215,7 +232,7 @@ class Taylor(Carrier):
 
     def __init__(self, field: Field, tol: float, **options: Any) -> None:
         super().__init__(field, tol, **options)
-        self.one = self.state[:, 0]
+        self.one, self.known = self.state[:, 0], tuple[float, ...]()
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
 
@@ -234,7 +251,7 @@ class Taylor(Carrier):
         """Stand at the start of a motion, with no events recorded."""
         self.crossings, self.turns, self.jumped = [], [], False
         self.strays.clear()
-        self.modes[0] = self.field.initial_mode(start, constants)
+        self.known, self.modes[0] = constants, self.field.initial_mode(start, constants)
         self.solver.set_time(0.0)
         self.one[:] = 0.0
         self.one[: self.m] = start
@@ -246,29 +263,17 @@ class Taylor(Carrier):
 
     def go(self, t: float, t_end: float, most: int, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
-        outcomes, pieces, now = library().taylor_outcome, list[Samples](), self.times
-        outcome = outcomes.step_limit
-        while outcome == outcomes.step_limit:
-            if steps >= most:
-                raise too_many_steps(most, now[0], t_end, self.tol)
-            begun = float(now[0])
-            output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps))
-            outcome, _, _, made = self.solver.propagate_res[0]
-            steps += made
-            if outcome == outcomes.step_limit and made == CHUNK:
-                known = self.pars[: self.constants, 0].tolist()
-                check_stiffness(self.field, self.one[: self.m], known, (now[0] - begun) / CHUNK, t_end - now[0])
+        pieces = list[Samples]()
+        while self.times[0] < t:
+            begun = float(self.times[0])
+            output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps + 1))
+            steps = self._counted(0, begun, steps, most, t_end, self.known)
             if output is not None:
                 pieces.append(_sampled(output))
-        if self.jumped:
-            raise ConvergenceError(JUMPED)
-        if outcome == outcomes.err_nf_state or not np.isfinite(self.one).all():
+        if not np.isfinite(self.one).all():
             raise out_of_range()
-        known = self.pars[: self.constants, 0].tolist()
-        if self.strays or not self.field.are_inside(self.one[: self.m], known, self.modes[0]):
-            raise missed(now[0])
-        if outcome != outcomes.time_limit:
-            raise ConvergenceError(f"heyoka stopped at t = {now[0]:.6g} with {outcome}; use backend='scipy'")
+        if not self.field.are_inside(self.one[: self.m], self.known, self.modes[0]):
+            raise missed(t)
         return steps, pieces
 
     def motion(

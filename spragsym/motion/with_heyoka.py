@@ -215,7 +215,7 @@ class Carrier:
             raise too_many_steps(most, t, t_end, self.tol)
         if outcome == outcomes.step_limit:
             check_stiffness(self.field, self.state[: self.m, lane], constants, (t - begun) / max(made, 1), t_end - t)
-        elif outcome not in (outcomes.time_limit, outcomes.success):  # another lane may have stopped this one
+        elif outcome != outcomes.time_limit and len(self.modes) == 1:  # of many, another lane may have stopped this one
             raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
         return steps + int(made)
 

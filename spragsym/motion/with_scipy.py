@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -38,22 +38,27 @@ LARGE = 1e12
 
 @dataclass(frozen=True)
 class _Piece:
-    """One step within a mode, by samples at its Lobatto points ``t``, from ``clock`` on, and what is crossed at its end."""
+    """One step within a mode, in time from ``clock`` on, and what is crossed at its end."""
 
     clock: float
-    t: FloatArray
-    samples: FloatArray
+    begin: float
+    end: float
+    last: FloatArray
     dense: Callable[[Any], FloatArray]
     mode: Mode
     crossings: tuple[Crossing, ...] = ()
 
-    @classmethod
-    def of(cls, clock: float, begin: float, end: float, last: FloatArray, dense: Any, mode: Mode) -> _Piece:
-        """A step from its dense output and its last state."""
-        t = sample_times(begin, end)
-        samples = dense(t)
-        samples[:, -1] = last
-        return cls(clock, t, samples, dense, mode)
+    @cached_property
+    def t(self) -> FloatArray:
+        """Times of the samples."""
+        return sample_times(self.begin, self.end)
+
+    @cached_property
+    def samples(self) -> FloatArray:
+        """All that is carried at Lobatto points, between which crossings and turns are looked for."""
+        samples = self.dense(self.t)
+        samples[:, -1] = self.last
+        return samples
 
 
 @dataclass(frozen=True)
@@ -85,7 +90,7 @@ class Flight:
             for piece in self._pieces(whole, constants, duration, directions):
                 turns += self._turns(piece, constants)
                 crossings += piece.crossings
-                whole = piece.samples[:, -1]
+                whole = piece.last
         except StiffError:
             return replace(self, stiff=True, rtol=max(self.rtol, IMPLICIT)).fly(state, constants, duration, directions)
         return Passage(*self._split(whole), tuple(crossings), tuple(turns))
@@ -98,7 +103,7 @@ class Flight:
         with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
             for piece in flight._pieces(np.array(start, dtype=float), constants, t_end, np.empty(0), max_steps):
                 crossings += piece.crossings
-                if piece.t[-1] > max(piece.t[0], t_record - piece.clock):
+                if piece.end > max(piece.begin, t_record - piece.clock):
                     times.append(piece.clock + piece.t)
                     states.append(piece.samples)
         return replace(assembled(np.array(times), np.array(states), crossings, t_record), implicit=self.stiff)
@@ -137,7 +142,7 @@ class Flight:
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > (most or MAX_STEPS):
                     raise too_many_steps(most or MAX_STEPS, clock + end, duration, self.rtol, given=most is not None)
-                piece = _Piece.of(clock, begin, end, solver.y, dense, mode)
+                piece = _Piece(clock, begin, end, solver.y.copy(), dense, mode)
                 found = self._first_crossing(piece, constants)
                 if found is None:
                     yield piece
@@ -157,8 +162,9 @@ class Flight:
                     whole = reached(at)
             if self.derivatives and border.jumps is not None and border.jumps(whole[:m].tolist(), constants):
                 raise ConvergenceError(JUMPED)
-            cut, clock, mode = _Piece.of(clock, begin, at, whole, dense, mode), clock + at, border.beyond(mode)
-            yield replace(cut, crossings=crossed(self.field, row, mode, clock, whole[:m]))
+            after, reached_at = border.beyond(mode), clock + at
+            yield _Piece(clock, begin, at, whole, dense, mode, crossed(self.field, row, after, reached_at, whole[:m]))
+            clock, mode = reached_at, after
 
     def rates(
         self, constants: tuple[float, ...], mode: Mode, directions: FloatArray

@@ -89,11 +89,6 @@ def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
     return found
 
 
-def never(constants: FloatArray, states: FloatArray) -> BoolArray:
-    """The answer of a model of which no motion is known to stay above the belt."""
-    return np.zeros(len(states), dtype=bool)
-
-
 @dataclass(frozen=True)
 class Field:
     """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes
@@ -133,9 +128,8 @@ class Field:
         Places of coordinates that are angles after a turn of which all is as before.
     is_angle : callable
         ``is_angle(name)`` of a parameter or a coordinate.
-    aloft : callable
-        ``aloft(constants, states)`` of many motions, (N, C) and (N, m): whether each is above the belt for good; never where that
-        is not known.
+    aloft : callable or None
+        ``aloft(constants, state)``: whether a motion is above the belt for good; None where that is not known.
     """
 
     name: str
@@ -156,7 +150,7 @@ class Field:
     curved: bool = False
     around: tuple[int, ...] = ()
     is_angle: Callable[[str], bool] = "".__eq__
-    aloft: Callable[[FloatArray, FloatArray], BoolArray] = never
+    aloft: Callable[[tuple[float, ...], FloatArray], bool] | None = None
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..errors import ParameterError
 from . import forces
-from .field import GAP, WIDTH, Border, Field, Mode, never
+from .field import GAP, WIDTH, Border, Field, Mode
 
 if TYPE_CHECKING:
     from .model import Model
@@ -52,7 +52,7 @@ def field_of(model: Model, reach: float) -> Field:
         curved=model.about.get("curved", False),
         around=tuple(place for place, entry in enumerate(model.about["coordinates"]) if entry.get("comes_around")),
         is_angle=model.is_angle,
-        aloft=model.closed_form("aloft") or never,
+        aloft=model.closed_form("aloft"),
     )
 
 

@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from ..models.field import SETTLED
 from .measures import Course
 from .periodic_orbit import Onward
@@ -27,7 +25,7 @@ def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETT
     :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
     apart = not course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any()
-    if apart and problem.field.aloft(np.array([problem.constants]), course.last[None])[0]:
+    if apart and problem.field.aloft and problem.field.aloft(problem.constants, course.last):
         found = Outcome(Regime.LIFT_OFF)
     else:
         found = at_rest(course, problem, tol) or on_cycle(course, problem, onward, tol) or Outcome()

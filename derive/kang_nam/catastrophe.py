@@ -9,7 +9,7 @@ import sympy as sp
 from . import unit_circles, elimination, stability
 from . import nomenclature as nm
 from .elimination import f_form
-from .equilibrium import POLES
+from .equilibrium import POLES, equal
 
 #: f′, f″ and f‴ with respect to θ.
 slope = sp.expand(unit_circles.rotate_derivative(f_form))
@@ -41,7 +41,7 @@ def slope_identity() -> bool:
     determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
     left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
     right = unit_circles.rotate_derivative(elimination.f_in_parameters())
-    return unit_circles.equal(left.subs(on_surface).subs(POLES), right.subs(on_surface).subs(POLES))
+    return equal(left.subs(on_surface), right.subs(on_surface))
 
 
 # ------------------------------------------------------------------------------------------------------ folds
@@ -122,9 +122,7 @@ def fold_conic() -> tuple[sp.Expr, ...]:
     )
     (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in fold_residuals())
     gap = u1 * w2 - u2 * w1 - unit_circles.polynomial(conic[:3], nm.s0) - conic[3] * nm.c0
-    unit_circles.require(
-        unit_circles.equal(gap.subs(elimination.f_coefficients()).subs(POLES), 0), "the conic of folds at a direction"
-    )
+    unit_circles.require(equal(gap.subs(elimination.f_coefficients()), sp.S.Zero), "the conic of folds at a direction")
     return conic
 
 
@@ -190,8 +188,8 @@ def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
     G = 3 * nm.kappa * nm.p * nm.q * s * S - 4 * nm.B * nm.p * nm.sigma * (1 - s**2) + 3 * nm.sigma * nm.alpha * nm.q * s**4
     ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
     on_cusp = {nm.M: cusp_friction().subs(elimination.f_coefficients()) / nm.sigma, nm.s0: sine}
-    gaps = (value.subs(on_cusp) - arranged for value, arranged in zip(fold_angles(), (sine, ratio * nm.c), strict=True))
-    unit_circles.require(all(unit_circles.equal(gap.subs(POLES), 0) for gap in gaps), "the angles of a cusp")
+    derived = (value.subs(on_cusp) for value in fold_angles())
+    unit_circles.require(all(map(equal, derived, (sine, ratio * nm.c))), "the angles of a cusp")
     return sine, ratio
 
 

@@ -12,7 +12,7 @@ import sympy as sp
 
 from . import unit_circles, equilibrium
 from . import nomenclature as nm
-from .equilibrium import POLES, spell_out
+from .equilibrium import spell_out
 
 # ---------------------------------------------------------------------------------- the published quartic in L
 
@@ -140,9 +140,7 @@ def identities() -> dict[str, bool]:
     false_root = spell_out(length.subs(shared).subs(f_coefficients()))
     return {
         "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
-        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": unit_circles.equal(
-            published.subs(POLES), factored.subs(POLES)
-        ),
+        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": equilibrium.equal(published, factored),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(
             false_root - sp.solve(equilibrium.matrix_form()[0][0, 0], nm.L)[0]
         )

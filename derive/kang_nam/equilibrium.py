@@ -11,7 +11,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import mechanics
+from . import mechanics, unit_circles
 from . import nomenclature as nm
 
 CONTACT = {nm.nbar: 1}
@@ -26,6 +26,11 @@ SHORTHANDS: dict[sp.Symbol, sp.Expr] = {
 }
 #: Those without another shorthand than B in them.
 POLES = {symbol: SHORTHANDS[symbol] for symbol in (nm.p, nm.q)}
+
+
+def equal(left: sp.Expr, right: sp.Expr) -> bool:
+    """Whether two expressions are the same function of θ and θ₀, with p and q spelled out."""
+    return unit_circles.equal(left.subs(POLES), right.subs(POLES))
 
 
 def spell_out(expression: sp.Expr) -> sp.Expr:

@@ -40,7 +40,7 @@ def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     derived = without * by_inclination(with_friction) - with_friction * by_inclination(without)
     line = PARTS[weight], PARTS[constant], PARTS[along].subs(PARTS)
     arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
-    unit_circles.require(unit_circles.equal(derived.subs(POLES), arranged.subs(POLES)), "the line f = f_θ₀ = 0")
+    unit_circles.require(equilibrium.equal(derived, arranged), "the line f = f_θ₀ = 0")
     return line
 
 

@@ -12,7 +12,7 @@ import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from operator import methodcaller
 
 import sympy as sp
 
@@ -243,18 +243,13 @@ def _law_gap(gap: sp.Expr) -> sp.Expr:
 _Aspect = Callable[[_Compared], dict[str, sp.Expr]]
 
 
-def _of(aspect: Callable[..., dict[str, sp.Expr]], *given: Any) -> _Aspect:
-    """An aspect of something."""
-    return lambda compared: aspect(compared, *given)
-
-
 _C = _Compared
-_GEOMETRY_X, _GEOMETRY_Y = (_of(_C.geometry, row) for row in (0, 1))
-_ALONG, _ACROSS = (_of(_C.motion, row) for row in (0, 1))
-_BALANCE_X, _BALANCE_Y = (_of(_C.balance, row, 1) for row in (0, 1))
-_LINEAR, _MATRIX = _of(_C.linear, 1), _of(_C.matrix, 1)
-_LINEAR_LIFTED, _MATRIX_LIFTED = _of(_C.linear, 0), _of(_C.matrix, 0)
-_B1, _B2, _B3, _B4 = (_of(_C.side, row, pushing) for pushing in (1, 0) for row in (0, 1))
+_GEOMETRY_X, _GEOMETRY_Y = (methodcaller("geometry", row) for row in (0, 1))
+_ALONG, _ACROSS = (methodcaller("motion", row) for row in (0, 1))
+_BALANCE_X, _BALANCE_Y = (methodcaller("balance", row, 1) for row in (0, 1))
+_LINEAR, _MATRIX = methodcaller("linear", 1), methodcaller("matrix", 1)
+_LINEAR_LIFTED, _MATRIX_LIFTED = methodcaller("linear", 0), methodcaller("matrix", 0)
+_B1, _B2, _B3, _B4 = (methodcaller("side", row, pushing) for pushing in (1, 0) for row in (0, 1))
 
 #: Row → what it rests on.
 RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
@@ -265,9 +260,9 @@ RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
     "eq-20": (_LINEAR,), "eq-21": (_MATRIX,), "eq-22": (_LINEAR_LIFTED,), "eq-23": (_LINEAR_LIFTED,),
     "eq-24": (_MATRIX_LIFTED,), "eq-25": (_B3, _B4), "eq-26": (_MATRIX_LIFTED,),
     "eq-27": (_C.alone, _C.damping), "eq-28": (_C.stiffness,), "eq-29": (_C.contact,),
-    "def-tau": (_of(_C.scale, "time"),), "def-prime": (), "def-n": (_of(_C.scale, "force"),),
-    **{f"def-{name}": (_of(_C.length_of, name),) for name in ("x", "y", "L")},
-    **{f"def-{name}": (_of(_C.group, name),) for name in ("sigma", "alpha", "beta", "kappa")},
+    "def-tau": (methodcaller("scale", "time"),), "def-prime": (), "def-n": (methodcaller("scale", "force"),),
+    **{f"def-{name}": (methodcaller("length_of", name),) for name in ("x", "y", "L")},
+    **{f"def-{name}": (methodcaller("group", name),) for name in ("sigma", "alpha", "beta", "kappa")},
     **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), (_MATRIX,)),
     **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), (_MATRIX_LIFTED,)),
     "A10": (_B1,), "A11": (_B2,), "A12": (_B3,), "A13": (_B4,),

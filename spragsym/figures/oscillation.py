@@ -69,7 +69,10 @@ MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 def found_cycles() -> dict[str, Any]:
     """The branches that ``python -m validation.cycle_search`` found, with how they were looked for."""
     text = resources.files(__package__).joinpath("cycles.json").read_text(encoding="utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    for line in found["branches"]:
+        line |= {name: np.array(line[name]) for name in ("theta0", "period", "rms", "stable")}
+    return found
 
 
 def _sliding() -> float:
@@ -88,11 +91,20 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         family, _, doubled = line["name"].partition(",")
         colour = COLOURS[families.index(family) % len(COLOURS)]
         angles = np.degrees(line["theta0"])
-        draw_stretches(ax, angles, np.array(line["rms"]), np.array(line["stable"], dtype=bool), colour, 0.9 if doubled else 1.4)
+        stable = line["stable"] == 1
+        draw_stretches(ax, angles, line["rms"], stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
-        height = _height(line)
-        if to_deg[0] < np.degrees(value) < to_deg[1] and (not doubled or np.ptp(angles[np.array(line["stable"]) == 1]) > WIDE):
-            write_along(ax, f"{period:.0f}", float(np.degrees(value)), height + LIFTED, color=colour, ha="center", fontsize=7)
+        nearest = int(np.argmin(np.abs(line["theta0"] - value) + np.abs(line["period"] - period)))
+        if to_deg[0] < np.degrees(value) < to_deg[1] and (not doubled or np.ptp(angles[stable]) > WIDE):
+            write_along(
+                ax,
+                f"{period:.0f}",
+                float(np.degrees(value)),
+                line["rms"][nearest] + LIFTED,
+                color=colour,
+                ha="center",
+                fontsize=7,
+            )
         events = [event for event in line["events"] if event[0] in MARKERS]
         for kind, value, _, rms, _ in events:
             ax.plot(np.degrees(value), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
@@ -114,10 +126,7 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
     for place, colour, style in ((rest, BLACK, "--"), (fold, GREY, ":"), (sliding, GREY, "-")):
         if to_deg[0] < place < to_deg[1]:
             line_at(ax, place, colour, 0.8, style=style, zorder=0.5)
-    if to_deg[1] - to_deg[0] > 120:
-        angle_axis(ax)
-    else:
-        angle_axis(ax, *to_deg, step=1.0)
+    angle_axis(ax, *((0.0, 180.0, 30.0) if to_deg[1] - to_deg[0] > 120 else (*to_deg, 1.0)))
     ax.set(ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
     tables["a_lines"] = {"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": [rest, fold, sliding]}
     return figure.describe(
@@ -131,12 +140,6 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         followed farther. Numbers: a period on the stable part. Some unstable cycles lie above the frame.""",
         **tables,
     )
-
-
-def _height(line: dict[str, Any]) -> float:
-    """The root mean square of the cycle at which a branch is labelled."""
-    nearest = int(np.argmin(np.abs(np.array(line["theta0"]) - line["at"][0]) + np.abs(np.array(line["period"]) - line["at"][1])))
-    return float(line["rms"][nearest])
 
 
 def draw_stretches(

@@ -118,11 +118,11 @@ class Onward:
             loop = once_round(self._near(fly, state, fixed, period, reach, precision, 12))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
-        place = loop.guess.states[0]
+        place = loop.states[0]
         flow = rate(self.field, place, loop.constants)
         if flow[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
         back = np.eye(place.size)
         back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
         slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
-        return Closed(place, loop.guess.period, slope, fixed)
+        return Closed(place, loop.period, slope, fixed)

@@ -178,13 +178,13 @@ def _orbit(onward: Onward, state: FloatArray, fixed: int, period: float, scale: 
     """The closed orbit near a state; ConvergenceError where there is none, or it is soon seen to be far away or to repel."""
     reach = 4 * CLOSE * float(scale.max())
     loop = onward.roughly(state, fixed, period, reach)
-    place = loop.guess.states[0]
+    place = loop.states[0]
     if (
         np.abs(section(place - state, fixed) / scale).max() > 5 * CLOSE
         or np.abs(np.linalg.eigvals(loop.monodromy)).max() > REPELS
     ):
         raise ConvergenceError("the closed orbit is too far away, or repels")
-    return onward.closed(place, fixed, loop.guess.period, reach)
+    return onward.closed(place, fixed, loop.period, reach)
 
 
 def _scale(turns: FloatArray, fixed: int) -> FloatArray:

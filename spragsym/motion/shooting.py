@@ -75,11 +75,26 @@ class Loop:
         """The field."""
         return self.flow.field
 
+    @property
+    def states(self) -> FloatArray:
+        """States between the stretches."""
+        return self.guess.states
+
+    @property
+    def period(self) -> float:
+        """The period."""
+        return self.guess.period
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Values of the parameters."""
+        return self.guess.values
+
     @cached_property
     def gaps(self) -> FloatArray:
         """Ends of the stretches less the beginnings of the next, shape (k, m): what comes around closes after whole turns."""
         ends = np.array([each.state for each in self.passages])
-        return apart(ends, np.roll(self.guess.states, -1, axis=0), self.field.around)
+        return apart(ends, np.roll(self.states, -1, axis=0), self.field.around)
 
     @property
     def missed(self) -> float:
@@ -89,7 +104,7 @@ class Loop:
     @cached_property
     def winding(self) -> int:
         """Turns that the first coordinate makes in one round."""
-        moved = sum(float(each.state[0] - start[0]) for each, start in zip(self.passages, self.guess.states, strict=True))
+        moved = sum(float(each.state[0] - start[0]) for each, start in zip(self.passages, self.states, strict=True))
         return round(moved / TURN) if 0 in self.field.around else 0
 
     @cached_property
@@ -103,12 +118,12 @@ class Loop:
     @cached_property
     def multipliers(self) -> Multipliers:
         """Its Floquet multipliers."""
-        flows = [rate(self.field, state, self.constants) for state in self.guess.states]
+        flows = [rate(self.field, state, self.constants) for state in self.states]
         return multipliers_of([each.by_state for each in self.passages], flows)
 
     def slopes(self, parameters: int) -> FloatArray:
         """Derivatives of the gaps by states, period and ``parameters`` directions: shape (k m, k m + 1 + parameters)."""
-        k, m = self.guess.states.shape
+        k, m = self.states.shape
         matrix = np.zeros((k * m, k * m + 1 + parameters))
         for i, each in enumerate(self.passages):
             rows, after = slice(i * m, (i + 1) * m), (i + 1) % k
@@ -120,12 +135,16 @@ class Loop:
 
     def crossings(self) -> tuple[Crossing, ...]:
         """All crossings of one round, in time from its start."""
-        stretch = self.guess.period / len(self.passages)
+        stretch = self.period / len(self.passages)
         return tuple(c._replace(t=c.t + i * stretch) for i, each in enumerate(self.passages) for c in each.crossings)
+
+    def tops(self) -> list[Turn]:
+        """Turns at which the first coordinate is largest."""
+        return [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
 
     def turns(self) -> tuple[Turn, ...]:
         """All turns of one round, with derivatives by the start of the round."""
-        stretch, found, before = self.guess.period / len(self.passages), [], np.eye(self.field.size)
+        stretch, found, before = self.period / len(self.passages), [], np.eye(self.field.size)
         shift = np.zeros((self.field.size, 2))
         for i, each in enumerate(self.passages):
             found += [
@@ -192,7 +211,7 @@ def solved(
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
         # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as many times larger.
         carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)
-        if small and float(np.abs(residual).max()) <= carried * (1 + float(np.abs(loop.guess.states).max())):
+        if small and float(np.abs(residual).max()) <= carried * (1 + float(np.abs(loop.states).max())):
             return loop
         if iteration and width > 1e3 * before:
             break
@@ -217,15 +236,15 @@ def through(place: FloatArray, normal: FloatArray, unknowns: int) -> Conditions:
     """The first state stays in a plane through a place: the phase of the orbit."""
     row = np.zeros((1, unknowns))
     row[0, : len(normal)] = normal
-    return lambda loop: (np.array([normal @ (loop.guess.states[0] - place)]), row)
+    return lambda loop: (np.array([normal @ (loop.states[0] - place)]), row)
 
 
 def across(loop: Loop, place: FloatArray | None = None, parameters: int = 0) -> Conditions:
     """The plane across the flow at the first state of a loop, through that or another place."""
-    first = loop.guess.states[0]
+    first = loop.states[0]
     normal = rate(loop.field, first, loop.constants)
     place = first if place is None else place
-    return through(place, normal / np.linalg.norm(normal), loop.guess.states.size + 1 + parameters)
+    return through(place, normal / np.linalg.norm(normal), loop.states.size + 1 + parameters)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
@@ -266,11 +285,11 @@ def once_round(loop: Loop) -> Loop:
 
     Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little.
     """
-    period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    period, turns = loop.period, loop.tops()
     if not turns:
         return loop
     scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    start, n = loop.guess.states[0], len(loop.field.coordinates)
+    start, n = loop.states[0], len(loop.field.coordinates)
     if abs(start[n]) < ONE and rate(loop.field, start, loop.constants)[n] < 0 < turns[0].t:
         turns.insert(0, turns[0]._replace(t=0.0, state=start))  # one at which the loop begins may be counted at neither end
     first = turns[0]
@@ -282,12 +301,12 @@ def once_round(loop: Loop) -> Loop:
         if (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
             if off.max() > max(ONE, 10 * error_of(loop)):
                 continue
-            guess = Guess(first.state[None], period / round(share), loop.guess.values)
+            guess = Guess(first.state[None], period / round(share), loop.values)
             with suppress(ConvergenceError):
                 return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)
             with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
                 shorter = looped(loop.flow, guess)
-                if shorter.missed <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
+                if shorter.missed <= CLOSED * (1 + float(np.abs(loop.states).max())):
                     return shorter
     return loop
 
@@ -309,7 +328,7 @@ def error_of(loop: Loop, differs: float = 0.0) -> float:
 
 def extent(loop: Loop) -> float:
     """How far apart the turns of an orbit are: the largest of all components."""
-    states = [*(turn.state for turn in loop.turns()), *loop.guess.states, *(each.state for each in loop.passages)]
+    states = [*(turn.state for turn in loop.turns()), *loop.states, *(each.state for each in loop.passages)]
     return float(np.ptp(states, axis=0).max())
 
 
@@ -320,4 +339,4 @@ def growth(loop: Loop) -> float:
 
 def rounding(loop: Loop) -> float:
     """What rounding adds to the gaps of a loop, about."""
-    return 4e-16 * float(np.abs(loop.guess.states).max()) * math.sqrt(loop.guess.period)
+    return 4e-16 * float(np.abs(loop.states).max()) * math.sqrt(loop.period)

@@ -26,6 +26,7 @@ from ..motion.shooting import (
     rounding,
     solved,
 )
+from .system import differences
 
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6
@@ -87,7 +88,7 @@ class Point:
     @property
     def value(self) -> float:
         """The value of the first free parameter."""
-        return self.loop.guess.values[self.setting.free[0]]
+        return self.loop.values[self.setting.free[0]]
 
     @property
     def coordinates(self) -> FloatArray:
@@ -97,7 +98,7 @@ class Point:
     @property
     def weights(self) -> FloatArray:
         """Units of the arc's length."""
-        return self.setting.weights(len(self.loop.guess.states))
+        return self.setting.weights(len(self.loop.states))
 
     @property
     def place(self) -> FloatArray:
@@ -117,7 +118,7 @@ class Point:
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
     _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
-    weights = setting.weights(len(loop.guess.states))
+    weights = setting.weights(len(loop.states))
     _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(len(setting.free)), rows]) / weights)
     point = Point(setting, loop, vectors[-1] / weights)
     ahead = point.tangent[-len(setting.free)] if along is None else point.way @ (along * weights)
@@ -132,20 +133,17 @@ def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
     """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open.
 
-    Its slope is by differences along the surface of closed orbits, and along what hardly leaves it: a weakly damped mode is
-    nearly free to move, and without it Newton's method converges slowly.
+    Its slope is by differences.
     """
     test, phase, unit = CRITERIA[kind], in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
-    weights = setting.weights(len(near.guess.states))
+    weights = setting.weights(len(near.states))
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         off, row = phase(loop)
-        _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(len(setting.free)), row]) / weights)
-        slope = np.zeros((1, vectors.shape[1]))
-        for vector in vectors:
-            step = DIFFERENCE * vector / weights
-            ahead, back = (test(looped(setting.flow, loop.guess.moved(sign * step, setting.free))) for sign in (1, -1))
-            slope += (ahead - back) / (2 * DIFFERENCE) * vector * weights
+        slope = differences(
+            lambda step: np.array([test(looped(setting.flow, loop.guess.moved(step, setting.free)))]),
+            np.zeros(len(weights)), DIFFERENCE / weights,
+        )  # fmt: skip
         return np.append(off, test(loop) / unit), np.vstack([row, slope / unit])
 
     return conditions
@@ -189,7 +187,7 @@ def within(point: Point, length: float, to: tuple[float, float], reach: float = 
     aim = point.value + length * turning(point)
     end = min(max(aim, to[0]), to[1])
     found = corrected(point, length, reach=reach) if end == aim else placed(point, end)
-    moved = 0.0 if end == aim else float(np.abs(found.loop.guess.states - point.loop.guess.states).max())
+    moved = 0.0 if end == aim else float(np.abs(found.loop.states - point.loop.states).max())
     if moved > reach or not to[0] <= found.value <= to[1]:
         raise ConvergenceError("the end of the range is nearer, or farther, than a step")
     return found
@@ -245,13 +243,13 @@ def along(point: Point, value: float) -> Point:
 def cut_finer(point: Point) -> Point:
     """The point in more stretches, where the derivatives over one of them have grown large."""
     loop, setting = point.loop, point.setting
-    pieces, size = len(loop.guess.states), setting.field.size
+    pieces, size = len(loop.states), setting.field.size
     if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES or setting.event is not None:
         return point
     finer = setting.looped(recut(loop, 2 * pieces))
     # The old tangent by its first state, period and parameter.
-    along = np.zeros(finer.guess.states.size + 1 + len(setting.free))
-    along[:size], along[finer.guess.states.size :] = point.tangent[:size], point.tangent[loop.guess.states.size :]
+    along = np.zeros(finer.states.size + 1 + len(setting.free))
+    along[:size], along[finer.states.size :] = point.tangent[:size], point.tangent[loop.states.size :]
     return point_of(setting, finer, along)
 
 

@@ -142,7 +142,7 @@ def followed(known: Attractor, system: System) -> Attractor:
         return _stable(Attractor(known.kind, system, orbit.state, orbit))
     index, span = _varied(known.system.values, system.values)
     point = along(Rest(system.field).started(known.system, known.state, index, span), system.values[index])
-    return _at_rest(system, point.loop.guess.states[0])
+    return _at_rest(system, point.loop.states[0])
 
 
 def followed_cycle(known: Cycle, values: tuple[float, ...]) -> Cycle:

@@ -188,37 +188,28 @@ def _traced(
         left = left.mid()
         if about is not None:
             that, begun = field.borders[border], left
+            uncrossed = (
+                f"in many digits the orbit does not cross {that.name} near t = {about:.6g}, where the cycle is said to: none "
+                "like it was found at these parameters"
+            )
             for _ in range(10):
                 there = [polynomial(jet, left).mid() for jet in jets]
                 change = rate_of(that, field, there, constants, mode)
                 level = that.level(there, constants, mode)
                 if not abs(change) > SLOWEST:
-                    raise NotProved(touched(that) if abs(level) < SLOWEST else uncrossed(that, float(about)))
+                    raise NotProved(
+                        f"{that.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative "
+                        "to stand on; move a parameter" if abs(level) < SLOWEST else uncrossed
+                    )  # fmt: skip
                 left = (left - level / change).mid()
                 if not abs(left - begun) < 0.1:
-                    raise NotProved(uncrossed(that, float(about)))
+                    raise NotProved(uncrossed)
         now = [polynomial(jet, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if about is not None:
             times.append((border, clock))
             mode = field.borders[border].beyond(mode)
     return now, times
-
-
-def uncrossed(border: Any, about: float) -> str:
-    """Why there is no proof where the orbit goes another way."""
-    return (
-        f"in many digits the orbit does not cross {border.name} near t = {about:.6g}, where the cycle is said to: none like it "
-        "was found at these parameters"
-    )
-
-
-def touched(border: Any) -> str:
-    """Why there is no proof next to a grazing."""
-    return (
-        f"{border.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative to stand on; "
-        "move a parameter"
-    )
 
 
 # -------------------------------------------------------------------------------------------------- the theorem

@@ -94,8 +94,8 @@ def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: N
     start[place] += aside
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        seen = form.p.conjugate() @ (loop.guess.states[0] - rest)
-        wide = np.zeros((2, loop.guess.states.size + 2))
+        seen = form.p.conjugate() @ (loop.states[0] - rest)
+        wide = np.zeros((2, loop.states.size + 2))
         wide[:, : 2 * n] = form.p.conjugate().real, form.p.conjugate().imag
         return np.array([seen.real - wanted, seen.imag]), wide
 

@@ -219,7 +219,7 @@ def cycle_branch(
             places.append(len(loops))
     lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
-        vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
+        vary, np.array([loop.values[index] for loop in loops]), np.array([loop.period for loop in loops]),
         np.array([moments(loop)[1] for loop in loops]), lowest, highest,
         np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops)), tuple(events), (low, high),
         tuple(places),
@@ -240,7 +240,7 @@ class _Trace:
         field, (index,) = found.loop.field, self.start.setting.free
         how = field.borders[found.border].name if found.border >= 0 else found.how
         how = CROSSES if found.crossed is not None else how
-        value = found.loop.guess.values[index] if found.value is None else found.value
+        value = found.loop.values[index] if found.value is None else found.value
         return CycleEvent(
             found.kind, value, cycle_of(found.loop), found.error, how, found.border, found.loop, found.crossed,
             field.parameters[index],
@@ -322,7 +322,7 @@ class _Trace:
         found = halved(point.setting, guess if value is None else guess.at(point.setting.free[0], value), reach)
         if found is None:
             return None
-        there = found[0].guess.values[point.setting.free[0]]
+        there = found[0].values[point.setting.free[0]]
         if value is not None and not (low <= there <= high and (there - ahead.value) * (ahead.value - point.value) > 0):
             return None
         return Finding("end", *found, how=MERGES)
@@ -340,7 +340,7 @@ class _Trace:
         loop, moved = ahead.loop, abs(ahead.value - point.value)
         if extent(loop) < LEAST * min(1.0, extent(start.loop)):
             return Finding("end", loop, moved, how="it shrinks onto an equilibrium")
-        if loop.guess.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
+        if loop.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
             return Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=_rests(loop))
         return Finding("closed", loop, 0.0) if count > 10 and self._passes(start, point, ahead) else None
 
@@ -353,15 +353,15 @@ class _Trace:
         share = (start.value - point.value) / way if way else -1.0
         if not 0 <= share <= 1 or way * float(start.tangent[-1]) <= 0:
             return False
-        expected = (1 - share) * point.loop.guess.period + share * ahead.loop.guess.period
-        if abs(expected - loop.guess.period) > 1e-3 * loop.guess.period:
+        expected = (1 - share) * point.loop.period + share * ahead.loop.period
+        if abs(expected - loop.period) > 1e-3 * loop.period:
             return False
         try:
             met = placed(point, start.value).loop
         except ConvergenceError:
             return False
         return bool(
-            abs(met.guess.period / loop.guess.period - 1) < ALIKE
+            abs(met.period / loop.period - 1) < ALIKE
             and np.abs(np.subtract(self._shape(met), self._shape(loop))).max() < ALIKE * extent(loop)
         )
 
@@ -371,7 +371,7 @@ class _Trace:
 
     def _lost(self, point: Point, error: ConvergenceError) -> Finding:
         loop = point.loop
-        if loop.guess.period > 2 * point.setting.period and stillest(loop)[0] < STILL:
+        if loop.period > 2 * point.setting.period and stillest(loop)[0] < STILL:
             return Finding("homoclinic", loop, 1e-6, how=_rests(loop))
         return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 

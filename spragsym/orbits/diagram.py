@@ -251,17 +251,17 @@ def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
             hopf = hopf if pair > 1e-6 > total else None
         for label, place in (("LP", fold), ("H", hopf)):
             if place is not None:
-                yield Label(label, place.value, float(place.loop.guess.states[0, 0]), "equilibria", number)
+                yield Label(label, place.value, float(place.loop.states[0, 0]), "equilibria", number)
 
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
-    place, around = point.loop.guess.states[0], point.setting.field.around
+    place, around = point.loop.states[0], point.setting.field.around
     for one, other in pairwise(line):
-        near = np.abs(apart(place, one.loop.guess.states[0], around)).max() < 2 * LONGEST
+        near = np.abs(apart(place, one.loop.states[0], around)).max() < 2 * LONGEST
         if near and (one.value - point.value) * (other.value - point.value) <= 0 and one.value != other.value:
             with suppress(ConvergenceError):
-                met = placed(one, point.value, other.coordinates - one.coordinates).loop.guess.states[0]
+                met = placed(one, point.value, other.coordinates - one.coordinates).loop.states[0]
                 if np.abs(apart(place, met, around)).max() < ONE:
                     return True
     return False
@@ -291,7 +291,7 @@ def _equilibria(
                 continue
             back, forth = (list(_followed(rest, point.turned(sign), to)) for sign in (-1.0, 1.0))
             line = [*(each.turned(-1.0) for each in reversed(back)), point, *forth]
-            states = np.array([each.loop.guess.states[0, : len(model.coordinates)] for each in line])
+            states = np.array([each.loop.states[0, : len(model.coordinates)] for each in line])
             stable = np.array([max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line])
             values = np.array([each.value for each in line])
             branch = EquilibriumBranch(values, states, stable, "contact" if contact else "lift-off")

@@ -183,7 +183,7 @@ def _checked(loop: Loop) -> Cycle:
     if _rests(loop):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
-            f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
+            f"{np.round(loop.states[0], 9).tolist()}; start farther from it"
         )
     return cycle_of(loop)
 
@@ -246,7 +246,7 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
     loop = split(flow, guess)
     turns = [turn.state for turn in loop.turns()]
     # A guess that begins at a turn may count it at neither end.
-    reach = 0.5 * float(np.ptp([loop.guess.states[0], *turns], axis=0).max()) if turns else np.inf
+    reach = 0.5 * float(np.ptp([loop.states[0], *turns], axis=0).max()) if turns else np.inf
     return solved(flow, loop.guess, across(loop), reach=reach)
 
 

@@ -34,7 +34,7 @@ def touches(point: Point) -> list[Touch]:
     """All turns of the borders of a point."""
     setting, loop, found = point.setting, point.loop, []
     size = setting.field.size
-    along = point.tangent[loop.guess.states.size + 1 :]
+    along = point.tangent[loop.states.size + 1 :]
     for turn in loop.turns():
         if turn.border >= 0:
             change = turn.by_state @ point.tangent[:size] + turn.by_parameters[:, : len(along)] @ along
@@ -43,7 +43,7 @@ def touches(point: Point) -> list[Touch]:
             back, level, ahead = (
                 float(_level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
             )
-            found.append(Touch(turn, turn.t / loop.guess.period, level, (ahead - back) / (2 * step)))
+            found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
     return found
 
 
@@ -102,7 +102,7 @@ def grazing(near: Point, touch: Touch) -> Loop:
     setting, known = near.setting, near.loop.guess
     guess = recut(near.loop, len(known.states), touch.turn.t)
     loop = solved(setting.flow, guess, touching(touch.turn.border, setting), setting.free, reach=0.5)
-    if abs(loop.guess.period / known.period - 1) > 0.2:
+    if abs(loop.period / known.period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop
 
@@ -113,7 +113,7 @@ def touching(border: int, setting: Setting, *_: object) -> Conditions:
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         both, begin = partial(_level_and_rate, setting, border, loop.guess), len(loop.guess.vector)
-        place = np.append(loop.guess.states[0], loop.guess.coordinates(setting.free)[begin:])
+        place = np.append(loop.states[0], loop.guess.coordinates(setting.free)[begin:])
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, begin + len(setting.free)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
         return both(place), rows

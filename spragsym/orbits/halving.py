@@ -26,7 +26,7 @@ LESS, SOON = 0.9, 1.5
 
 def in_halves(loop: Loop, setting: Setting) -> Loop:
     """The loop in an even number of stretches."""
-    pieces = len(loop.guess.states)
+    pieces = len(loop.states)
     if pieces % 2 == 0:
         return loop
     return setting.looped(recut(loop, 2 * pieces))
@@ -34,7 +34,7 @@ def in_halves(loop: Loop, setting: Setting) -> Loop:
 
 def parted(point: Point) -> FloatArray:
     """How far apart the two halves of a round are: states less those half a round before, across the flow, over √their number."""
-    states, half = point.loop.guess.states, len(point.loop.guess.states) // 2
+    states, half = point.loop.states, len(point.loop.states) // 2
     apart = states[half:] - states[:half]
     flows = np.array([rate(point.loop.field, state, point.loop.constants) for state in states[:half]])
     along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
@@ -43,7 +43,7 @@ def parted(point: Point) -> FloatArray:
 
 def meets(one: Point, other: Point) -> float | None:
     """The share of the step from one point to the next at which their halves come together; None if they do not."""
-    if len(one.loop.guess.states) != len(other.loop.guess.states):
+    if len(one.loop.states) != len(other.loop.states):
         return None
     before, after = parted(one), parted(other)
     way = after - before
@@ -60,7 +60,7 @@ def meets(one: Point, other: Point) -> float | None:
 
 def due(one: Point, other: Point) -> float | None:
     """Where the halves will meet, as the parameter's value, if that is near: their distance squared is linear in it."""
-    if len(one.loop.guess.states) != len(other.loop.guess.states):
+    if len(one.loop.states) != len(other.loop.states):
         return None
     before, after = parted(one), parted(other)
     was, now = float(before @ before), float(after @ after)
@@ -93,7 +93,7 @@ def halved(setting: Setting, begun: Guess, reach: float) -> tuple[Loop, float] |
         loop = solved(setting.flow, near.guess, doubling, setting.free)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
-    if not float(np.linalg.norm(loop.guess.states - begun.states)) / np.sqrt(len(begun.states)) < reach:
+    if not float(np.linalg.norm(loop.states - begun.states)) / np.sqrt(len(begun.states)) < reach:
         return None
     there = point_of(setting, loop)
     steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)

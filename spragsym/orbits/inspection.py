@@ -160,7 +160,7 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) 
         except ConvergenceError:
             continue
         off = 10 * loop.missed + 1e-12
-        if _lies_between(one.point, other.point, loop.guess.values[one.point.setting.free[0]], length, off):
+        if _lies_between(one.point, other.point, loop.values[one.point.setting.free[0]], length, off):
             yield Finding("grazing", loop, off, touch.turn.border)
             return
     if length > FINEST:

@@ -119,7 +119,7 @@ class Cycle(Result):
     @property
     def values(self) -> tuple[float, ...]:
         """The parameters, in the order of ``field.parameters``."""
-        return self.loop.guess.values
+        return self.loop.values
 
     @cached_property
     def samples(self) -> PiecewisePolynomial:
@@ -238,7 +238,7 @@ def range_of(loop: Loop) -> tuple[float, float]:
     """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in a state only."""
     if loop.winding:
         return -math.pi, math.pi
-    values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.guess.states[:, 0].tolist()]
+    values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.states[:, 0].tolist()]
     return min(values), max(values)
 
 
@@ -248,21 +248,21 @@ def moments(loop: Loop) -> tuple[float, float]:
         return math.nan, math.nan
     parts = [each.integrals for each in loop.passages if each.integrals is not None]
     if len(parts) == len(loop.passages):
-        mean, square = (math.fsum(part[i] for part in parts) / loop.guess.period for i in (0, 1))
+        mean, square = (math.fsum(part[i] for part in parts) / loop.period for i in (0, 1))
         return mean, math.sqrt(square)
     samples = sampled(loop)
-    x, weights = samples.states[0], samples.weights() / loop.guess.period
+    x, weights = samples.states[0], samples.weights() / loop.period
     return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
 
 
 def sampled(loop: Loop) -> PiecewisePolynomial:
     """One round by the polynomials through its samples."""
-    return loop.flow.samples(loop.guess.states[0], loop.constants, loop.guess.period)
+    return loop.flow.samples(loop.states[0], loop.constants, loop.period)
 
 
 def refined(loop: Loop) -> Loop:
     """The orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
-    begin, pieces, known = _top(loop), len(loop.guess.states), loop
+    begin, pieces, known = _top(loop), len(loop.states), loop
     while True:
         cut = recut(known, pieces, begin)
         try:
@@ -278,8 +278,8 @@ def refined(loop: Loop) -> Loop:
 
 def _top(loop: Loop) -> float:
     """When the first coordinate is largest, and among several such times the one at which the second is; now if it never is."""
-    n, first = len(loop.field.coordinates), loop.guess.states[0]
-    highest = [(turn.state, turn.t) for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    n, first = len(loop.field.coordinates), loop.states[0]
+    highest = [(turn.state, turn.t) for turn in loop.tops()]
     if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
         highest.append((first, 0.0))
     if not highest:

@@ -28,10 +28,6 @@ PATIENCE = 1800.0
 DIGITS = 25
 
 
-#: Levels of a border that count as touching it.
-TOUCHING = 1e-11
-
-
 @dataclass(frozen=True, eq=False)
 class CycleProof(Result):
     """What was proved of a cycle.
@@ -131,9 +127,6 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
         raise ParameterError(f"digits = {digits!r} is not an integer in [10, 200]")
     if not cycle.field.again:
         return _unproved(cycle, "the field of this cycle can't be made again in the process that proves")
-    touched = _touched(cycle)
-    if touched:
-        return _unproved(cycle, touched)
     found = _run(claim_of(cycle, digits), patience)
     if not found["proved"]:
         return _unproved(cycle, found["reason"])
@@ -159,21 +152,6 @@ def _binary(text: str) -> mpmath.mpf:
 
 def _unproved(cycle: Cycle, reason: str) -> CycleProof:
     return CycleProof(False, reason, float("nan"), float("nan"), (), mpmath.nan, (), None, cycle.values)
-
-
-def _touched(cycle: Cycle) -> str:
-    """Why there is no proof at a grazing: the border that the orbit only touches; empty if there is none."""
-    field, constants = cycle.field, cycle.loop.constants
-    for turn in cycle.loop.turns():
-        if turn.border >= 0:
-            border = field.borders[turn.border]
-            level = border.level(turn.state.tolist(), constants, field.initial_mode(turn.state, constants))
-            if abs(float(level)) < TOUCHING:
-                return (
-                    f"the orbit touches {border.name} near t = {turn.t:.6g}, to {abs(float(level)):.1e}: at a grazing the return "
-                    "has no derivative that could be enclosed; move a parameter"
-                )
-    return ""
 
 
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:

@@ -50,7 +50,7 @@ class Rest:
 
     def eigenvalues(self, point: Point) -> list[complex]:
         """Eigenvalues of the linearized motion."""
-        there = self.at(point.loop.guess.states[0], point.loop.constants)
+        there = self.at(point.loop.states[0], point.loop.constants)
         return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
 
     def pairs(self, point: Point) -> float:
@@ -60,12 +60,12 @@ class Rest:
 
     def inside(self, point: Point) -> bool:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
-        state, constants, mode = self.at(point.loop.guess.states[0], point.loop.constants)
+        state, constants, mode = self.at(point.loop.states[0], point.loop.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
 
 
 def _of_one_time(setting: Setting, near: Loop, _: FloatArray) -> Conditions:
     """An equilibrium has no period: it stays 1."""
-    row = np.eye(1, len(near.guess.coordinates(setting.free)), near.guess.states.size)
-    return lambda loop: (np.array([loop.guess.period - 1.0]), row)
+    row = np.eye(1, len(near.guess.coordinates(setting.free)), near.states.size)
+    return lambda loop: (np.array([loop.period - 1.0]), row)

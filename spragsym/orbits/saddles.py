@@ -38,9 +38,7 @@ def rounding_of(matrix: FloatArray) -> float:
 def saddle_near(system: System, state: FloatArray) -> Saddle | None:
     """The saddle near a state; None where the equilibrium there has no direction of growth, or several."""
     place = system.equilibrium(state)
-    matrix = system.linearization(place)
-    eigenvalues, vectors = np.linalg.eig(matrix)
-    error = rounding_of(matrix) * sensitivities(vectors)
+    eigenvalues, vectors, error = _spectrum(system.linearization(place))
     growing = np.flatnonzero(eigenvalues.real > error)
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         return None
@@ -54,18 +52,18 @@ def saddle_near(system: System, state: FloatArray) -> Saddle | None:
 
 def decay_at(system: System, state: FloatArray) -> float:
     """−max Re λ of an equilibrium; 0 unless it is proved to attract."""
-    matrix = system.linearization(state)
+    eigenvalues, _, error = _spectrum(system.linearization(state))
+    return float(-eigenvalues.real.max()) if (eigenvalues.real + error < 0).all() else 0.0
+
+
+def _spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
+    """Eigenvalues with their vectors and errors: by how much more than the matrix each moves; infinite for a double one."""
     eigenvalues, vectors = np.linalg.eig(matrix)
-    below = eigenvalues.real + rounding_of(matrix) * sensitivities(vectors) < 0
-    return float(-eigenvalues.real.max()) if below.all() else 0.0
-
-
-def sensitivities(vectors: Any) -> FloatArray:
-    """By how much more than a matrix each of its eigenvalues moves, from its eigenvectors; infinite for a double one."""
     try:
-        return np.asarray(np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
+        moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
     except np.linalg.LinAlgError:
-        return np.full(len(vectors), np.inf)
+        moves = np.full(len(vectors), np.inf)
+    return eigenvalues, vectors, np.asarray(rounding_of(matrix) * moves)
 
 
 def growth_of_cycle(cycle: Cycle) -> float | None:

@@ -60,7 +60,7 @@ def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
     """Where two branches cross there are two directions: the one across that of the branch, of unit size in the first state."""
     assert event.loop is not None
     loop = setting.looped(event.loop.guess)
-    weights = setting.weights(len(loop.guess.states))
+    weights = setting.weights(len(loop.states))
     _, phase = across(loop, parameters=1)(loop)
     matrix = np.vstack([loop.slopes(1), phase]) / weights
     _, _, vectors = np.linalg.svd(matrix)
@@ -83,7 +83,7 @@ def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
 
 def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
     """Twice round, and the direction that turns over in one round: of unit size in the first state."""
-    guess = Guess(np.vstack([loop.guess.states] * 2), 2 * loop.guess.period, loop.guess.values)
+    guess = Guess(np.vstack([loop.states] * 2), 2 * loop.period, loop.values)
     values, vectors = np.linalg.eig(loop.monodromy)
     turning = vectors[:, int(np.argmin(np.abs(values + 1)))].real
     flow = rate(setting.field, guess.states[0], loop.constants)

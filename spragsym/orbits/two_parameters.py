@@ -107,7 +107,7 @@ def cycle_events(
     spans = []
     for name, index in zip(vary, free, strict=True):
         low, high = ranges.get(name, (0.0, 0.0))
-        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.guess.values[index]), LEAST))
+        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.values[index]), LEAST))
     holds = partial(touching, event.border) if event.border >= 0 else partial(at_zero, event.kind)
     setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans), event=holds)
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
@@ -116,8 +116,8 @@ def cycle_events(
     loops = [*reversed(back), first.loop, *forth]
     cycles = tuple(cycle_of(each) for each in loops)
     return EventCurve(
-        event.kind, vary, np.array([[each.guess.values[i] for i in free] for each in loops]),
-        np.array([each.guess.period for each in loops]), (why_back, why_forth), cycles,
+        event.kind, vary, np.array([[each.values[i] for i in free] for each in loops]),
+        np.array([each.period for each in loops]), (why_back, why_forth), cycles,
     )  # fmt: skip
 
 
@@ -140,7 +140,7 @@ def _followed(
         if straight < 0.95 and length > 1e-4:
             length /= 2.5
             continue
-        if not all(low <= ahead.loop.guess.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
+        if not all(low <= ahead.loop.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
             return found, "the range ends"
         if kind == "torus" and not is_complex_pair(ahead.loop):
             return found, "its multipliers become real"

@@ -39,11 +39,6 @@ class Guess:
     period: float
     values: tuple[float, ...]
 
-    @property
-    def vector(self) -> FloatArray:
-        """States and period in a row."""
-        return np.append(self.states.ravel(), self.period)
-
     def moved(self, step: FloatArray, free: tuple[int, ...]) -> Guess:
         """After a step in states, period and the free parameters."""
         size = self.states.size
@@ -56,9 +51,9 @@ class Guess:
         """The guess at another value of one parameter."""
         return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
-    def coordinates(self, free: tuple[int, ...]) -> FloatArray:
+    def coordinates(self, free: tuple[int, ...] = ()) -> FloatArray:
         """What Newton's method moves: states, period, free parameters."""
-        return np.append(self.vector, [self.values[i] for i in free])
+        return np.concatenate([self.states.ravel(), [self.period], [self.values[i] for i in free]])
 
 
 @dataclass(frozen=True)
@@ -207,7 +202,7 @@ def solved(
             return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
         step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
         width = float(np.abs(step).max())
-        scale = 1 + float(np.abs(loop.guess.vector).max())
+        scale = 1 + float(np.abs(loop.guess.coordinates()).max())
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
         # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as many times larger.
         carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)

@@ -131,10 +131,7 @@ def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
-    """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open.
-
-    Its slope is by differences.
-    """
+    """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open."""
     test, phase, unit = CRITERIA[kind], in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
     weights = setting.weights(len(near.states))
 
@@ -166,7 +163,7 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
     """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
-    conditions = replace(setting, free=()).equations(loop, loop.guess.vector)
+    conditions = replace(setting, free=()).equations(loop, loop.guess.coordinates())
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 

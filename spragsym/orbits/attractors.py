@@ -62,16 +62,15 @@ class Verdict:
 
     def told(self) -> str:
         """In words."""
-        return self._limit() + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
-
-    def _limit(self) -> str:
-        found = self.outcome
+        found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
         if self.kind == Regime.EQUILIBRIUM:
             place = zip(found.names, found.rest, strict=False)
-            return "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
-        if self.kind == Regime.LIMIT_CYCLE:
-            return f"a cycle of period {found.period:.6g}"
-        return "lift-off" if self.kind == Regime.LIFT_OFF else f"nothing that is decided by t = {self.t:g}"
+            limit = "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
+        elif self.kind == Regime.LIMIT_CYCLE:
+            limit = f"a cycle of period {found.period:.6g}"
+        elif self.kind == Regime.LIFT_OFF:
+            limit = "lift-off"
+        return limit + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
 
 
 def judged(system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12) -> Verdict:

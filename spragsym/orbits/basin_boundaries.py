@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
+from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .attractors import Verdict, attractor, judged, same, surely
+from .attractors import Verdict, judged, surely
 from .saddles import Saddle, saddle_near
 from .system import System
 
@@ -189,17 +190,17 @@ def _surely(system: System, start: FloatArray) -> Verdict:
 
 def _differ(system: System, one: Verdict, other: Verdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
-    if not (one.decided and other.decided):
-        return False
-    try:
-        return not same(*(attractor(system, each) for each in (one, other)))
-    except ConvergenceError:  # one that Newton's method does not find again decides nothing
-        return False
+    return one.decided and other.decided and not same_limit(one.outcome, other.outcome, system.field.around)
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
-    n, places = len(p.model.coordinates), [as_numbers("saddle", near)] if near is not None else _places(p)
+    if near is not None:
+        places = [as_numbers("saddle", near)]
+    else:
+        columns = np.array([*equilibria(p).coordinates.values()]).T
+        places = [*columns[np.isfinite(columns).all(axis=1)]]
+    n = len(p.model.coordinates)
     if any(place.shape not in ((n,), (2 * n,)) for place in places):
         raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
     found: list[Saddle] = []
@@ -216,13 +217,6 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
             + (f"{listed}; give saddle= near one" if found else none)
         )
     return found[0]
-
-
-def _places(p: ParameterSet) -> Any:
-    """Where the equilibria of steady sliding are, shape (k, n)."""
-    found = equilibria(p)
-    columns = np.array([getattr(found, name) for name in p.model.coordinates]).T
-    return columns[np.isfinite(columns).all(axis=1)]
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,10 @@ from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, cut_finer, placed, started, within
-from .halving import between_halves, due, halved, in_halves, meets, parted
-from .inspection import Finding, NotLocated, Seen, findings, vertical
+from .halving import NEAREST, between_halves, halved, in_halves, meets
+from .inspection import MERGES, Finding, NotLocated, Seen, findings, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
+from .switching import switched
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -40,19 +41,13 @@ SHRUNK = 0.1
 STILL = 2e-3
 
 
-#: Steps longer than this are cut where the halves of a doubled cycle seem to meet; they are one where they are no farther apart
-#: than this share of its extent: on the little that is left of the branch nothing is looked for.
-COARSE, NEAREST = 1e-4, 1e-3
-
 #: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
 ALIKE = 1e-7
 
 #: Kinds of event at which stability may change.
 CHANGING = ("fold", "period_doubling", "torus")
 
-CROSSES = "another branch of cycles crosses this one"
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
-MERGES = "it meets the cycle of half its period, which doubles there"
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,8 +128,6 @@ class CycleBranch(Result):
         there; where another branch crosses (a fold whose ``how`` says so) a cycle on that one; at another fold a cycle on the
         far side of it. ``step`` is how far off, in states.
         """
-        from .switching import switched
-
         return switched(self, event, step)
 
     @property
@@ -237,19 +230,17 @@ class _Trace:
 
     def event(self, found: Finding) -> CycleEvent:
         """An event as users see it."""
-        field, (index,) = found.loop.field, self.start.setting.free
-        how = field.borders[found.border].name if found.border >= 0 else found.how
-        how = CROSSES if found.crossed is not None else how
+        (index,) = self.start.setting.free
         value = found.loop.values[index] if found.value is None else found.value
         return CycleEvent(
-            found.kind, value, cycle_of(found.loop), found.error, how, found.border, found.loop, found.crossed,
-            field.parameters[index],
+            found.kind, value, cycle_of(found.loop), found.error, found.how, found.border, found.loop, found.crossed,
+            found.loop.field.parameters[index],
         )  # fmt: skip
 
     def follow(self, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
         start = point = self.start.turned(direction)
-        length, before, count, last, gap = FIRST, None, 0, None, np.inf
+        length, before, count = FIRST, None, 0
         seen = Seen(point)
         while count < self.points:
             try:
@@ -270,13 +261,14 @@ class _Trace:
                 length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
                 continue
             arc = between(point, ahead) if stops else length
-            over, last = meets(point, ahead) is not None, last or self._merged(point, ahead)
-            if over and last is not None and arc < COARSE:
-                yield last
-                return
-            if over and (last is not None or arc > COARSE):
-                length = arc / 3
+            met = meets(point, ahead)
+            if met is not None and arc > NEAREST * extent(ahead.loop):
+                length = arc / 2  # what happens on the way is to be seen
                 continue
+            merged = None if met is None else halved(point.setting, *between_halves(point, ahead, met))
+            if merged is not None:
+                yield Finding("end", *merged, how=MERGES)
+                return
             after = Seen(ahead)
             try:
                 happened = list(findings(seen, after, arc, before))
@@ -304,28 +296,7 @@ class _Trace:
             before = seen if finer is ahead else None
             point, seen = finer, after if finer is ahead else Seen(finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
-            if last is not None:
-                gap, wider = float(np.linalg.norm(parted(point))), gap
-                if gap < NEAREST * extent(point.loop):
-                    yield last
-                    return
-                length, last = min(length, 2 * gap), last if gap <= wider else None
         yield Finding("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
-
-    def _merged(self, point: Point, ahead: Point) -> Finding | None:
-        """The end of a branch of doubled cycles whose halves come together in a step, or are about to within the range."""
-        share, (low, high) = meets(point, ahead), self.to
-        value = due(point, ahead) if share is None else None
-        if share is None and (value is None or not low <= value <= high):
-            return None
-        guess, reach = between_halves(point, ahead, 1.0 if share is None else share)
-        found = halved(point.setting, guess if value is None else guess.at(point.setting.free[0], value), reach)
-        if found is None:
-            return None
-        there = found[0].values[point.setting.free[0]]
-        if value is not None and not (low <= there <= high and (there - ahead.value) * (ahead.value - point.value) > 0):
-            return None
-        return Finding("end", *found, how=MERGES)
 
     def _shrunk(self, before: Seen | None, last: Point) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""

@@ -278,7 +278,7 @@ def _equilibria(
             known = equilibria(p.replace(**{vary: grid}), contact=contact, method="search")
         except SpragsymError:
             continue  # no unilateral contact
-        places = np.stack([np.asarray(getattr(known, name)) for name in model.coordinates], axis=-1)
+        places = np.stack([*known.coordinates.values()], axis=-1)
         for i, j in np.argwhere(np.isfinite(places).all(axis=-1)).tolist():
             system = System.of(p.replace(**{vary: float(grid[i])}), None)
             try:
@@ -359,6 +359,6 @@ def _ends_at(branch: CycleBranch, event: CycleEvent) -> bool:
 def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
     for number, branch in enumerate(branches):
         for event in branch.events:
-            kind = "crossing" if event.kind == "fold" and event.how else event.kind
+            kind = "crossing" if event.crossed is not None else event.kind
             if kind in LABELS:
                 yield Label(LABELS[kind], event.value, float(event.cycle.state[0]), "cycles", number)

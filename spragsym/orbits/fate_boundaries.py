@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from bisect import insort
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
+from operator import itemgetter
 from typing import Any, ClassVar
 
 import numpy as np
@@ -34,9 +36,10 @@ from .attractors import (
     same_cycle,
     surely,
 )  # fmt: skip
-from .branch import MERGES, cycle_branch
+from .branch import cycle_branch
 from .finding import cycle_at
-from .saddles import growth_of_cycle, saddle_near
+from .inspection import MERGES
+from .saddles import Saddle, growth_of_cycle, saddle_near
 from .system import System
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
@@ -465,29 +468,24 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
     """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
     system, around = asked.at((low + high) / 2), asked.system.field.around
     hovering, parted = _hovering(asked, low, high)
-    best: tuple[str, FloatArray, float, float] = ("unknown", hovering[-1], float("nan"), float("inf"))
+    rests: list[tuple[float, Saddle]] = []
     for state in hovering:
-        try:
+        with suppress(ConvergenceError):
             saddle = saddle_near(system, state)
-        except ConvergenceError:
-            continue
-        if saddle is None or not saddle.attracts:
-            continue
-        if (off := float(np.abs(apart(state, saddle.state, around)).max())) < best[3]:
-            best = ("equilibrium", saddle.state, saddle.growth, off)
-    if best[3] < CLOSE:
-        return best
+            if saddle is not None and saddle.attracts:
+                rests.append((float(np.abs(apart(state, saddle.state, around)).max()), saddle))
+    off, rest = min(rests, key=itemgetter(0), default=(math.inf, None))
+    if rest is not None and off < CLOSE:
+        return "equilibrium", rest.state, rest.growth, off
     extent = float(np.ptp(hovering, axis=0).max())
     for state, period, off in _returns(hovering, parted, extent, around):
-        try:
+        with suppress(ConvergenceError):
             cycle = cycle_at(system, state, period)
-        except ConvergenceError:
-            continue
-        growth = growth_of_cycle(cycle)
-        near = float(np.abs(apart(cycle.samples.states.T, state, around)).max(axis=1).min())
-        if growth is not None and near < CLOSE * extent:
-            return "cycle", cycle.state, growth, max(off, near)
-    return "unknown", hovering[-1], float("nan"), float("nan")
+            growth = growth_of_cycle(cycle)
+            near = float(np.abs(apart(cycle.samples.states.T, state, around)).max(axis=1).min())
+            if growth is not None and near < CLOSE * extent:
+                return "cycle", cycle.state, growth, max(off, near)
+    return "unknown", hovering[-1], math.nan, math.nan
 
 
 def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -202,11 +203,7 @@ def _state(field: Field, near: Any) -> FloatArray:
 
 def _by_returns(system: System, turns: list[Turn], *, from_start: bool, stable: bool) -> Loop | None:
     """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
-    tried = 0
-    for first, second in _pairs([turn for turn in turns if turn.border == -1], from_start):
-        tried += 1
-        if tried > TRIES:
-            break
+    for first, second in islice(_pairs([turn for turn in turns if turn.border == -1], from_start), TRIES):
         try:
             loop = _from_guess(system.flow, Guess(first.state[None], second.t - first.t, system.values))
         except ConvergenceError:

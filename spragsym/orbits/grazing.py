@@ -78,14 +78,11 @@ def paired(one: list[Touch], other: list[Touch]) -> Iterator[tuple[Touch, Touch]
 
 def may_touch(one: Touch, other: Touch, length: float) -> bool:
     """Whether the cubic through levels and slopes of a pair comes to 0 between its ends, which have one sign."""
-    share = np.linspace(0.0, 1.0, 41)
-    sign = np.sign(one.level)
-    cubic = (
-        one.level * (1 + 2 * share) * (1 - share) ** 2 + length * one.slope * share * (1 - share) ** 2
-        + other.level * share**2 * (3 - 2 * share) - length * other.slope * share**2 * (1 - share)
-    )  # fmt: skip
+    from scipy.interpolate import CubicHermiteSpline
+
+    cubic = CubicHermiteSpline([0.0, 1.0], [one.level, other.level], [length * one.slope, length * other.slope])
     margin = 0.1 * abs(one.level - other.level)
-    lowest = float((sign * cubic).min())
+    lowest = float((np.sign(one.level) * cubic(np.linspace(0.0, 1.0, 41))).min())
     return lowest < margin and lowest < 0.5 * min(abs(one.level), abs(other.level))
 
 
@@ -112,7 +109,7 @@ def touching(border: int, setting: Setting, *_: object) -> Conditions:
     size = setting.field.size
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        both, begin = partial(_level_and_rate, setting, border, loop.guess), len(loop.guess.vector)
+        both, begin = partial(_level_and_rate, setting, border, loop.guess), len(loop.guess.coordinates())
         place = np.append(loop.states[0], loop.guess.coordinates(setting.free)[begin:])
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, begin + len(setting.free)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]

@@ -16,12 +16,8 @@ NEAR = 0.5
 #: Halves farther apart than this share of the orbit's extent are two.
 SMALL = 0.3
 
-#: Halves this close are one: an orbit twice round.
-ONE = 1e-9
-
-#: The halves are followed to where they meet once the square of their distance has fallen by this factor in one step, and will be
-#: gone within so many more.
-LESS, SOON = 0.9, 1.5
+#: Halves that come closer than this share are one, and those that are this close from the beginning: an orbit twice round.
+NEAREST, ONE = 1e-3, 1e-9
 
 
 def in_halves(loop: Loop, setting: Setting) -> Loop:
@@ -48,28 +44,13 @@ def meets(one: Point, other: Point) -> float | None:
     before, after = parted(one), parted(other)
     way = after - before
     length = float(np.linalg.norm(way))
-    if float(np.linalg.norm(after)) > SMALL * extent(other.loop):
+    now, was, size = float(np.linalg.norm(after)), float(np.linalg.norm(before)), extent(other.loop)
+    if now > SMALL * size or not length > 0 or not was > ONE:
         return None
-    if not length > 0 or not float(np.linalg.norm(before)) > ONE:
-        return None
-    if float(np.linalg.norm(after)) < ONE:
+    if now < min(was, NEAREST * size):
         return 1.0
     share = -float(before @ way) / length**2
     return share if 0 < share < 1 and float(np.linalg.norm(before + share * way)) < NEAR * length else None
-
-
-def due(one: Point, other: Point) -> float | None:
-    """Where the halves will meet, as the parameter's value, if that is near: their distance squared is linear in it."""
-    if len(one.loop.states) != len(other.loop.states):
-        return None
-    before, after = parted(one), parted(other)
-    was, now = float(before @ before), float(after @ after)
-    if now > (SMALL * extent(other.loop)) ** 2:
-        return None  # an orbit that shrinks onto an equilibrium is no doubled one
-    if float(before @ after) <= 0 or not 0 < now < LESS * was:
-        return None
-    share = now / (was - now)
-    return other.value + share * (other.value - one.value) if share < SOON else None
 
 
 def between_halves(one: Point, other: Point, share: float) -> tuple[Guess, float]:

@@ -30,6 +30,12 @@ FLAT = 1e-6
 #: what is then not told.
 UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, frozenset(("fold", "crossing"))
 
+#: Said of a fold at which the parameter does not turn back.
+CROSSES = "another branch of cycles crosses this one"
+
+#: Said of the end of a branch of doubled cycles.
+MERGES = "it meets the cycle of half its period, which doubles there"
+
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
 
@@ -83,7 +89,7 @@ class Finding:
     """Something that happens on a branch: what, the orbit there, and how well its place is known.
 
     ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it; ``how`` what
-    else is to be said, of an end why it is one; ``value`` that of the parameter, where it is not the orbit's.
+    is touched or else to be said, of an end why it is one; ``value`` that of the parameter, where it is not the orbit's.
     """
 
     kind: str
@@ -100,7 +106,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     lost = one.lost | other.lost | (OF_ONES if vertical(one, other, length) else frozenset())
     told = [kind for kind in KINDS if kind not in lost]
     changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
-    quiet = set(told) - set(changed)
+    quiet = [kind for kind in CRITERIA if kind in told and kind not in changed]
     pairs = list(paired(one.touches, other.touches))
     through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
     kinks = sum(abs(a - b) for a, b in zip(signature(one.point), signature(other.point), strict=True)) // 2
@@ -108,7 +114,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
         kinks != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
         or may_have_touched(one.touches, other.touches, pairs, length)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in quiet))
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in quiet))
         or len(changed) + len(through) > 1
     )
     if hidden and depth < DEEPEST:
@@ -153,21 +159,23 @@ def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
 
 
 def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
-    near, turn = (one, touch) if abs(touch.level) <= abs(after.level) else (other, after)
-    for point, begun in ((near, turn), (one, touch), (other, after)):
+    border = touch.turn.border
+    name = one.point.setting.field.borders[border].name
+    nearest = sorted(((one.point, touch), (other.point, after)), key=lambda pair: abs(pair[1].level))
+    for near, begun in nearest:
         try:
-            loop = grazing(point.point, begun)
+            loop = grazing(near, begun)
         except ConvergenceError:
             continue
         off = 10 * loop.missed + 1e-12
         if _lies_between(one.point, other.point, loop.values[one.point.setting.free[0]], length, off):
-            yield Finding("grazing", loop, off, touch.turn.border)
+            yield Finding("grazing", loop, off, border, how=name)
             return
     if length > FINEST:
         raise NotLocated("grazing")
     if signature(one.point) == signature(other.point):
         return  # two different turns were taken for one: the orbit crosses as often as before
-    yield Finding("grazing", near.point.loop, abs(other.point.value - one.point.value), touch.turn.border)
+    yield Finding("grazing", nearest[0][0].loop, abs(other.point.value - one.point.value), border, how=name)
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
@@ -199,14 +207,16 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         return
     if kind == "crossing" and abs(point.tangent[-1]) * point.setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
-    crossed = point.tangent if kind == "crossing" else None
     off, how = _error(kind, one, other, length, point), ""
     if abs(criterion(kind, point)) > JUMPS * max(abs(each.criteria[kind]) for each in (one, other)):
         # Multipliers jump at a grazing: the sign changes with no zero.
         if length > FINEST:
             raise NotLocated(kind)
         off, how = max(off, width), JUMPED
-    yield Finding("fold" if crossed is not None else kind, point.loop, off, crossed=crossed, how=how)
+    if kind == "crossing":
+        yield Finding("fold", point.loop, off, crossed=point.tangent, how=CROSSES)
+    else:
+        yield Finding(kind, point.loop, off, how=how)
 
 
 def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:

@@ -126,28 +126,25 @@ class Cycle(Result):
         """One period by the polynomials through its samples."""
         return sampled(self.loop)
 
-    @cached_property
+    @property
     def spring_force(self) -> tuple[float, float]:
         """Least and largest tension of the inclined spring, over k_c L_0."""
-        return self._range("spring_force")
+        return self._force("spring_force")
 
-    @cached_property
+    @property
     def contact_force(self) -> tuple[float, float]:
         """Least and largest force of the contact, over k_c L_0."""
-        return self._range("contact_force")
+        return self._force("contact_force")
 
     @cached_property
     def forces(self) -> dict[str, tuple[float, float]]:
         """Least and largest of every force of the model: of its contact, and of its springs, ``spring_force_1``, … of several."""
-        return {name: self._range(name) for name, _ in self.field.forces}
+        return {name: _range(self.samples, force, self.loop.constants) for name, force in self.field.forces}
 
-    def _range(self, name: str) -> tuple[float, float]:
-        force = dict(self.field.forces).get(name)
-        if force is None:
-            raise ParameterError(
-                f"{name} is no force of this model, which has {', '.join(dict(self.field.forces)) or 'none'}; see forces"
-            )
-        return _range(self.samples, lambda states: force(states, self.loop.constants))
+    def _force(self, name: str) -> tuple[float, float]:
+        if name not in self.forces:
+            raise ParameterError(f"{name} is no force of this model, which has {', '.join(self.forces) or 'none'}; see forces")
+        return self.forces[name]
 
     @cached_property
     def parameters(self) -> dict[str, float]:
@@ -291,17 +288,17 @@ def _top(loop: Loop) -> float:
     return begin
 
 
-def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:
+def _range(samples: PiecewisePolynomial, force: Any, constants: tuple[float, ...]) -> tuple[float, float]:
     """Least and largest value: the extreme sample, refined between its neighbours."""
     from scipy.optimize import minimize_scalar
 
-    values = force(samples.states)
+    values = force(samples.states, constants)
     ends = []
     for sign in (1.0, -1.0):
         best = int(np.argmin(sign * values))
         low, high = samples.t[max(best - 1, 0)], samples.t[min(best + 1, len(values) - 1)]
         found = minimize_scalar(
-            lambda t, sign=sign: sign * float(force(samples(np.array([t])))[0]), bounds=(low, high), method="bounded",
+            lambda t, sign=sign: sign * float(force(samples(np.array([t])), constants)[0]), bounds=(low, high), method="bounded",
             options={"xatol": 1e-9},
         )  # fmt: skip
         ends.append(sign * min(float(found.fun), float(sign * values[best])))

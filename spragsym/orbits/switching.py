@@ -10,6 +10,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.shooting import Guess, Loop, across, rate
 from .arclength import Point, Setting, corrected
+from .inspection import MERGES
 from .orbit import Cycle, cycle_of
 
 if TYPE_CHECKING:
@@ -21,8 +22,6 @@ STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     """The cycle of :meth:`CycleBranch.switch`."""
-    from .branch import MERGES
-
     cycle = event.cycle
     if not any(event is each for each in branch.events):
         raise ParameterError(f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events")

@@ -14,8 +14,8 @@ from ..motion.regimes import Outcome, Regime
 from ..motion.simulation import state_of
 from ..results.result import Result
 from .attractors import JUDGED, Verdict, judged, settled
+from .exponents import rates_along
 from .finding import cycle_near, stands_still
-from .growth_rates import rates_along
 from .orbit import NEUTRAL
 from .saddles import decay_at
 from .system import System
@@ -123,15 +123,19 @@ def fate(
     try:
         return _followed(system, state, t_end)
     except ConvergenceError as failed:
-        none, nothing = np.full(state.size, np.nan), Outcome(names=system.field.components)
-        return Fate("undecided", f"{UNFOLLOWED}: {failed}", 0.0, nothing, none, none, -1, float("inf"), "", state)
+        return _untold(system, f"{UNFOLLOWED}: {failed}", 0.0, float("inf"), state)
+
+
+def _untold(system: System, why: str, t: float, scale: float, end: FloatArray) -> Fate:
+    """Nothing is known of the motion but why."""
+    none, nothing = np.full(end.size, np.nan), Outcome(names=system.field.components)
+    return Fate("undecided", why, t, nothing, none, none, -1, scale, "", end)
 
 
 def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
     times = (*(t for t in JUDGED if t < t_end / 2), t_end)
     verdict = judged(system, start, times=times)
     scale, place = _time_scale(system, verdict)
-    none = np.full(start.size, np.nan)
     if verdict.decided:
         why = f"it comes to {verdict.told()}"
         try:
@@ -139,9 +143,7 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
             trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
             return Fate(kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:
-            why = f"{why}, which Newton's method does not find again: {failed}"
-            nothing = Outcome(names=system.field.components)
-            return Fate("undecided", why, verdict.t, nothing, none, none, -1, scale, "", verdict.end)
+            return _untold(system, f"{why}, which Newton's method does not find again: {failed}", verdict.t, scale, verdict.end)
     rates = rates_along(system, verdict.end, SHARES[0] * t_end)
     why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
     if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long

@@ -23,7 +23,7 @@ from spragsym.models.model_field import exact_field
 from spragsym.motion import bifurcation_functions, multipliers
 from spragsym.motion.flows import Flow
 from spragsym.numerics.decimals import exactly
-from spragsym.orbits import attractors, finding, growth_rates, saddles
+from spragsym.orbits import attractors, exponents, finding, saddles
 from spragsym.orbits.system import System
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
@@ -491,7 +491,7 @@ def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> No
 
 
 def test_exponents_of_rest_are_its_eigenvalues() -> None:
-    still = growth_rates.rates_along(System(Flow.of(VAN_DER_POL, None), (-1.0,)), np.array([0.1, 0.0]), 200.0)
+    still = exponents.rates_along(System(Flow.of(VAN_DER_POL, None), (-1.0,)), np.array([0.1, 0.0]), 200.0)
     assert not still.moves
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
 

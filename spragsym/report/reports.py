@@ -19,9 +19,7 @@ from ..display import Table
 from ..errors import ParameterError, SpragsymError
 from ..files.writing import put
 from ..remarks import Remark
-from ..results.equilibria import Equilibria
-from ..results.points import Points
-from ..results.result import Result
+from ..results import Equilibria, Points, Result
 from ..statics.equilibria import equilibria
 from . import report_json, texts
 from .cautions import FRICTION, cautions

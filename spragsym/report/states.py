@@ -18,9 +18,7 @@ from ..models.parameters import FloatArray
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..orbits import cycle
-from ..results.equilibria import Equilibria, Stability
-from ..results.named_columns import Columns
-from ..results.result import Result
+from ..results import Columns, Equilibria, Result, Stability
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import NEUTRAL, linearization, roots
 from .study import Study

@@ -245,7 +245,7 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
         elif value.dtype.kind in "USO":
             out[key] = ", ".join(dict.fromkeys(map(str, value.ravel())))
         else:
-            out |= {f"{key} from": value.min(initial=np.inf), f"{key} to": value.max(initial=-np.inf)}
+            out |= {f"{key} from": value.min() if value.size else np.inf, f"{key} to": value.max() if value.size else -np.inf}
     return out
 
 

@@ -53,6 +53,11 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
             assert failed == 0, one
 
 
+@pytest.mark.parametrize("room", ["numerics", "files", "results", "statics", "bifurcation", "design", "cli"])
+def test_a_room_has_what_it_offers(room: str) -> None:
+    exec(f"from spragsym.{room} import *", {})
+
+
 def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
     for name in spragsym.__all__:
         if inspect.isfunction(function := getattr(spragsym, name)):

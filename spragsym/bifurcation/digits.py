@@ -104,7 +104,7 @@ def _state(
         return None
     numbers, error, _ = as_numbers((*_columns(balance, q, system.arguments), *q), digits)
     named = dict(zip(columns_of(balance.model), numbers, strict=True))
-    return PreciseEquilibrium(named, type_at(balance, system, q), as_mpf(error))
+    return PreciseEquilibrium(named, type_at(system, q), as_mpf(error))
 
 
 def _columns(balance: Balance, q: Sequence[Any], arguments: Mapping[str, Any]) -> list[Any]:

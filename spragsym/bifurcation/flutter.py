@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet
 from ..numerics.certified_roots import concatenated
-from ..numerics.interval_arrays import ComplexArray, FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import ComplexArray, FloatArray, Intervals
 from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.points import Points
@@ -218,8 +218,7 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
     if balance.model.about["friction"] is None or not left.shape[2]:
         return ()
     over = Intervals.between(family.at(-left[0, -1:]), family.at(left[1, -1:]))
-    with np.errstate(all="ignore"):
-        size = stacked([balance.slope(balance.arguments(balance.prepared(over)))], left.shape[2:])[0].magnitude
+    size = slope_over(balance, over).magnitude
     flat = size <= FLAT
     most = f"{size[flat].max(initial=0.0):.0e}"
     text = f"the slope of the friction law, and with it its damping, is at most {most}: too little for floats"

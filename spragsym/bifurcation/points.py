@@ -99,7 +99,7 @@ def is_affine(family: Family) -> bool:
     if balance.springs:
         return False
     with np.errstate(all="ignore"):
-        values = balance.arguments(balance.prepared(family.over[:, :1]))
+        values = balance.over(family.over[:, :1])
         try:
             rows = balance.by_coordinate("forces", variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), [], values)
         except ZeroDivisionError:  # a law that has no value there

@@ -55,7 +55,7 @@ def turned(balance: Balance, over: Intervals) -> list[int]:
     """Numbers of the coordinates that the mirror turns, if the model is its own image for these parameters, shape (P, 1)."""
     about = balance.model.about["mirror"]
     with np.errstate(all="ignore"):
-        mu = stacked([balance.friction(balance.arguments(balance.prepared(over)))], (1,)).magnitude.max()
+        mu = stacked([balance.friction(balance.over(over))], (1,)).magnitude.max()
     zero = {name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()}
     zero |= {"mu"} if mu <= NOTHING else set()
     if not any(zero.issuperset(names) for names in about["zero"]):
@@ -77,8 +77,7 @@ def _mirrors(family: Family) -> list[_Mirror]:
     balance, over = family.balance, family.over
     odd = turned(balance, over)
     found = [_Mirror(odd, balance.mirrored, balance.model.about["mirror"]["upright"])] if odd else []
-    with np.errstate(all="ignore"):
-        values = balance.arguments(balance.prepared(over))
+    values = balance.over(over)
     for size in range(1, balance.n + 1):
         for some in itertools.combinations(range(balance.n), size):
             if list(some) != odd and follows(balance, values, some):

@@ -42,8 +42,7 @@ class Affine(Rounded):
             value = self.value + other
             return Affine(value, self.terms, (self.error + UNIT * np.abs(value)) * _SLACK)
         value, terms = self.value + other.value, self.terms + other.terms
-        rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
-        return Affine(value, terms, (self.error + other.error + rounding) * _SLACK)
+        return Affine(value, terms, (self.error + other.error + _rounding(value, terms)) * _SLACK)
 
     def __neg__(self) -> Affine:
         return Affine(-self.value, -self.terms, self.error)
@@ -51,8 +50,7 @@ class Affine(Rounded):
     def __mul__(self, other: Any) -> Affine:
         if not isinstance(other, Affine):
             value, terms = self.value * other, self.terms * other
-            rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
-            return Affine(value, terms, (np.abs(other) * self.error + rounding) * _SLACK + _TINY)
+            return Affine(value, terms, (np.abs(other) * self.error + _rounding(value, terms)) * _SLACK + _TINY)
         value = self.value * other.value
         left, right = np.abs(self.value), np.abs(other.value)
         own, others = self._spread(), other._spread()
@@ -65,8 +63,7 @@ class Affine(Rounded):
         if isinstance(other, Affine):
             return self.__mul__(other.reciprocal())
         value, terms = self.value / other, self.terms / other
-        rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
-        return Affine(value, terms, (self.error / np.abs(other) + rounding) * _SLACK + _TINY)
+        return Affine(value, terms, (self.error / np.abs(other) + _rounding(value, terms)) * _SLACK + _TINY)
 
     def __rtruediv__(self, other: Any) -> Affine:
         return self.reciprocal().__mul__(other)
@@ -104,6 +101,10 @@ class Affine(Rounded):
         error = (np.abs(slope) * x.error + off + middle.error + rounding) * _SLACK + _TINY
         known = np.isfinite(error) & np.isfinite(middle.value)
         return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))
+
+
+def _rounding(value: Any, terms: Any) -> Any:
+    return UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
 
 
 def sides(low: FloatArray, high: FloatArray) -> list[Affine]:

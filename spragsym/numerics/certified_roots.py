@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -174,13 +174,7 @@ def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray
     """
     keep = np.ones(point.size, dtype=np.bool_)
     unclear = np.zeros(point.size, dtype=np.bool_)
-    for shift in range(1, point.size):
-        # In the order of the lower ends of the first unknown: boxes that do not overlap in it have no overlap farther on.
-        near = (point[shift:] == point[:-shift]) & (alone[1, 0, :-shift] >= -alone[0, 0, shift:])
-        if not near.any():
-            break
-        first = np.flatnonzero(near)
-        second = first + shift
+    for first, second in neighbours(alone, point):
         alive = keep[first] & keep[second]
         first, second = first[alive], second[alive]
         one, other = ends[:, :, first], ends[:, :, second]
@@ -189,3 +183,14 @@ def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray
         unclear[second[~same & ~contractors.apart(one, other)]] = True
     unclear &= keep
     return np.flatnonzero(keep & ~unclear), np.flatnonzero(unclear)
+
+
+def neighbours(boxes: FloatArray, point: IntArray) -> Iterator[tuple[IntArray, IntArray]]:
+    """Rows of pairs of boxes of one point that overlap in the first unknown; sorted by point and lower end."""
+    for shift in range(1, point.size):
+        # In the order of the lower ends: boxes that do not overlap have no overlap farther on.
+        near = (point[shift:] == point[:-shift]) & (boxes[1, 0, :-shift] >= -boxes[0, 0, shift:])
+        if not near.any():
+            return
+        first = np.flatnonzero(near)
+        yield first, first + shift

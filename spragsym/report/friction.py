@@ -108,7 +108,7 @@ class _Law:
 
     def between(self, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Bounds of the law over boxes."""
-        arguments = self.balance.arguments(self.balance.prepared(Intervals.between(low, high)))
+        arguments = self.balance.over(Intervals.between(low, high))
         found = stacked([self.balance.friction(arguments)], low.shape[1:])
         return found.low[0], found.high[0]
 

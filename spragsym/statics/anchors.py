@@ -42,8 +42,7 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
     system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
     if system is None:
         return Roots.none(balance.n), done
-    with np.errstate(all="ignore"):
-        done = _stiffnesses(balance, given, "torsions").low[0] > 0
+    done = _stiffnesses(balance, given, "torsions").low[0] > 0
     return _of_points(system, given, regions, np.flatnonzero(done)), done
 
 
@@ -51,9 +50,8 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
     """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
     if not hasattr(balance.model.algebra, "stiffnesses"):
         return Roots.none(balance.n), np.zeros(given.shape[1], dtype=np.bool_)
-    with np.errstate(all="ignore"):
-        least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
-        stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
+    least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
+    stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
     return _of_any_spring(balance, given, regions, np.flatnonzero(stiff))
 
 
@@ -69,8 +67,9 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
     """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs, points)."""
-    values = balance.arguments(balance.prepared(Intervals.point(given)))
-    return stacked(balance.of_no_place(name, values), given.shape[1:])
+    values = balance.over(Intervals.point(given))
+    with np.errstate(all="ignore"):
+        return stacked(balance.of_no_place(name, values), given.shape[1:])
 
 
 def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, points: IntArray) -> tuple[Roots, BoolArray]:
@@ -78,8 +77,7 @@ def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, poin
     done = np.zeros(given.shape[1], dtype=np.bool_)
     parts: list[Roots] = []
     if balance.torsions:
-        with np.errstate(all="ignore"):
-            points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
+        points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
     for spring in range(balance.springs):
         points = points[~done[points]]
         system = _system(balance, given, spring, False) if points.size else None
@@ -119,7 +117,7 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
 def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
     """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
-    values = balance.arguments(balance.prepared(Intervals.point(given)))
+    values = balance.over(Intervals.point(given))
     stiffnesses = balance.of_no_place("stiffnesses", values)
     k = stacked(stiffnesses, shape)[system.spring]
     q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
@@ -200,12 +198,8 @@ def _apart(found: Roots, around: FloatArray) -> Roots:
     found = found.kept(~contractors.apart(found.ends, around[:, :, found.point]))
     roots, point = found.ends, found.point
     clear = contractors.within(roots, around[:, :, point])
-    for shift in range(1, point.size):
-        near = (point[shift:] == point[:-shift]) & (roots[1, 0, :-shift] >= -roots[0, 0, shift:])
-        if not near.any():
-            break
-        first = np.flatnonzero(near)
-        meet = first[~contractors.apart(roots[:, :, first], roots[:, :, first + shift])]
-        clear[meet] = clear[meet + shift] = False
+    for first, second in certified_roots.neighbours(roots, point):
+        meet = ~contractors.apart(roots[:, :, first], roots[:, :, second])
+        clear[first[meet]] = clear[second[meet]] = False
     found = found.kept(clear).besides(roots[:, :, ~clear], point[~clear])
     return found.kept(left=~contractors.apart(found.left, around[:, :, found.left_point]))

@@ -21,15 +21,9 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
 
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
-    C = _entries(balance, _values(balance, over))
+    C = _entries(balance, balance.over(over))
     entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not (isinstance(entry, int) and entry == 0)]
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
-
-
-def _values(balance: Balance, over: Intervals) -> dict[str, Any]:
-    """Arguments of generated functions for all values of the parameters."""
-    with np.errstate(all="ignore"):
-        return balance.arguments(balance.prepared(over))
 
 
 def _entries(balance: Balance, values: dict[str, Any], pushing: int | None = None) -> Any:
@@ -55,7 +49,7 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
     if friction is None or friction["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
-        C = matrix(_entries(balance, _values(balance, over), pushing=0), (1,))
+        C = matrix(_entries(balance, balance.over(over), pushing=0), (1,))
         # They are known on their own in lift-off.
         if not balance.opens or not C.magnitude.max() <= NOTHING:
             return None
@@ -65,7 +59,7 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
 def slope_over(balance: Balance, over: Intervals) -> Intervals:
     """The slope of the friction law over the ranges."""
     with np.errstate(all="ignore"):
-        return stacked([balance.slope(_values(balance, over))], (1,))[0]
+        return stacked([balance.slope(balance.over(over))], over.shape[1:])[0]
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:

@@ -231,7 +231,7 @@ def end_slopes(balance: Balance, values: Values, near: Any = 0) -> list[tuple[li
 
 def ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     """Whether the ends of all springs are linear in the coordinates."""
-    values = balance.arguments(balance.prepared(Intervals.point(given)))
+    values = balance.over(Intervals.point(given))
     slopes = end_slopes(balance, values, Intervals.between(np.array([-2.0]), np.array([3.0])))
     every = [entry for pair in slopes for row in pair for entry in row]
     return bool((stacked(every, (1,)).width < 1e-12).all()) if every else True

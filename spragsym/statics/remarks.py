@@ -48,7 +48,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         return []
     with np.errstate(all="ignore"):
         q = list(Intervals(left[:, :n]))
-        values = balance.arguments(balance.prepared(Intervals.point(np.nan_to_num(given))), varied)
+        values = balance.over(Intervals.point(np.nan_to_num(given)), varied)
         pole, anchor = balance.at_poles(q, values, (count,), np.inf), np.zeros(count, dtype=np.bool_)
         for dx, dy in balance.anchors(q, values, (count,)):
             anchor |= dx.holds_zero() & dy.holds_zero()

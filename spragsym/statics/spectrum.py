@@ -83,7 +83,7 @@ def decay(
     """
     shape = ends.shape[2:]
     with np.errstate(all="ignore"):
-        at = State(balance, list(Intervals(ends)), balance.arguments(balance.prepared(Intervals.point(given))), shape)
+        at = State(balance, list(Intervals(ends)), balance.over(Intervals.point(given)), shape)
         M, C, K = (matrix(part, shape) for part in (at.mass(), at.damping(), at.stiffness()))
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
@@ -169,13 +169,13 @@ def _with_digits(
     precise = PreciseBalance(balance, given, BITS)
     q = narrowed(precise, box, alone)
     with suppress(Undecided, ZeroDivisionError):
-        return None if q is None else _signs_at(balance, precise, q, ask)
+        return None if q is None else _signs_at(precise, q, ask)
     return None
 
 
-def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stability:
+def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     """The type of a state of balls; :class:`Undecided` where a sign that it takes is not decided."""
-    elementary, minors = _signs_at(balance, precise, q, _types)
+    balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
     low, high = balls.ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
     without = (low == 0 == high) | (balance.opens and not balance.contact)
     code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
@@ -184,7 +184,7 @@ def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stab
     return Stability(int(code[0]))
 
 
-def _signs_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:
+def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:
     """Signs of what is asked of a state of balls."""
-    parts = ask(State(balance, q, precise.arguments, (), xp=BALLS), precise.bits)
+    parts = ask(precise.state(q), precise.bits)
     return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

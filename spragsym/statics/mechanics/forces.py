@@ -124,6 +124,11 @@ class Forces:
         values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
         return values | self.with_angles(changed or {}, XP)
 
+    def over(self, bounds: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """:meth:`arguments` from parameters of shape (P, N)."""
+        with np.errstate(all="ignore"):
+            return self.arguments(self.prepared(bounds), changed)
+
     def _listed(self, values: Values, kind: str) -> list[Any]:
         return [values[name] for name in self.model.about["arguments"][kind]]
 

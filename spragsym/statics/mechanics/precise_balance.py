@@ -21,6 +21,7 @@ from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interva
 from ...numerics.krawczyk import Digits, as_intervals, narrowed, outward
 from ...numerics.reduction import Reduced, reduced_roots
 from .balance import Balance
+from .state import State
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
@@ -51,19 +52,19 @@ class PreciseBalance(Digits):
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Forces at coordinates."""
-        return self._called("forces", unknowns)
+        return self.state(unknowns).forces()
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """Stiffness at coordinates."""
-        return self._called("forces_jacobian", unknowns)
+        return self.state(unknowns).slopes()
 
     def gap(self, unknowns: Sequence[Any]) -> Any:
         """Gap of the contact at coordinates."""
-        return self.balance.gap(unknowns, self.arguments, XP)
+        return self.state(unknowns).gap()
 
-    def _called(self, name: str, q: Sequence[Any]) -> Sequence[Any]:
-        directions = self.balance.plain_directions(q, self.arguments, XP)
-        return self.balance.call(name, q, directions, self.arguments, XP)
+    def state(self, unknowns: Sequence[Any]) -> State:
+        """The evaluation at coordinates."""
+        return State(self.balance, unknowns, self.arguments, (), xp=XP)
 
 
 def renewed(found: Roots, around: FloatArray, points: IntArray, parts: Sequence[Roots]) -> Roots:

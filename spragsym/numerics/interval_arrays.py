@@ -118,6 +118,11 @@ class Intervals(Arithmetic):
         halved = 0.5 * self.ends
         return np.clip(halved[1] - halved[0], -self.ends[0], self.ends[1])
 
+    @property
+    def nearest_to_zero(self) -> FloatArray:
+        """The float in each that is nearest to 0."""
+        return np.clip(0.0, self.low, self.high)
+
     def holds_zero(self) -> BoolArray:
         """Whether each holds 0, or bounds nothing."""
         return ~((self.ends[0] < 0) | (self.ends[1] < 0))

@@ -155,12 +155,12 @@ class Balance(Forces, System):
 
     def by_rows(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
-        near = np.clip(0.0, unknowns.low, unknowns.high)
+        near = unknowns.nearest_to_zero
         return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
 
     def with_waves(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
         """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
-        near = np.clip(0.0, unknowns.low, unknowns.high)
+        near = unknowns.nearest_to_zero
         given = self.linear(unknowns, near, lambda q: self.by_coordinate("forces", q, directions, values, FREE))
         return np.fmin(contractors.by_rows(*given), unknowns.ends)
 

@@ -68,7 +68,7 @@ def by_contact_force(balance: Balance, ends: FloatArray, values: Values, directi
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and sines left free."""
     ends = _closed(balance, ends, values)
     unknowns = Intervals(ends)
-    near, shape = np.clip(0.0, unknowns.low, unknowns.high), unknowns.shape[1:]
+    near, shape = unknowns.nearest_to_zero, unknowns.shape[1:]
     force = _cut_off(stacked([balance.contact_force(list(unknowns), values, _Pressed(), FREE)], shape)[0])
     # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each coordinate.
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
@@ -88,7 +88,7 @@ def by_contact_force(balance: Balance, ends: FloatArray, values: Values, directi
 def _closed(balance: Balance, ends: FloatArray, values: Values) -> FloatArray:
     """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and the others."""
     unknowns = Intervals(ends)
-    near, shape = np.clip(0.0, unknowns.low, unknowns.high), unknowns.shape[1:]
+    near, shape = unknowns.nearest_to_zero, unknowns.shape[1:]
     at_near = stacked([balance.gap(list(Intervals.point(near)), values, FREE)], shape)[0]
     slopes = stacked(jets.gradient(balance.gap(jets.variables(list(unknowns), 1), values, FREE), balance.n), shape)
     shift = unknowns - Intervals.point(near)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from ...numerics.arithmetic import Matrix
 from ...numerics.interval_arrays import Shape
 from .balance import Balance
 from .forces import Values
@@ -36,31 +37,31 @@ class State:
         """Rows of the balance."""
         return self.balance.call("forces", self.q, self.directions, self.values, self.xp)
 
-    def slopes(self) -> list[list[Any]]:
+    def slopes(self) -> Matrix:
         """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
-        return [list(row) for row in self._slopes]
+        return self._slopes
 
     @cached_property
-    def _slopes(self) -> Any:
+    def _slopes(self) -> Matrix:
         return self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
 
-    def stiffness(self) -> list[list[Any]]:
+    def stiffness(self) -> Matrix:
         """The stiffness matrix K."""
         if not self.balance.sums:
-            return self.slopes()
-        return [list(row) for row in self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)]
+            return self._slopes
+        return self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)
 
     def gap(self) -> Any:
         """The gap of the contact."""
         return self.balance.gap(self.q, self.values, self.xp)
 
-    def mass(self) -> list[list[Any]]:
+    def mass(self) -> Matrix:
         """The mass matrix M."""
-        return [list(row) for row in self.balance.mass(self.q, self.values, self.xp)]
+        return self.balance.mass(self.q, self.values, self.xp)
 
-    def damping(self) -> list[list[Any]]:
+    def damping(self) -> Matrix:
         """C: dampers and slope of the friction law."""
-        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values, xp=self.xp)]
+        return self.balance.damping(self.q, self.directions, self.values, xp=self.xp)
 
     def slope(self) -> Any:
         """Slope of the friction law."""

@@ -22,8 +22,8 @@ from .with_scipy import Flight
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
 
-#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay open, at first and in the end.
-STEP, ROUGH, OPEN = 1e-5, 1e-4, 1e-9
+#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay open.
+STEP, OPEN = 1e-5, 1e-9
 
 #: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
 PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN), "scipy": (FINE, OPEN, CLOSED)}
@@ -99,7 +99,7 @@ class Onward:
         flow, guess = Flow(self.field, self.backend, fly), Guess(state[None], period, ())
         return solved(flow, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
 
-    def roughly(self, state: FloatArray, fixed: int, period: float, reach: float, precision: float = ROUGH) -> Loop:
+    def roughly(self, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
         """The closed orbit near a state of a section, where the number at the place ``fixed`` has its value, to some digits."""
         return self._near(self._forward, state, fixed, period, reach, precision, 9)
 

@@ -33,9 +33,6 @@ FEWEST = 3
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-6
 
-#: A multiplier beyond this repels, even if it is known to a digit only.
-REPELS = 2.0
-
 #: Cosine between neighbouring steps from which on they go in one direction; distance of the end from which on a drift goes past.
 ALIGNED, AWAY = 0.98, 0.5
 
@@ -104,7 +101,7 @@ def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Ou
     for k in _candidates(states):
         period = float(times[-1] - times[-1 - k])
         try:
-            orbit = _orbit(onward, places[-1], fixed, period, scale)
+            orbit = onward.closed(places[-1], fixed, period, 4 * CLOSE * float(scale.max()))
         except ConvergenceError:
             continue
         cycle = _Cycle(orbit, onward, scale, around)
@@ -172,19 +169,6 @@ def _passed(onward: Onward, state: FloatArray, goal: float, duration: float) -> 
 def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:
     """States with periodic coordinates shifted by whole turns nearer to a place."""
     return place + apart(states, place, around)
-
-
-def _orbit(onward: Onward, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
-    """The closed orbit near a state; ConvergenceError where there is none, or it is soon seen to be far away or to repel."""
-    reach = 4 * CLOSE * float(scale.max())
-    loop = onward.roughly(state, fixed, period, reach)
-    place = loop.states[0]
-    if (
-        np.abs(section(place - state, fixed) / scale).max() > 5 * CLOSE
-        or np.abs(np.linalg.eigvals(loop.monodromy)).max() > REPELS
-    ):
-        raise ConvergenceError("the closed orbit is too far away, or repels")
-    return onward.closed(place, fixed, loop.period, reach)
 
 
 def _scale(turns: FloatArray, fixed: int) -> FloatArray:

@@ -91,17 +91,11 @@ class Onward:
         turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
         return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
 
-    def _near(
-        self, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float, iterations: int
-    ) -> Loop:  # fmt: skip
+    def _near(self, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
         """The closed orbit to a precision that begins on the section of a state."""
         on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
         flow, guess = Flow(self.field, self.backend, fly), Guess(state[None], period, ())
-        return solved(flow, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
-
-    def roughly(self, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
-        """The closed orbit near a state of a section, where the number at the place ``fixed`` has its value, to some digits."""
-        return self._near(self._forward, state, fixed, period, reach, precision, 9)
+        return solved(flow, guess, on_section, reach=reach, precision=precision, closed=precision)
 
     def closed(self, state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one within ``reach``."""
@@ -109,13 +103,13 @@ class Onward:
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            guess = fine.roughly(state, fixed, period, reach, near).guess
+            guess = fine._near(fine._forward, state, fixed, period, reach, near).guess
             state, period = guess.states[0], guess.period
         fly: Fly = fine._central
         if self.backend != "compiled":
             fly = (taylor_of if self.backend == "heyoka" else Flight)(self.field, directions=0).fly
         try:
-            loop = once_round(self._near(fly, state, fixed, period, reach, precision, 12))
+            loop = once_round(self._near(fly, state, fixed, period, reach, precision))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
         place = loop.states[0]

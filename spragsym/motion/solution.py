@@ -29,7 +29,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
     A motion that comes to rest on a border is on either side of it by that error, and passes it no further.
     """
     t, states, chatter = solution.samples.t, solution.samples.states, set[int]()
-    least = max(10 * problem.rtol * float(np.abs(states).max()), 2 * GAP)
+    least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * GAP)
     for row, border in enumerate(problem.field.borders):
         own = [crossing for crossing in solution.crossings if crossing.border == row]
         if not own or not border.crossings[0]:

@@ -156,7 +156,7 @@ class Flight:
             reached = partial(_stepped, method, rates, begin, before, options=options)
             whole = dense(at) if self.interpolated else reached(at)
             for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
-                clear, rate = clearances(self.field, constants, mode, whole[:m])[row].tolist()
+                clear, rate = levels(self.field, constants, mode, whole[:m], inside=True)[row].tolist()
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = reached(at)
@@ -202,13 +202,16 @@ class Flight:
     def _first_crossing(self, piece: _Piece, constants: tuple[float, ...]) -> tuple[float, int] | None:
         """When the motion first leaves its mode, and through which border."""
 
+        def inside(whole: FloatArray) -> FloatArray:
+            return levels(self.field, constants, piece.mode, whole[: self.field.size], inside=True)
+
         def border(row: int, part: int, t: float) -> float:
             """Distance from one of the borders (part 0), or its rate (part 1)."""
-            return float(clearances(self.field, constants, piece.mode, piece.dense(np.asarray(t))[: self.field.size])[row, part])
+            return float(inside(piece.dense(np.asarray(t)))[row, part])
 
         found = []
-        for row, (clear, rate) in enumerate(clearances(self.field, constants, piece.mode, piece.samples[: self.field.size])):
-            bracket = _bracket(piece.t, clear, rate, partial(border, row))
+        for row, (distance, rate) in enumerate(inside(piece.samples)):
+            bracket = _bracket(piece.t, distance, rate, partial(border, row))
             if bracket is not None:
                 found.append((_root(partial(border, row, 0), *bracket), row))
         return min(found, default=None)
@@ -248,21 +251,14 @@ def first_step(problem: Problem, mode: Mode) -> float:
     return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
 
 
-def levels(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
-    """Levels of the borders of a mode and their rates: shape (borders, 2, …)."""
+def levels(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
+    """Levels of all borders and their rates, shape (borders, 2, …); or how far ``inside`` those of a mode, negative beyond."""
     accelerations = field.acceleration(states, constants, mode, ARRAYS)
     found = np.empty((len(field.borders), 2, *states.shape[1:]))
     for row, border in zip(found, field.borders, strict=True):
-        row[0], row[1] = border.level(states, constants, mode), border.rate(states, accelerations, constants, mode)
-    return found
-
-
-def clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
-    """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
-    found = levels(field, constants, mode, states)
-    for row, border in zip(found, field.borders, strict=True):
-        row *= border.sign(mode)
-        row[0] += GAP * border.kink
+        sign = border.sign(mode) if inside else 1
+        row[0] = sign * border.level(states, constants, mode) + GAP * (inside and border.kink)
+        row[1] = sign * border.rate(states, accelerations, constants, mode)
     return found
 
 

@@ -79,6 +79,7 @@ REFUSED = {
                                         "has no energy"),
     "a complex law": (LAW, "lambda depth: k_c * depth * (-1) ** 0.5", "page.contact(", "no real number"),
     "a force that pulls": ("page.contact(y, lambda depth: k_c * depth)", "page.normal_force(-F_L)", "normal_force", "pulls"),
+    "a force in N/m": ("page.contact(y, lambda depth: k_c * depth)", "page.normal_force(k_c)", "normal_force", "normal force"),
     "a belt backwards": ("page.friction(x, V", "page.friction(x, -V", "page.friction(", "may be negative"),
     "a unit too many": ("theta0 = page.p", 'q = page.unit("q", "N", "a force")\ntheta0 = page.p', '"a force"',
                         "can't become 1 too"),

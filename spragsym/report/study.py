@@ -446,9 +446,13 @@ class Study:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
         (self.report() if report is None else report).to_html(path)
 
+    def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
+        """Pairs that vary together, of some of the quantities."""
+        return {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)}
+
     def together(self, names: Sequence[str]) -> Dependence:
         """How some of the quantities vary together."""
-        return dependence(names, {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)})
+        return dependence(names, self.pairs(names))
 
     def __repr__(self) -> str:
         return f"Study({', '.join(f'{name}={self.shown(name)}' for name in self.quantities)})"

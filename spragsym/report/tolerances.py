@@ -116,11 +116,6 @@ def samples(study: Study, number: int) -> FloatArray:
     return study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number)) if names else np.zeros((1, 0))
 
 
-def correlated(study: Study) -> dict[tuple[str, str], float]:
-    """Pairs that vary together, of those that decide whether it jumps."""
-    return {pair: value for pair, value in study.correlation.items() if set(pair) <= set(varied(study))}
-
-
 def jumping(study: Study, shares: FloatArray) -> FloatArray:
     """1 for the brakes that jump, 0 for those that don't, and NaN where that is not known."""
     return ending(study, values_at(study, shares))
@@ -180,7 +175,7 @@ def chance(study: Study, n: int) -> JumpProbability:
     """How probable a jump is with the distributions of the file, what varies together included."""
     return estimated(
         {**study.values, **{name: study.quantities[name].whole for name in varied(study)}}, lambda values: ending(study, values),
-        correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True, replicates=8, workers=1, progress=False,
+        correlation=study.pairs(varied(study)), n=n, rng=0, confidence=0.95, sobol=True, replicates=8, workers=1, progress=False,
     )  # fmt: skip
 
 
@@ -208,7 +203,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     Of the belt's speed and the law's steepness only how much of μ₀ works is taken, from least to most.
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
-    if not names or len(names) > _MOST_SIDES or correlated(study) or not (study.of_friction or _all_works(study)):
+    if not names or len(names) > _MOST_SIDES or study.pairs(varied(study)) or not (study.of_friction or _all_works(study)):
         return 0.0, 1.0
 
     def law(name: str, scale: float) -> Any:

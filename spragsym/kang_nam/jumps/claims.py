@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -25,14 +24,6 @@ _ALL = math.pi + 1e-15
 #: How far a trial direction lies from the state it stands for, in units of how far that state moves within the box: the wide one
 #: leaves room for terms of second order, the narrow one is for boxes near a fold.
 _MARGINS = (0.7, 0.25)
-
-
-def by_parameter(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatArray]:
-    """∂f/∂π in contact for each parameter π, at the direction θ of the spring."""
-    with np.errstate(invalid="ignore"):
-        c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
-        pairs = _catastrophe.unfolding(c, s, c0, s0, *(values[name] for name in NAMES[1:]))
-    return {name: pair[0] for name, pair in zip(NAMES, pairs, strict=True)}
 
 
 def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
@@ -127,9 +118,11 @@ def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margi
 
 def _motion(values: dict[str, FloatArray], theta: FloatArray) -> dict[str, FloatArray]:
     """How an equilibrium moves with each parameter: dθ/dp by name."""
-    trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
-    slope = kernel.f_slope(np.cos(theta), np.sin(theta), *trig)
-    return {name: -change / slope for name, change in by_parameter(values, theta).items()}
+    c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
+    others = [values[name] for name in NAMES[1:]]
+    slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, *others, 1))
+    changes = _catastrophe.unfolding(c, s, c0, s0, *others)
+    return {name: -change / slope for name, (change, _) in zip(NAMES, changes, strict=True)}
 
 
 def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:

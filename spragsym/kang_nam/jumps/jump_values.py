@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -37,18 +36,6 @@ BLOCK = 1 << 13
 _LARGEST_ERROR = 1e-12
 
 
-@dataclass(frozen=True)
-class FirstJumps:
-    """For many points the value at which the state jumps and the direction of the spring there; NaN where it never does.
-
-    ``reasons`` says of which points, by their position in ``value.flat``, nothing is known, and why.
-    """
-
-    value: FloatArray
-    theta: FloatArray
-    reasons: Mapping[int, str]
-
-
 def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None) -> Ends:
     """The closed form of :func:`spragsym.design.jumps.first_ends`, along any of the six parameters, to 1e-12.
 
@@ -61,13 +48,7 @@ def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up",
     known = ("up",) if vary in FROM_LOWER_END else ("up", "down")
     if vary not in NAMES or direction not in known:
         raise NotInClosedForm
-    found = first_jumps(p, vary, direction)
-    at = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
-    with np.errstate(invalid="ignore"):
-        c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(at["theta0"]), np.sin(at["theta0"])
-        _, x, y = kernel.state(c, s, c0, s0, *(at[name] for name in ("kappa", "sigma", "beta")), 1)
-    state = np.stack(np.broadcast_arrays(x, y, found.value)[:2])
-    return Ends(found.value, np.full(found.value.shape, _LARGEST_ERROR), state, found.reasons)
+    return first_jumps(p, vary, direction)
 
 
 def require_usual(asked: Parameters | Space, vary: str, begin: FloatArray | float | None) -> None:
@@ -77,8 +58,8 @@ def require_usual(asked: Parameters | Space, vary: str, begin: FloatArray | floa
         raise NotInClosedForm
 
 
-def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:
-    """Where the reference state jumps first, with the direction of the spring on the fold at which it ends.
+def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> Ends:
+    """Where the reference state jumps first.
 
     With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
     number it lies.
@@ -97,7 +78,12 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
         marks = None if apart_from is None else apart_from.reshape(-1)[here]
         value[here], theta[here], reasons = _block(part, vary, forward, marks)
         hopeless |= {begin + i: reason for i, reason in reasons.items()}
-    return FirstJumps(value.reshape(shape), theta.reshape(shape), hopeless)
+    at = given | {vary: value}
+    with np.errstate(invalid="ignore"):
+        c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(at["theta0"]), np.sin(at["theta0"])
+        _, x, y = kernel.state(c, s, c0, s0, *(at[name] for name in ("kappa", "sigma", "beta")), 1)
+    state = np.stack([x, y]).reshape(2, *shape)
+    return Ends(value.reshape(shape), np.full(shape, _LARGEST_ERROR), state, hopeless)
 
 
 def _block(

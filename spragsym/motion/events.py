@@ -7,11 +7,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..numerics.interval_arrays import BoolArray
+from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.result import Result
 from .problem import Event, kinds_of
 from .segment import Crossing
@@ -37,7 +36,7 @@ class Events(Result):
 
     t: FloatArray
     state: FloatArray
-    which: NDArray[np.intp]
+    which: IndexArray
     components: tuple[str, ...] = field(repr=False)
 
     def __len__(self) -> int:

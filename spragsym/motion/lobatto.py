@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import IndexArray
 
 #: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is 7.
 DEGREE = 12
@@ -55,12 +55,12 @@ class PiecewisePolynomial:
         """States at times, which are not checked, shape (4, …)."""
         return self.at(self.step_of(times), times)
 
-    def step_of(self, times: FloatArray) -> NDArray[np.intp]:
+    def step_of(self, times: FloatArray) -> IndexArray:
         """Indices of the steps that contain these times."""
         steps = self.t[::DEGREE]
         return np.clip(np.searchsorted(steps, times, side="right") - 1, 0, len(steps) - 2)
 
-    def at(self, step: NDArray[np.intp], times: FloatArray) -> FloatArray:
+    def at(self, step: IndexArray, times: FloatArray) -> FloatArray:
         """States at times within given steps, by Lagrange's polynomials in barycentric form."""
         points, _ = lobatto()
         index = step[..., None] * DEGREE + np.arange(DEGREE + 1)

@@ -7,9 +7,9 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import IndexArray
 from .lobatto import PiecewisePolynomial
 
 #: Turning points that are kept of a motion, the latest: what is known of it needs no more memory the longer it runs.
@@ -33,7 +33,7 @@ class Course:
     maxima: FloatArray
     integrals: FloatArray
     minima: FloatArray
-    events: NDArray[np.intp]
+    events: IndexArray
     reach: tuple[float, float]
 
     def moments(self, row: int = -1) -> tuple[float, float]:
@@ -48,7 +48,7 @@ class Course:
         return np.array([self.moments()[0], *(self.integrals[-1, 2:] / (self.end - self.begin))])
 
 
-def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
+def course_of(samples: PiecewisePolynomial, events: IndexArray) -> Course:
     """The course of a motion given by its samples, and the number of events of each kind."""
     t, states = samples.t, samples.states
     n = len(states) // 2

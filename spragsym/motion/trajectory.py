@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..display import Table, caption, words
 from ..errors import ParameterError
@@ -16,6 +16,7 @@ from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers, degrees
+from ..numerics.interval_arrays import IndexArray
 from ..results.named_columns import Named
 from ..statics.search import rest_index
 from . import pictures, spectra
@@ -286,10 +287,10 @@ class Trajectory(Named):
         gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
         return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
 
-    def _pushing(self) -> NDArray[np.intp]:
+    def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)
 
-    def _event_counts(self) -> NDArray[np.intp]:
+    def _event_counts(self) -> IndexArray:
         """How often each kind of event happened, from the samples alone, which include all events."""
         gap, slip = self._levels()
         changes = [np.diff((level > 0).astype(int)) for level in (gap, -slip)]

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .interval_arrays import BoolArray, FloatArray, Int8Array
+from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array
 from .rounded import UNIT, Rounded
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
@@ -29,7 +28,7 @@ SCALE = 1.0703125
 class Parts(NamedTuple):
     """Parts of 0 < w < 1, each with the coefficients of its row's polynomial there, of shape (degree + 1, parts)."""
 
-    row: NDArray[np.intp]
+    row: IndexArray
     low: FloatArray
     width: FloatArray
     value: FloatArray
@@ -40,7 +39,7 @@ class Parts(NamedTuple):
 class Roots:
     """Roots of many polynomials: rows, t with a radius that is proved, and the sign of the slope there; and undecided rows."""
 
-    row: NDArray[np.intp]
+    row: IndexArray
     t: Rounded
     rising: Int8Array
     undecided: BoolArray
@@ -184,7 +183,7 @@ def _de_casteljau(value: FloatArray) -> tuple[FloatArray, FloatArray]:
     return lower, upper
 
 
-def _open_at_the_cut(parts: Parts) -> NDArray[np.intp]:
+def _open_at_the_cut(parts: Parts) -> IndexArray:
     """Lower halves whose value at the cut has no sign: more halvings would not give it one."""
     half = parts.row.size // 2
     return np.flatnonzero(np.abs(parts.value[-1, :half]) <= parts.error[-1, :half])

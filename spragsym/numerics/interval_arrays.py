@@ -27,6 +27,7 @@ from .arithmetic import Arithmetic, Matrix
 FloatArray: TypeAlias = NDArray[np.float64]
 BoolArray: TypeAlias = NDArray[np.bool_]
 IntArray: TypeAlias = NDArray[np.int64]
+IndexArray: TypeAlias = NDArray[np.intp]
 Int8Array: TypeAlias = NDArray[np.int8]
 ComplexArray: TypeAlias = NDArray[np.complex128]
 Shape: TypeAlias = tuple[int, ...]

@@ -6,10 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.model_field import undecorated
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, Intervals
 from ..numerics.jets import variables
 from ..results.equilibria import Equilibria, Stability
 from .mechanics.laws import XP
@@ -21,7 +20,7 @@ EQUAL = 1e-9
 POSITIVE = 1e-6
 
 
-def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None = None) -> NDArray[np.intp]:
+def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
     """The slot of the stable equilibrium of least strain energy, for each point; where none is stable, of any of least strain.
 
     ``eq`` is in contact, of any shape, slots are the last axis; ``near`` are coordinates to which it is the nearest, instead.
@@ -38,7 +37,7 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
 
 def chosen_state(
     model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: BoolArray, near: Mapping[str, float] | None
-) -> NDArray[np.intp]:
+) -> IndexArray:
     """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
     if near is not None:
         off = np.linalg.norm([q[model.coordinates.index(name)] - value for name, value in near.items()], axis=0)

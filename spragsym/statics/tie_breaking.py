@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..numerics.interval_arrays import FloatArray, IntArray
+from ..numerics.interval_arrays import FloatArray, IndexArray, IntArray
 
 #: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes and distances are rounded, too.
 ALIKE = 8.0
@@ -13,7 +12,7 @@ ALIKE = 8.0
 EQUAL = 1e-12
 
 
-def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDArray[np.intp]:
+def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> IndexArray:
     """The slot of the least measure, and of those that are alike the one of larger coordinates, the first one first.
 
     ``measure`` and ``error``, bounds over max(1, |coordinate|), have the shape (..., slots), the coordinates ``states`` have
@@ -36,7 +35,7 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> ND
     return left.argmax(axis=-1)
 
 
-def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> NDArray[np.intp]:
+def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray:
     """Numbers of states of some points in their order: by the rows from the first on, of which those that agree decide nothing.
 
     Two states that mirror each other have equal coordinates, of which rounding would make a first and a second. ``rows`` are

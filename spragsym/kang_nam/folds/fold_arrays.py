@@ -12,12 +12,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...models.parameters import NAMES, FloatArray
 from ...numerics import bernstein
 from ...numerics.half_angle import on_circle
-from ...numerics.interval_arrays import BoolArray, Int8Array
+from ...numerics.interval_arrays import BoolArray, IndexArray, Int8Array
 from ...numerics.rounded import Rounded, cosine_and_sine
 from ..quartic import kernel
 
@@ -30,7 +29,7 @@ class FoldArrays:
     ``undecided`` nothing is listed.
     """
 
-    row: NDArray[np.intp]
+    row: IndexArray
     value: Rounded
     best: Rounded
     t: Rounded
@@ -38,7 +37,7 @@ class FoldArrays:
     upper: BoolArray
     undecided: BoolArray
 
-    def rows(self, index: NDArray[np.intp]) -> FoldArrays:
+    def rows(self, index: IndexArray) -> FoldArrays:
         """Some of them."""
         value, best, t = (number.rows(index) for number in (self.value, self.best, self.t))
         return FoldArrays(self.row[index], value, best, t, self.side[index], self.upper[index], self.undecided)
@@ -114,7 +113,7 @@ def _without_alpha(values: list[Rounded], size: int) -> FoldArrays:
     return _merged(both, size)
 
 
-def _merged(parts: list[tuple[NDArray[np.intp], FoldArrays]], size: int) -> FoldArrays:
+def _merged(parts: list[tuple[IndexArray, FoldArrays]], size: int) -> FoldArrays:
     """Folds of several sets of points, each with the places of its points among ``size``."""
     undecided = np.zeros(size, dtype=np.bool_)
     for rows, part in parts:
@@ -237,5 +236,5 @@ def _rounded(parts: Iterable[Any]) -> list[Rounded]:
     return [part if isinstance(part, Rounded) else Rounded(np.float64(part)) for part in parts]
 
 
-def _rows(part: Any, index: NDArray[np.intp]) -> Any:
+def _rows(part: Any, index: IndexArray) -> Any:
     return part.rows(index) if isinstance(part, Rounded) else part

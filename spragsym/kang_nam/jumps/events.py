@@ -11,11 +11,11 @@ import math
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...design.jump_ends import FROM_LOWER_END
 from ...models.parameters import NAMES, FloatArray, Parameters
 from ...numerics import bernstein
+from ...numerics.interval_arrays import IndexArray
 from ...numerics.rounded import UNIT
 from ...questions import NotInClosedForm
 from ...results.equilibria import Stability
@@ -63,7 +63,7 @@ def have_jumped(
     return out.reshape(p.shape)
 
 
-def _decided(given: Mapping[str, FloatArray]) -> tuple[FloatArray, NDArray[np.intp]]:
+def _decided(given: Mapping[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     """1 for points that have jumped, else 0, and those of which the signs do not tell."""
     bare = equilibria(Parameters(**{**given, "mu0": np.zeros_like(given["mu0"])}))
     full = equilibria(Parameters(**given))

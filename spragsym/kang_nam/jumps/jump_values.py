@@ -13,7 +13,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...bifurcation.paths import first_end
 from ...design.design_space import Space
@@ -21,7 +20,7 @@ from ...design.jump_ends import FIRST_ANGLE, FROM_LOWER_END, Ends
 from ...errors import ConvergenceError
 from ...models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ...numerics.balls import Undecided
-from ...numerics.interval_arrays import BoolArray, Int8Array
+from ...numerics.interval_arrays import BoolArray, IndexArray, Int8Array
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Stability
 from ..folds import fold_arrays
@@ -116,7 +115,7 @@ def _block(
     return value, theta, reasons
 
 
-def small(eq: Equilibria) -> NDArray[np.intp]:
+def small(eq: Equilibria) -> IndexArray:
     """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable, of each of many points."""
     size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
     stable = np.where(eq.stability == Stability.STABLE, size, np.inf)
@@ -124,9 +123,9 @@ def small(eq: Equilibria) -> NDArray[np.intp]:
 
 
 def _walk(
-    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: NDArray[np.intp], count: Int8Array,
+    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: IndexArray, count: Int8Array,
     undecided: BoolArray,
-) -> tuple[FloatArray, FloatArray, NDArray[np.intp]]:  # fmt: skip
+) -> tuple[FloatArray, FloatArray, IndexArray]:  # fmt: skip
     """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``.
 
     Gives the value and θ of each jump, and which folds among those jumped at are known to too few digits.
@@ -163,7 +162,7 @@ def _walk(
 
 
 def _with_more_digits(
-    vary: str, given: Mapping[str, FloatArray], found: fold_arrays.FoldArrays, coarse: NDArray[np.intp], value: FloatArray
+    vary: str, given: Mapping[str, FloatArray], found: fold_arrays.FoldArrays, coarse: IndexArray, value: FloatArray
 ) -> None:
     """Put the values of some folds in place to the digits that are wanted, NaN where that fails."""
     for k in coarse:

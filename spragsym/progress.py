@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import itertools
-import shutil
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 
 from .errors import ParameterTypeError
@@ -17,8 +16,6 @@ Listener = Callable[[str], object]
 
 #: Seconds after which a computation is said to go on where no terminal shows it.
 LONG = 10.0
-#: Seconds after which a terminal shows what has changed, and what empties its line.
-OFTEN, CLEAR = 0.1, "\r\x1b[K"
 
 
 class _Work:
@@ -59,7 +56,7 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     Notes
     -----
     Only the thread that asked is listened to, and nothing that is computed depends on it. Within a block another one may stand:
-    until its end it is that one which is told. Sweeps, fate maps and probabilities have a line of their own, ``progress=True``.
+    until its end it is that one which is told. Sweeps, fate maps and probabilities have a bar of their own, ``progress=True``.
 
     Examples
     --------
@@ -110,19 +107,30 @@ def tell(text: str, *values: object) -> None:
         work.listener(str(work))
 
 
+def _line(work: _Work) -> AbstractContextManager[object]:
+    """A line on stderr."""
+    from rich.console import Console
+    from rich.text import Text
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        return _lines(work)
+    status = console.status(Text(str(work)))
+    work.listener = lambda text: status.update(Text(text))
+    return status
+
+
 @contextmanager
-def _line(work: _Work) -> Iterator[None]:
-    """A line on a terminal; elsewhere one after :data:`LONG` seconds, and further ones after twice the time each."""
-    begun, done, terminal = time.monotonic(), threading.Event(), sys.stderr is not None and sys.stderr.isatty()
+def _lines(work: _Work) -> Iterator[None]:
+    """A line after :data:`LONG` seconds, and further ones after twice the time each."""
+    begun, done = time.monotonic(), threading.Event()
 
     def say() -> None:
-        wait = OFTEN if terminal else LONG
+        wait = LONG
         while not done.wait(wait):
-            if terminal:
-                print(f"{CLEAR}{str(work)[: shutil.get_terminal_size().columns - 1]}", end="", file=sys.stderr, flush=True)
-            else:
-                wait = time.monotonic() - begun
-                print(f"{work}: {wait:.0f} s so far", file=sys.stderr)
+            spent = time.monotonic() - begun
+            print(f"{work}: {spent:.0f} s so far", file=sys.stderr)
+            wait = spent
 
     teller = threading.Thread(target=say, daemon=True)
     teller.start()
@@ -131,18 +139,20 @@ def _line(work: _Work) -> Iterator[None]:
     finally:
         done.set()
         teller.join()
-        print(CLEAR if terminal else "", end="", file=sys.stderr)
 
 
 @contextmanager
 def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
-    """A function to call after every point, which moves a line if one is wanted, and else tells who listens."""
-    begun, made = time.monotonic(), itertools.count(1)
+    """A function to call after every point, which moves a bar if one is wanted, and else tells who listens."""
+    if not progress:
+        made = itertools.count(done + 1)
+        with doing("{} of {} points", done, total):
+            yield lambda: tell("{} of {} points", next(made), total)
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeElapsedColumn, TimeRemainingColumn
 
-    def step() -> None:
-        new = next(made)
-        left = (time.monotonic() - begun) / new * (total - done - new)
-        tell("{} of {} points, {:.0f} s left", done + new, total, left)
-
-    with show_progress() if progress else nullcontext(), doing("{} of {} points", done, total):
-        yield step
+    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), "ends in", TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True)) as bar:
+        task = bar.add_task("", total=total, completed=done)
+        yield lambda: bar.advance(task)

@@ -183,7 +183,7 @@ transient: Decorator = click.option(
     "--transient", type=Number(NOT_NEGATIVE),
     help="What to leave out of RMS, largest displacement and period. Default: three quarters of --t-end.",
 )  # fmt: skip
-quiet: Decorator = click.option("--quiet", "-q", is_flag=True, help="No line of progress.")
+quiet: Decorator = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 trust: Decorator = click.option("--trust", is_flag=True, help=TRUST)
 force: Decorator = click.option("--force", is_flag=True, help="Overwrite files that are in the way.")
 as_json: Decorator = click.option("--json", "json_output", is_flag=True, help="Print JSON instead of a table.")

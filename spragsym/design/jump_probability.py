@@ -81,7 +81,7 @@ def jump_probability(
     workers : int or map-like callable
         Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask client's. The result is the same.
     progress : bool
-        Show a line on stderr.
+        Show a bar on stderr.
     method : {"auto", "closed", "search"}
         Whether what is asked of each point may be answered by closed forms.
 

@@ -25,7 +25,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 #: What ``pip install spragsym`` brings, by the names of its folders in site-packages.
 RUNTIME = (
-    "numpy", "numpy.libs", "scipy", "scipy.libs", "mpmath", "click", "filelock",
+    "numpy", "numpy.libs", "scipy", "scipy.libs", "mpmath", "click", "rich", "pygments", "markdown_it*", "mdurl", "filelock",
     "lazy_loader",
 )  # fmt: skip
 

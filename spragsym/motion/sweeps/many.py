@@ -63,7 +63,7 @@ def rms_sweep(
         futures with a ``result()``, in any order. A task is a point; of many points that heyoka integrates, up to 1024 of them.
         Results are the same to the last bit for any.
     progress : bool
-        Show a line with the estimated end on stderr.
+        Show a bar with the estimated end on stderr.
     store : path, optional
         ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call resumes
         from there after a kill, and loads the file when it is finished. One process at a time may write to it.

@@ -46,17 +46,19 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
     if preload < _TOO_LIGHT:
         raise _indistinct(fixed.kappa, "they all but coincide")
+    on_them = cusps(p)
+    ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
+    on_them = on_them.select(ahead)
     found = []
-    for points in curves(_FOLD, fixed, np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), directions(fixed)]), 4 / n):
+    begin = np.exp(np.linspace(-_FAR, _FAR, n // 4)), directions(fixed), np.abs(np.tan(on_them.theta / 2))
+    for points in curves(_FOLD, fixed, np.concatenate(begin), 3 / n):
         curve = _curve(points, fixed)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
         if curve.y[len(curve) // 2] < 0:
             found.append(curve)
     if preload < _LIGHT:
         _compare(found, p)
-    on_them = cusps(p)
-    ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
-    return BifurcationSet(("theta0", "mu0"), tuple(found), on_them.select(ahead), True)
+    return BifurcationSet(("theta0", "mu0"), tuple(found), on_them, True)
 
 
 def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:

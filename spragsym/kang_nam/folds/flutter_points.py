@@ -143,7 +143,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     kappa, _, sigma, beta = fixed
     found = []
     directions = 1 + np.exp(np.linspace(-_FAR, _FAR, n // 2))  # flutter needs π/2 < θ < π
-    for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 8 / n)):
+    for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 6 / n)):
         with np.errstate(all="ignore"):
             L, x, y = kernel.state(*on_circle(t)[:2], np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
         good = (y < 0) & (mu0 > 0)

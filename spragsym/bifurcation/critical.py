@@ -19,7 +19,7 @@ from ..results.lowest_ends import LowestEnd
 from ..results.points import Points
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
-from ..statics.reference_state import reference_state
+from ..statics.reference_state import nearest_state, reference_state
 from ..statics.remarks import of_ranges
 from .bifurcation import extrema
 from .bifurcation_conditions import TOUCH, TOUCH_TURN
@@ -387,9 +387,8 @@ class _Search:
         if below > self.low:
             state = carried(self.balance, here, self.vary, np.array([self.low, below]), state)[:, -1]
         eq = equilibria(here.replace(**{self.vary: below}))
-        states = np.array([eq.coordinates[name][: int(eq.count)] for name in self.balance.coordinates])
-        slot = int(np.linalg.norm(states - state[:, None], axis=0).argmin())
-        return first_end(here, self.vary, (below, limit), start=slot)
+        slot = nearest_state(eq, dict(zip(self.balance.coordinates, state.tolist(), strict=True)))
+        return first_end(here, self.vary, (below, limit), start=int(slot))
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
         """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided."""

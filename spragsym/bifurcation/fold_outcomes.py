@@ -18,8 +18,8 @@ from ..numerics.jets import constant, gradient, variables
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.equilibria import equilibria
+from ..statics.reference_state import nearest_state
 from ..statics.stability import with_a_zero
-from ..statics.tie_breaking import least_slot
 from .bifurcation_conditions import FOLD, change
 from .defining_systems import Augmented
 from .families import Family
@@ -90,16 +90,14 @@ def _afterwards(points: Points) -> dict[str, FloatArray]:
 
 def _after(points: Points, row: int, forward: int) -> dict[str, float]:
     """The nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain."""
-    vary, names = points.vary[0], points.parameters.model.coordinates
+    vary = points.vary[0]
     value, allowed = float(getattr(points, vary)[row]), points.parameters.ranges[vary]
     beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
     beyond = beyond if allowed.low < beyond < allowed.high else value
     here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
-    slots = [slot for slot in range(int(here.count)) if here.stability[slot] == Stability.STABLE]
-    if not (here.decided and slots):
+    stable = here.stability == Stability.STABLE
+    if not (here.decided and stable.any()):
         return {}
-    before = np.array([getattr(points, name)[row] for name in names])
-    behind = np.array([getattr(here, name)[slots] for name in names])
-    apart = np.linalg.norm(behind - before[:, None], axis=0)
-    slot = slots[int(least_slot(apart, behind, here.error[slots] + points.error[row]))]
+    before = {name: float(getattr(points, name)[row]) for name in points.parameters.model.coordinates}
+    slot = nearest_state(here, before, stable, here.error + points.error[row])
     return {name: float(getattr(here, name)[slot]) for name in points.columns}

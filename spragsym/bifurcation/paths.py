@@ -24,7 +24,7 @@ from ..results.points import Points
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
-from ..statics.reference_state import chosen_state
+from ..statics.reference_state import chosen_state, nearest_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, one_each, with_state
@@ -427,42 +427,30 @@ class _Way:
         if choose is None and end.kind == INFINITY:
             raise ConvergenceError(f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes")
         if choose is None:
-            stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE or (count == 1 and eq.whole)]
-            if not stable:
+            stable = (eq.stability == Stability.STABLE) | (count == 1 and eq.whole)
+            if not stable[:count].any():
                 raise ConvergenceError(
                     f"{ends}, and nothing stable in contact is left there: end the path before it, or say in Python by "
                     "after_jump where it goes"
                 )
-            states = np.array([eq.coordinates[name][stable] for name in before])
-            apart = np.linalg.norm(states - np.array(list(before.values()))[:, None], axis=0)
-            slot = stable[int(least_slot(apart, states, eq.error[stable] + end.error))]
+            slot = int(nearest_state(eq, before, stable, eq.error + end.error))
         else:
             slot = choose(eq, before)
             if not 0 <= slot < count:
                 raise ParameterError(f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}")
-        behind = np.array([float(eq.coordinates[name][slot]) for name in before])
-        after = dict(zip(before, self._at_end(end, behind), strict=True))
+        behind = {name: float(eq.coordinates[name][slot]) for name in before}
+        at_end = equilibria(self.p.replace(**{self.vary: end.value}))
+        after = behind
+        if at_end.decided and at_end.count:
+            nearest = nearest_state(at_end, behind)
+            after = {name: float(at_end.coordinates[name][nearest]) for name in before}
         kind = Stability(int(eq.stability[slot]))
         places = {name: np.array([value]) for name, value in after.items()}
         at = one_each(self.p.replace(**{self.vary: [end.value]}), places, np.zeros(1, dtype=np.int8), end.error)
         whole = {name: float(self._column(name)[number]) for name in at.columns}
         after = {name: float(getattr(at, name)[0, 0]) for name in at.columns}
-        return self._slot(stop, behind), Jump(end.value, end.kind, whole, after, kind, end.error)
-
-    def _slot(self, stop: int, state: FloatArray) -> int:
-        """The slot at a stop of a state: another search may list those in another order whose first coordinates are alike."""
-        count = int(self.eq.count[stop])
-        known = np.array([self.eq.coordinates[name][stop, :count] for name in self.balance.coordinates])
-        return int(np.linalg.norm(known - state[:, None], axis=0).argmin())
-
-    def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
-        """Coordinates at the end of a branch of the state that has these at the stop behind it."""
-        eq = equilibria(self.p.replace(**{self.vary: end.value}))
-        states = np.array([eq.coordinates[name][: int(eq.count)] for name in end.before])
-        if not eq.decided.all() or not states.size:
-            return [float(value) for value in behind]
-        nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
-        return [float(value) for value in states[:, nearest]]
+        # Another search may list the states at the stop in another order.
+        return int(nearest_state(self.eq, behind)[stop]), Jump(end.value, end.kind, whole, after, kind, end.error)
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""

@@ -35,13 +35,24 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
     return chosen_state(model, eq.parameters, q, eq.error, among, near)
 
 
+def nearest_state(
+    eq: Equilibria, near: Mapping[str, float], among: NDArray[np.bool_] | bool = True, error: float | FloatArray = 0.0
+) -> NDArray[np.intp]:
+    """The slot of the equilibrium that is nearest to a state, for each point, among all or some; distances have these errors."""
+    q = [eq.coordinates[name] for name in near]
+    return _nearest(q, [row - value for row, value in zip(q, near.values(), strict=True)], error, ~np.isnan(q[0]) & among)
+
+
+def _nearest(q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, among: NDArray[np.bool_]) -> NDArray[np.intp]:
+    return least_slot(np.where(among, np.linalg.norm(off, axis=0), np.inf), np.array(q), error)
+
+
 def chosen_state(
     model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: BoolArray, near: Mapping[str, float] | None
 ) -> IndexArray:
     """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
     if near is not None:
-        off = np.linalg.norm([q[model.coordinates.index(name)] - value for name, value in near.items()], axis=0)
-        return least_slot(np.where(among, off, np.inf), np.array(q), error)
+        return _nearest(q, [q[model.coordinates.index(name)] - value for name, value in near.items()], error, among)
     (_, point), *_ = model.cases()
     missing = {
         name: getattr(point, name) for name in model.parameters if getattr(p, name) is None

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
+from itertools import chain
 from typing import TypeAlias
 
 import numpy as np
@@ -28,6 +29,8 @@ from .seen import VALUES, with_seen
 
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
+#: Points of one search, their kinds and their ω.
+_Part: TypeAlias = tuple[Found, list[str], list[float]]
 
 
 @question
@@ -117,7 +120,7 @@ def flutter_onsets(
             out, more, omega = with_seen(Augmented(family, condition), out)
             followed = np.isfinite(omega)
             alone, others = (replace(out, roots=more.kept(some)) for some in (followed, ~followed))
-            seen.append(_Part(alone, np.full(followed.sum(), "detected"), omega[followed]))
+            seen.append((alone, ["detected"] * int(followed.sum()), omega[followed].tolist()))
             seen.append(_part(family, others, "detected", frequencies))
         parts.append(_part(family, out, kind, frequencies))
     parts[1:1] = seen
@@ -127,15 +130,6 @@ def flutter_onsets(
 # ------------------------------------------------------------------------------------------------------- frequencies
 
 
-@dataclass(frozen=True)
-class _Part:
-    """Points of one search."""
-
-    found: Found
-    kind: NDArray[np.str_]
-    omega: FloatArray
-
-
 def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> _Part:
     """A row for each frequency that a root has; none for roots whose λ are real."""
     rows, omega = list[int](), list[float]()
@@ -143,8 +137,7 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
         some = frequencies(*each)
         omega += some
         rows += [row] * len(some)
-    kept = replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64)))
-    return _Part(kept, np.full(len(rows), kind), np.array(omega))
+    return replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64))), [kind] * len(rows), omega
 
 
 def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
@@ -185,17 +178,17 @@ def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
 
 def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     """All parts in one result; ``flat`` where the last is of places without slope."""
-    first, roots, (vary,) = parts[0].found, [part.found.roots for part in parts], family.vary
-    every = concatenated(roots, family.balance.n + 1)
-    kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
-    remarks = _undamped(family, roots[-1].left) if flat else ()
-    remarks += _at_ends(family, first.region[:, -1, 0], every.left)
+    found, kinds, frequencies = zip(*parts, strict=True)
+    kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
+    every = concatenated([one.roots for one in found], family.balance.n + 1)
+    remarks = _undamped(family, found[-1].roots.left) if flat else ()
+    remarks += _at_ends(family, found[0].region[:, -1, 0], every.left)
     if detected := int((kind == "detected").sum()):
         remarks += (f"{detected} onsets are numerically detected between two of {VALUES} values, and not proved",)
     elif every.left.shape[2] and not flat:
-        remarks += (f"floats see no other onset between two of {VALUES} values of {vary}",)
-    region = np.minimum.reduce([part.found.region for part in parts])
-    whole = np.logical_and.reduce([part.found.whole for part in parts])
+        remarks += (f"floats see no other onset between two of {VALUES} values of {family.vary[0]}",)
+    region = np.minimum.reduce([one.region for one in found])
+    whole = np.logical_and.reduce([one.whole for one in found])
     return arranged(family, Found(every, region, whole), kind, {"omega": omega}, remarks)
 
 

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet, as_count
 from ..numerics import contractors
-from ..numerics.balls import Undecided
 from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..questions import model_of
@@ -28,8 +27,8 @@ from .defining_systems import Condition
 from .families import Family
 from .flutter import meeting
 from .fold_curves import FoldCurves
-from .normal_forms import NormalForm, normal_form
-from .onsets import told
+from .normal_forms import NormalForm
+from .onsets import form_or_why, told
 from .points import arranged, matrices, nothing, search
 
 #: Points of the plane that are nearer than this share of its scales are one.
@@ -262,16 +261,11 @@ class _Plane(Family):
         ends, good = curves.enclosed(states, np.abs(curves.tangents(states)).argmax(axis=0))
         middle = Intervals(ends).middle
         radii = contractors.distance(ends, middle)
+        given = self.at(middle[self.balance.n :])
         return [
-            self._form(state, radius) if known else UNPROVED for state, radius, known in zip(middle.T, radii.T, good, strict=True)
+            form_or_why(self.p.model, given[:, k], middle[: self.balance.n, k], self.vary, radii[:, k]) if good[k] else UNPROVED
+            for k in range(good.size)
         ]
-
-    def _form(self, state: FloatArray, radii: FloatArray) -> NormalForm | str:
-        n = self.balance.n
-        try:
-            return normal_form(self.p.model, self.at(state[n:, None])[:, 0], state[:n], self.vary, radii)
-        except Undecided as reason:
-            return str(reason)
 
     def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str] = ()) -> Curve:
         """The points with what is known of them; without forms none has one."""

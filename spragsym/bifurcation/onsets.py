@@ -94,15 +94,10 @@ class Onsets(Points):
     def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
             return UNDAMPED
-        from .normal_forms import normal_form  # many who ask for onsets never ask for this
-
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
-        try:
-            return normal_form(self.parameters.model, self.given(row), state, vary, radii)
-        except Undecided as reason:
-            return str(reason)
+        return form_or_why(self.parameters.model, self.given(row), state, vary, radii)
 
     def given(self, row: int) -> FloatArray:
         """Parameters of one of them, in the order of the model."""
@@ -111,6 +106,16 @@ class Onsets(Points):
     def state(self, row: int) -> FloatArray:
         """Coordinates of one of them."""
         return np.array([getattr(self, name)[row] for name in self.parameters.model.coordinates])
+
+
+def form_or_why(*point: Any) -> Any:
+    """The normal form of a point, arguments as of :func:`.normal_forms.normal_form`, or why it has none."""
+    from .normal_forms import normal_form  # many who ask for onsets never ask for this
+
+    try:
+        return normal_form(*point)
+    except Undecided as reason:
+        return str(reason)
 
 
 def told(form: Any) -> tuple[str, str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...numerics.interval_arrays import FloatArray
 from .tube_regions import Flags, Parts, Place
@@ -69,25 +70,25 @@ def past(tubes: Tubes, parts: Parts, start: Place, forward: int, by: FloatArray)
             on = np.flatnonzero(open_ & ((goal - here.z[tubes.n]) * forward > 0) & (step > least))
             if not on.size:
                 break
-            good, end, by_s[:, on] = _on(
-                tubes, some[on], here[on], by_s[:, on], (towards * step)[on], pivot, forward * towards[on]
-            )
+            good = _moved_on(tubes, some, here, by_s, on, (towards * step)[on], pivot, forward * towards[on])
             step[on] *= np.where(good, 1.5, 0.25)
-            here.put(on[good], end[good])
         here.sure[:] = open_ & (here.z[tubes.n] != start.z[tubes.n, rows])
         out.put(rows, here)
     return out
 
 
-def _on(
-    tubes: Tubes, parts: Parts, at: Place, by_s: FloatArray, step: FloatArray, pivot: int, moving: FloatArray
-) -> tuple[Flags, Place, FloatArray]:
-    """One segment in which v moves on: whether that is proved, its end, and dz/ds there, or at the start where it is not."""
-    good, end, tube = tubes.segment(parts, at, at.z + by_s * step, pivot)
-    then = tubes.tangents(parts, end.z, pivot)[0]
-    mean = 0.5 * (by_s + then)
-    good[good] = tubes.rises(parts[good], tube[good], mean[:, good], pivot) == moving[good]
-    return good, end, np.where(good, then, by_s)
+def _moved_on(
+    tubes: Tubes, parts: Parts, here: Place, by_s: FloatArray, rows: NDArray[np.intp], step: FloatArray, pivot: int,
+    moving: FloatArray,
+) -> Flags:  # fmt: skip
+    """One segment of some rows: where it is proved that v moves on in it ``here`` and dz/ds become those at its end."""
+    good, end, tube = tubes.segment(parts[rows], here[rows], here.z[:, rows] + by_s[:, rows] * step, pivot)
+    then = tubes.tangents(parts[rows], end.z, pivot)[0]
+    mean = 0.5 * (by_s[:, rows] + then)
+    good[good] = tubes.rises(parts[rows[good]], tube[good], mean[:, good], pivot) == moving[good]
+    here.put(rows[good], end[good])
+    by_s[:, rows[good]] = then[:, good]
+    return good
 
 
 def _size(z: FloatArray) -> FloatArray:
@@ -132,11 +133,8 @@ def _proved(
         rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > LEAST))
         if not rows.size:
             break
-        good, end, by_s[:, rows] = _on(
-            tubes, parts[rows], here[rows], by_s[:, rows], (share * rest)[rows], pivot, moving[rows]
-        )  # fmt: skip
+        good = _moved_on(tubes, parts, here, by_s, rows, (share * rest)[rows], pivot, moving[rows])
         share[rows] = np.where(good, np.minimum(1.1 * share[rows], SHARE), 0.6 * share[rows])
-        here.put(rows[good], end[good])
     low, high, sure = *np.full((2, share.size), np.nan), np.zeros(share.size, dtype=np.bool_)
     rows = np.flatnonzero(open_ & (np.abs(fold[pivot] - here.z[pivot]) <= last))
     if rows.size:

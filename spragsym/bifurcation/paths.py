@@ -7,7 +7,7 @@ only to the state that is proved to lie on the same branch: see :mod:`spragsym.b
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -200,20 +200,18 @@ class _Way:
         Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot. That no other
         is there is known once all states beside the value are joined to those on it.
         """
-        names = self.balance.coordinates
         for stop in np.flatnonzero(~eq.decided).tolist():
             here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
-            states = np.array([self._column(name)[here] for name in names]).T
+            states = self._states(here).T
             room = BESIDE * np.maximum(1.0, np.abs(states))
             boxes = [box for box in eq.undecided if box.index == (stop,)]
             around = np.array([((states - box.low <= room) & (box.high - states <= room)).all(axis=-1) for box in boxes])
             if not around.any(axis=-1).all():
                 continue
             eq = as_decided(eq, stop)
-            for number, state in zip(here.tolist(), states.tolist(), strict=True):
+            for number in here.tolist():
                 if self.kinds[number] == "pitchfork" and around[:, here == number].any():
-                    error = float(self._column("error")[number])
-                    eq = with_state(eq, stop, dict(zip(names, state, strict=True)), self._stability_met(number), error)
+                    eq = with_state(eq, stop, self._place(number), self._stability_met(number), float(self.turns.error[number]))
         return eq
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
@@ -254,10 +252,6 @@ class _Way:
     def _every(self, name: str) -> NDArray[Any]:
         """A column of all points at which states vanish."""
         return np.concatenate([getattr(points, name) for points in self.ends])
-
-    def _column(self, name: str) -> NDArray[Any]:
-        """A column of the states on the path."""
-        return getattr(self.turns, name)
 
     def _stops(self, along: FloatArray) -> tuple[FloatArray, BoolArray]:
         """The values in their order, with a stop on each side of each fold."""
@@ -335,7 +329,7 @@ class _Way:
     def _candidates(self, stop: int, other: int) -> IntArray:
         """Numbers of the points at which states may vanish between two stops, or on them."""
         low, high = sorted((self.stops[stop], self.stops[other]))
-        error = self._column("error") * np.maximum(1.0, np.abs(self.at))
+        error = self.turns.error * np.maximum(1.0, np.abs(self.at))
         return np.flatnonzero((self.at >= low - error) & (self.at <= high + error))
 
     def _turned(self, stop: int, slot: int, goal: int) -> int | None:
@@ -370,7 +364,11 @@ class _Way:
 
     def _states(self, numbers: IntArray) -> FloatArray:
         """Coordinates of points at which states vanish, shape (n, numbers)."""
-        return np.array([self._column(name)[numbers] for name in self.balance.coordinates])
+        return np.array([getattr(self.turns, name)[numbers] for name in self.balance.coordinates])
+
+    def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
+        """Coordinates of a point at which states vanish, or what else is named, by name."""
+        return {name: float(getattr(self.turns, name)[number]) for name in names or self.balance.coordinates}
 
     def ending(self, stop: int, place: int) -> int:
         """The number of the point at which a state vanishes on its way to a stop from a place at the one before."""
@@ -407,9 +405,7 @@ class _Way:
     def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
         """Coordinates, stability, and a bound on the error."""
         if slot < 0:
-            number = ~slot
-            values = [float(self._column(name)[number]) for name in self.balance.coordinates]
-            return values, self._stability_met(number), float(self._column("error")[number])
+            return [*self._place(~slot).values()], self._stability_met(~slot), float(self.turns.error[~slot])
         values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
         return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
 
@@ -447,14 +443,12 @@ class _Way:
         kind = Stability(int(eq.stability[slot]))
         places = {name: np.array([value]) for name, value in after.items()}
         at = one_each(self.p.replace(**{self.vary: [end.value]}), places, np.zeros(1, dtype=np.int8), end.error)
-        whole = {name: float(self._column(name)[number]) for name in at.columns}
+        whole = self._place(number, at.columns)
         after = {name: float(getattr(at, name)[0, 0]) for name in at.columns}
         # Another search may list the states at the stop in another order.
         return int(nearest_state(self.eq, behind)[stop]), Jump(end.value, end.kind, whole, after, kind, end.error)
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""
-        before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
-        error, kind = float(self._column("error")[number] * max(1.0, abs(self.at[number]))), str(self._column("kind")[number])
-        kind = INFINITY if self.far[number] else kind
-        return ModelEnd(float(self.at[number]), kind, before, error)
+        value, kind = float(self.at[number]), INFINITY if self.far[number] else str(self.kinds[number])
+        return ModelEnd(value, kind, self._place(number), float(self.turns.error[number] * max(1.0, abs(value))))

@@ -9,7 +9,6 @@ from itertools import chain
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet
 from ..numerics.certified_roots import concatenated

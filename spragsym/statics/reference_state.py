@@ -36,14 +36,14 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
 
 
 def nearest_state(
-    eq: Equilibria, near: Mapping[str, float], among: NDArray[np.bool_] | bool = True, error: float | FloatArray = 0.0
-) -> NDArray[np.intp]:
+    eq: Equilibria, near: Mapping[str, float], among: BoolArray | bool = True, error: float | FloatArray = 0.0
+) -> IndexArray:
     """The slot of the equilibrium that is nearest to a state, for each point, among all or some; distances have these errors."""
     q = [eq.coordinates[name] for name in near]
     return _nearest(q, [row - value for row, value in zip(q, near.values(), strict=True)], error, ~np.isnan(q[0]) & among)
 
 
-def _nearest(q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, among: NDArray[np.bool_]) -> NDArray[np.intp]:
+def _nearest(q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, among: BoolArray) -> IndexArray:
     return least_slot(np.where(among, np.linalg.norm(off, axis=0), np.inf), np.array(q), error)
 
 

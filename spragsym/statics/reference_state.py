@@ -67,7 +67,7 @@ def chosen_state(
 
     with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
         strain = energy(*q, *given, 1, xp=np)
-        series = energy(*variables([origin] * len(q), 2), *given, 1, xp=XP)
+        series = energy(*variables([origin] * len(q), 2), *map(Intervals.point, given), 1, xp=XP)
         at_origin = np.nan_to_num(np.abs(derivative()))[..., None]
         slope = np.stack([derivative(i) for i in every], axis=-1)
         stiffness = np.stack([np.stack([derivative(i, j) for j in every], axis=-1) for i in every], axis=-2)

@@ -11,8 +11,9 @@ import pytest
 import spragsym as ss
 from spragsym.kang_nam.folds import fold_proofs
 from spragsym.kang_nam.folds.fixed_parameters import Fixed
-from spragsym.kang_nam.folds.fold_events import directions
+from spragsym.kang_nam.folds.fold_events import directions, fold_polynomial
 from spragsym.numerics import balls
+from spragsym.numerics.half_angle import on_circle
 from tests.support import few
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
@@ -93,15 +94,23 @@ def test_curves_end_where_they_must_and_step_smoothly(fixed: Fixed) -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("share", [0.8829647603948506, 0.8829647603948507])
-def test_events_however_close_are_told_apart(share: float) -> None:
+@pytest.mark.parametrize(("share", "number"), [(0.8829647603948506, 4), (0.8829647603948507, 1)])
+def test_events_however_close_are_told_apart(share: float, number: int) -> None:
     """Between two sets of parameters a meeting of folds and one at θ₀ = π change places: to the last float, both are seen."""
     one, two = Fixed(0.0051, 0.0023, 0.0978, 0.0), Fixed(0.00115, 0.0837, 0.0529, 0.0)
-    check_crossings(Fixed(*(a + share * (b - a) for a, b in zip(one, two, strict=True))), "0.3217")
+    fixed = Fixed(*(a + share * (b - a) for a, b in zip(one, two, strict=True)))
+    found = directions(fixed)
+    assert found.number[:4].tolist() == [2, 3, number, 2]
+    assert found.events[2] - found.events[1] < 1e-10
+    check_crossings(fixed, "0.3217")
 
 
 def test_what_happens_at_90_degrees_or_everywhere_is_no_event() -> None:
     """κ (α + σ) = σ (1 + β − α): one passes 0 at θ = π/2, its mirror image π; α = κ = 1 + β: no θ has a fold without friction."""
     for fixed in (Fixed(0.25, 0.5, 0.5, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)):
         check_crossings(fixed, "0.3217", "1.913")
-    assert (directions(Fixed(1.0, 1.0, 1.0, 0.0)) > 0).all()
+    for fixed in (Fixed(0.25, 0.5, 0.5, 0.0), Fixed(1.0, 1.0, 1.0, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)):
+        found = directions(fixed)
+        for t in (found.events[:-1] + found.events[1:]) / 2:
+            roots = np.roots(fold_polynomial(*on_circle(float(t))[:2], fixed)[::-1])
+            assert np.sum((np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)) == found.folds_at(t)

@@ -16,7 +16,7 @@ from ...results.bifurcation_sets import BifurcationSet, Curve
 from ..quartic import kernel
 from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed
-from .fold_events import directions
+from .fold_events import directions, fold_polynomial
 from .fold_points import folds
 from .plane_curves import Condition, curves
 
@@ -36,8 +36,8 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     Notes
     -----
     Source: f = f′ = 0, two lines in μ₀ at a given direction θ; without it a conic in (cos θ₀, sin θ₀). Where curves begin, end,
-    turn back in θ and reach μ₀ = 0 is isolated exactly, so that none is missed, however small; their points are float64, and
-    satisfy the condition to rounding. See :mod:`.plane_curves`.
+    turn back in θ and reach μ₀ = 0 is isolated exactly, and how many folds there are in between is counted exactly, so that none
+    is missed that holds a float; their points are float64, and satisfy the condition to rounding. See :mod:`.plane_curves`.
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
@@ -49,9 +49,9 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     on_them = cusps(p)
     ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
     on_them = on_them.select(ahead)
-    found = []
-    begin = np.exp(np.linspace(-_FAR, _FAR, n // 4)), directions(fixed), np.abs(np.tan(on_them.theta / 2))
-    for points in curves(_FOLD, fixed, np.concatenate(begin), 3 / n):
+    found, begin = [], directions(fixed)
+    t = np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(on_them.theta / 2))])
+    for points in curves(Condition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n):
         curve = _curve(points, fixed)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
         if curve.y[len(curve) // 2] < 0:
@@ -61,18 +61,10 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     return BifurcationSet(("theta0", "mu0"), tuple(found), on_them, True)
 
 
-def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:
-    e0, e1, e2, ec = _catastrophe.fold_conic(c, s, *fixed)
-    return e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec
-
-
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     """From the relation that does not lose it: the first has the factor cos θ."""
     u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, np.cos(theta0), np.sin(theta0), *fixed)
     return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)
-
-
-_FOLD = Condition(_polynomial, _friction)
 
 
 def _compare(curves: list[Curve], p: Parameters) -> None:

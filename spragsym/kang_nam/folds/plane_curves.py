@@ -34,10 +34,14 @@ _NONE, _NEAR = 1e-11, 1e-12
 
 
 class Condition(NamedTuple):
-    """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and friction at θ₀ there."""
+    """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and friction at θ₀ there.
+
+    ``number`` is how many positive roots there are at tan(θ/2), where that is known; else those count that are real to rounding.
+    """
 
     polynomial: Callable[[FloatArray, FloatArray, Fixed], tuple[FloatArray, ...]]
     friction: Callable[[FloatArray, FloatArray, FloatArray, Fixed], FloatArray]
+    number: Callable[[FloatArray], IntArray] | None = None
 
 
 @dataclass(frozen=True)
@@ -53,7 +57,7 @@ class _Columns(ByColumn):
         c, s, _ = on_circle(t)
         coefficients = np.stack(np.broadcast_arrays(*condition.polynomial(c, s, fixed)), axis=-1)
         coefficients /= np.abs(coefficients).max(axis=-1, keepdims=True)
-        theta0 = 2 * np.arctan(_positive_roots(coefficients)).T
+        theta0 = 2 * np.arctan(_positive_roots(coefficients, condition.number and condition.number(t))).T
         return cls(t, theta0, condition.friction(c, s, theta0, fixed))
 
     def goes_on(self, other: _Columns, step: float) -> BoolArray:
@@ -64,12 +68,21 @@ class _Columns(ByColumn):
         return as_many & ~far.any(axis=0)
 
 
-def _positive_roots(coefficients: FloatArray) -> FloatArray:
-    """Positive roots of each polynomial, ascending, to rounding; NaN behind them."""
+def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatArray:
+    """Positive roots of each polynomial, ascending, to rounding, as many as there are; NaN behind them."""
     roots = eigenvalues(coefficients)
-    # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
-    inside = (roots.imag == 0) & (roots.real > _NEAR) & (roots.real < 1 / _NEAR)
+    if number is None:
+        # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
+        inside = (roots.imag == 0) & (roots.real > _NEAR) & (roots.real < 1 / _NEAR)
+    else:
+        # Rounding moves roots off the real axis, and below 0: those that lie closest to where they must are the ones. It also
+        # moves two that are all but one onto it: of those that lie there the ones that are farthest from others are.
+        off = np.hypot(roots.imag, np.minimum(roots.real, 0.0)) / (1e-300 + np.abs(roots))
+        gap = np.partition(np.abs(roots[..., None] - roots[:, None]), 1, axis=-1)[..., 1]
+        inside = np.lexsort((-gap, off)).argsort(axis=-1) < number[:, None]
     real = polished(coefficients, np.sort(np.where(inside, roots.real, np.nan), axis=-1))
+    if number is not None:
+        return np.maximum(real, 0.0)
     residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(by_power(np.abs(coefficients)), real)
     return np.sort(np.where(residual < _RESIDUAL, real, np.nan), axis=-1)
 

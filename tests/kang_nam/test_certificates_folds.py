@@ -53,6 +53,12 @@ def test_every_point_is_a_fold(fixed: Fixed) -> None:
         assert (np.abs(a * (c * c - s * s) - b * s + d * c - 2 * m * s * c)[inside] < 1e-7 * size[inside]).all()
 
 
+def test_a_curve_passes_through_its_cusps(fixed: Fixed) -> None:
+    found = ss.bifurcation_set(ss.Parameters(**fixed._asdict()))
+    for theta0, mu0 in zip(found.cusps.theta0, found.cusps.mu0, strict=True):
+        assert min(np.hypot(curve.theta0 - theta0, curve.mu0 - mu0).min() for curve in found.curves) < 1e-9
+
+
 def _crossings(curves: tuple[ss.Curve, ...], mu0: float) -> list[float]:
     """Angles θ₀ at which the curves pass a friction coefficient."""
     found = []

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
-from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .attractors import Verdict, judged, surely
+from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, saddle_near
 from .system import System
 
@@ -190,7 +189,12 @@ def _surely(system: System, start: FloatArray) -> Verdict:
 
 def _differ(system: System, one: Verdict, other: Verdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
-    return one.decided and other.decided and not same_limit(one.outcome, other.outcome, system.field.around)
+    if not (one.decided and other.decided):
+        return False
+    try:
+        return not same(*(attractor(system, each) for each in (one, other)))
+    except ConvergenceError:  # one that Newton's method does not find again decides nothing
+        return False
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:

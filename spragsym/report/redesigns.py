@@ -123,15 +123,14 @@ class _Search:
 
     def _keep(self, designs: Sequence[Mapping[str, float]]) -> BoolArray:
         """Whether each of some designs may be, jumps at the target at the earliest, and at no corner of its tolerances."""
-        kept = np.array([all(self._may_be(*item) for item in one.items()) for one in designs])
+        new = {i: self.study.changed(one) for i, one in enumerate(designs) if all(self._may_be(*item) for item in one.items())}
         for shares, target in (None, self.target), (self.corners, None):
-            new = [self.study.changed(one) for one in itertools.compress(designs, kept)]
             if new:
-                around = [one.values if shares is None else values_at(one, shares) for one in new]
+                around = [one.values if shares is None else values_at(one, shares) for one in new.values()]
                 values = {name: np.concatenate([np.atleast_1d(one[name]) for one in around]) for name in self.study.values}
-                ended = ending(self.study, values, target, hasty=True)
-                kept[kept] = (ended.reshape(len(new), -1) == 0).all(axis=1)
-        return kept
+                goes_on = (ending(self.study, values, target, hasty=True) == 0).reshape(len(new), -1).all(axis=1)
+                new = dict(itertools.compress(new.items(), goes_on))
+        return np.isin(np.arange(len(designs)), [*new])
 
     def singles(self) -> list[Change]:
         """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""

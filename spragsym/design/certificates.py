@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Self
@@ -46,7 +47,7 @@ class Certificate(Result):
 
 
 @dataclass(frozen=True)
-class Boxes(ByColumn):
+class Boxes(ByColumn, ABC):
     """Parts of a box, one a column: their ends, shape (sides, N)."""
 
     low: FloatArray
@@ -56,16 +57,15 @@ class Boxes(ByColumn):
         return int(self.low.shape[1])
 
     @property
+    @abstractmethod
     def outcome(self) -> IntArray:
         """Whether a claim holds for all of a part, or is false for all of it."""
-        raise NotImplementedError
 
     @property
     def volume(self) -> FloatArray:
         """Volume of each part, over the sides that have a width."""
         width = self.high - self.low
-        out: FloatArray = width.prod(axis=0, where=width > 0)
-        return out
+        return width.prod(axis=0, where=width > 0)
 
     def divisible(self) -> Flags:
         """Sides that have floats between their ends."""
@@ -89,7 +89,7 @@ class Held(Boxes):
         return np.where(self.holds, SAFE, OPEN)
 
 
-class Claim:
+class Claim(ABC):
     """A claim about a box of parameters: what is proved of parts of it, and at which points it is false."""
 
     #: Parts at a time, all parts unless told otherwise, and corners at which the claim may be refuted.
@@ -98,17 +98,17 @@ class Claim:
     sides: tuple[str, ...]
     whole: Boxes
 
+    @abstractmethod
     def settled(self, parts: Any, sharp: bool = False) -> tuple[Any, FloatArray]:
         """The parts with what is proved of them, and how much each side matters; ``sharp`` asks for all that can be known."""
-        raise NotImplementedError
 
+    @abstractmethod
     def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at points of the box, shape (sides, …)."""
-        raise NotImplementedError
 
+    @abstractmethod
     def refuted(self, points: FloatArray) -> ParameterSet | None:
         """The parameters at the first of some points, shape (sides, N), at which the claim is proved to be false, or None."""
-        raise NotImplementedError
 
     def suspects(self, parts: Boxes, last: Flags) -> FloatArray:
         """Points of open parts at which a counterexample is looked for; ``last`` are parts that are not halved any more."""

@@ -109,8 +109,7 @@ class ClaimOfStates(Claim):
         return bool(spectrum.without_flutter(self.balance, bounds).all())
 
     def point(self, values: FloatArray) -> ParameterSet:
-        p: ParameterSet = self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
-        return p
+        return self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
 
     def refuted(self, points: FloatArray) -> ParameterSet | None:
         fails = np.flatnonzero(self.false(equilibria(self.point(points))))

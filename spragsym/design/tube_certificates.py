@@ -122,8 +122,7 @@ class Splitting(Claim):
         fixed = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))
         moved = dict(zip((*self.free, self.vary), values.tolist(), strict=True))
         found = self.balance.scaled({**fixed, **moved})
-        p: ParameterSet = self.model.Parameters(**{name: found[name] for name in self.model.parameters})
-        return p
+        return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
 
     def points(self, values: FloatArray) -> Pieces:
         """Points of the box, shape (free + 1, N), as pieces of it."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -128,7 +129,7 @@ def _dot(one: Any, other: Any) -> Any:
     return sum(products[1:], products[0]) if products else 0.0 * sum(other[:1])
 
 
-class Carrier:
+class Carrier(ABC):
     """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border.
 
     ``turning`` is that turns are told, of the first coordinate and of levels, and with ``watch`` those of the first coordinate.
@@ -194,13 +195,13 @@ class Carrier:
         self._crossed(row, lane, state)
         return not self.jumped
 
+    @abstractmethod
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
         """Note a border that was passed."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         """Note a turn of a border's level, or (−1) of the first coordinate."""
-        raise NotImplementedError
 
     def _counted(self, lane: int, begun: float, steps: int, most: int, t_end: float, constants: tuple[float, ...]) -> int:
         """Steps of a lane with those of a stretch that ``begun``; an error where it can't go on."""

@@ -3,8 +3,6 @@
 With names, the other sections of a report that is there stay as they are.
 """
 
-from __future__ import annotations
-
 import argparse
 import datetime
 import importlib.metadata

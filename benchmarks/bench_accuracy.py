@@ -3,8 +3,6 @@
 ``python -m benchmarks.bench_accuracy [N]``: N points of each family. The truth is the interval ladder at 30 digits.
 """
 
-from __future__ import annotations
-
 import ctypes
 import sys
 from collections.abc import Callable

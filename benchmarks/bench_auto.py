@@ -5,8 +5,6 @@
 between the Hopf point and V = 0.159 the slip keeps its sign.
 """
 
-from __future__ import annotations
-
 import math
 import re
 import shutil

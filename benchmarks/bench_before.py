@@ -6,8 +6,6 @@ NAMES, as in ``--only folds,cusps``. A question that raises is "not there". asv 
 commits one after the other, and compares no answers.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import subprocess

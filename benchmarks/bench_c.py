@@ -3,8 +3,6 @@
 ``python -m benchmarks.bench_c [N]``: N random points, 1 000 000 by default; Markdown tables.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 

@@ -3,8 +3,6 @@
 ``python -m benchmarks.bench_catastrophe``
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")

@@ -4,8 +4,6 @@
 neighbouring one at 0.2 degrees away, as along a branch, and from a state near them, which has to come around a few times first.
 """
 
-from __future__ import annotations
-
 import time
 
 import numpy as np

@@ -4,8 +4,6 @@ Prints Markdown tables of errors and ratios: absolute times depend on the machin
 do. Run ``python -m benchmarks.bench_dynamics``; it takes a few minutes, nearly all of them in SciPy.
 """
 
-from __future__ import annotations
-
 import inspect
 import math
 import time

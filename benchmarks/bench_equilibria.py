@@ -3,8 +3,6 @@
 ``python -m benchmarks.bench_equilibria [N]``: N random points, 1 000 000 by default; slow methods take a sample and are scaled.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 

@@ -3,8 +3,6 @@
 ``python -m benchmarks.bench_languages [N]``: N points of each family and regime, 10 000 by default; Markdown tables.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 

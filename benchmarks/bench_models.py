@@ -4,8 +4,6 @@
 317, as the side of a grid.
 """
 
-from __future__ import annotations
-
 import sys
 import time
 from collections.abc import Callable

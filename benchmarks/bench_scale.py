@@ -3,8 +3,6 @@
 ``python -m benchmarks.bench_scale [LARGEST]``: up to 10^LARGEST points, 8 by default; 10^8 takes a few minutes and 14 GB.
 """
 
-from __future__ import annotations
-
 import sys
 from functools import partial
 

@@ -1,7 +1,5 @@
 """What one would use instead of spragsym to find equilibria: NumPy's, SciPy's and mpmath's solvers on the published equations."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, TypeAlias
 

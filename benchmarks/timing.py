@@ -1,7 +1,5 @@
 """How the benchmarks measure time: the best of several turns, and processes of their own for what happens once."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import time

@@ -1,7 +1,5 @@
 """Derive, check, emit: ``python -m derive [--out DIR] [--variant]``, or one page: ``--model PAGE.py --out DIR``."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import time

@@ -5,8 +5,6 @@ modulo cos² + sin² = 1 for each pair, which is a Gröbner basis: the remainder
 the unit circles. No float takes part.
 """
 
-from __future__ import annotations
-
 import math
 
 import sympy as sp

@@ -1,7 +1,5 @@
 """What the rows of the balance and of the stiffness have in common: forces that act between two coordinates, and symmetry."""
 
-from __future__ import annotations
-
 import itertools
 
 import sympy as sp

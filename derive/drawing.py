@@ -5,8 +5,6 @@ docstring's own drawing is shown. The mass stands in the middle. What is tied al
 ceiling on its right; springs and dampers with two ends go where their ends are at the base values, with θ₀ = 55°.
 """
 
-from __future__ import annotations
-
 import math
 import textwrap
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The equations of motion of a model as LaTeX, for people."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from . import laws

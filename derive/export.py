@@ -1,7 +1,5 @@
 """A page's functions in another language, on demand: what ``generated/models`` has in Python, as a library of the model's name."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Collection, Mapping

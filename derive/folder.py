@@ -1,7 +1,5 @@
 """A model's folder: plain algebra in Python, and ``model.json``; functions that an earlier model has already are imported from it."""
 
-from __future__ import annotations
-
 import hashlib
 import itertools
 import math

@@ -6,8 +6,6 @@ says how far away a motion is, as minus its exponent. tanh z is written as 1 −
 Taylor coefficients by (tanh z)′ = 1 − tanh² z are all zero, and a step of that length misses the layer.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 
 from .mechanics import SIDE, Mechanics

@@ -1,7 +1,5 @@
 """What a page can't say, each with what can be done instead: the list of the guide, and the words of the refusals."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 #: So many coordinates has a model at most.

@@ -1,7 +1,5 @@
 """Linearization of any model about steady sliding: M q″ + C q′ + K q = 0 for small deviations."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from . import laws

@@ -12,8 +12,6 @@ so that no square root is ever differentiated. Likewise the turning of a torsion
 so that its energy k φ²/2 is exact and its forces are linear in φ: an arc tangent is taken once, in numbers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property

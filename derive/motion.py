@@ -1,7 +1,5 @@
 """Motion of any model: accelerations in each regime in which they are smooth, their derivatives, borders, energy and powers."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """Pages: where the shipped ones stand, and how one is read."""
 
-from __future__ import annotations
-
 import ast
 import hashlib
 import re

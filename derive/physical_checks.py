@@ -3,8 +3,6 @@
 Each error names the line of the page, what was expected there, and what still works without it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import sympy as sp

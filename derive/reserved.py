@@ -4,8 +4,6 @@ Those of generated code are no matter of a list: its own begin with an underscor
 than Python a page's names end with one.
 """
 
-from __future__ import annotations
-
 #: What results of models and columns of their files are called; for coordinates and parameters alike.
 RESULTS = frozenset((
     "after", "amplitude", "angles", "as_table", "between", "columns", "complete", "contact", "contact_lost", "coordinates", "count",

@@ -4,8 +4,6 @@ Kinks are where a mass touches the belt and where friction turns, and nowhere el
 is integrated from one kink to the next. Each error names the line, what stands there, and the remedy.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Iterator
 

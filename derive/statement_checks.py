@@ -3,8 +3,6 @@
 What is asked of forces and units is in :mod:`derive.physical_checks`. Each error names the line, what was expected, and the remedy.
 """
 
-from __future__ import annotations
-
 import itertools
 import keyword
 import math

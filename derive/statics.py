@@ -1,7 +1,5 @@
 """Statics of any model: the balance of forces at steady sliding or in lift-off, with first and second derivatives."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from . import laws, balance_rows, symmetry

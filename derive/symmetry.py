@@ -6,8 +6,6 @@ The article's model without friction and without a spring along the belt is one:
 equilibria do not meet at folds but at pitchforks, which no perturbation of one parameter shows.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

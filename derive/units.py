@@ -5,8 +5,6 @@ measure (those that become 1) every other quantity becomes a number: itself over
 its dimension.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from fractions import Fraction

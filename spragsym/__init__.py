@@ -11,8 +11,6 @@ Examples
 array(1, dtype=int8)
 """
 
-from __future__ import annotations
-
 import sys as _sys
 
 if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endswith(("/spragsym", "\\spragsym")):

@@ -1,7 +1,5 @@
 """Closest match for a mistyped name."""
 
-from __future__ import annotations
-
 import difflib
 import re
 import unicodedata

@@ -1,7 +1,5 @@
 """What documents show: their blocks, their commands with the output below, and how it is compared with what runs."""
 
-from __future__ import annotations
-
 import doctest
 import os
 import re

@@ -1,7 +1,5 @@
 """What several test modules share: numbers in other forms, exact onsets, and generated modules by name."""
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import os

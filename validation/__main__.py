@@ -7,8 +7,6 @@ With a folder every finished case stands in ``NAME-KEY.jsonl``, from which the s
 the seed, and all the code that computes and judges, so that no result of another claim is counted.
 """
 
-from __future__ import annotations
-
 import argparse
 import ast
 import hashlib

@@ -5,8 +5,6 @@ their averages differ by far more than they change; where both sides are said to
 Last found: points said to be on a boundary although nearer starts come to one attractor (5b4d0b77).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -6,8 +6,6 @@ both have, contradicts, and so does an event whose multipliers are not what it s
 Last found: an event placed where a multiplier only jumps past its value beside a grazing (0f39328e).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

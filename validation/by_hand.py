@@ -6,8 +6,6 @@ Last found: errors up to 7e-8 on proved states of stiff springs, kinks and belts
 (5b82b53f).
 """
 
-from __future__ import annotations
-
 import contextlib
 import functools
 import itertools

@@ -7,8 +7,6 @@ at 500 points, of the article's model at 10,000, and at the counterexample are c
 Last found: beside cusps tubes decided nothing where the state is followed with ease (a126b18f).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -4,8 +4,6 @@ A case is 200 points of a family; every tenth case is a search for folds or cusp
 It guards the claim that search and closed forms agree wherever both decide.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -11,8 +11,6 @@ It shows its progress, may be interrupted, and goes on where it was when it is c
 branches, one a line, beside them in a file whose name is a key of the code. What the figure ``cycles`` draws is written to ``cycles.json`` of the folder; it is committed as spragsym/figures/cycles.json.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import sys

@@ -4,8 +4,6 @@ A case is 1000 points of a family, every count of which is checked, and the digi
 twenty precisions. It guards the claims that no count is wrong and that every bound holds.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -17,8 +17,6 @@ The parameter that varies, its bracket, the start and all other parameters of a 
 Last found: rounding decided between a cycle and itself, which had two labels (42b2a993).
 """
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -5,8 +5,6 @@ What was there stays or is replaced whole, neighbours' names are nobody's, Ctrl-
 refused. Last found: ``derive --force`` deleted what stood in the folder, and Ctrl-C was lost while heyoka was imported.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

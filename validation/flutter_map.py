@@ -6,8 +6,6 @@ not must have none. The grid is finer near 0, π/2 and π, about all that is lis
 folds, where states change places and nothing can be said of a cell.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 
 import numpy as np

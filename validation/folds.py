@@ -5,8 +5,6 @@ parameter against a state that creeps down the force; the lowest fold of all ang
 undamped flutter against a map of stability. Last found: a path could not stop on the very float of a fold (13d1c672).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

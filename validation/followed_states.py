@@ -4,8 +4,6 @@ At each friction the state that lies nearest to the last one is taken up; where 
 ended where that goes on. It guards the claim that no report says "does not sprag" while the state at work ends within the range.
 """
 
-from __future__ import annotations
-
 import math
 import tempfile
 from pathlib import Path

@@ -4,8 +4,6 @@ A case is one search: those of the list on shipped pages, then random damped set
 from inside and outside of the cycle that is born. It guards the claim that every proved bound of a coefficient holds (2d3fc3b3).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

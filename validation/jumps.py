@@ -5,8 +5,6 @@ of which are followed one by one; an interval of a probability, and its proved b
 Last found: last digits of values along stiffnesses that were beyond their bound (2119e429).
 """
 
-from __future__ import annotations
-
 import warnings
 from typing import Any
 

@@ -4,8 +4,6 @@ A wrong number, a wait without end, or an error that is not spragsym's own ends 
 systems in memory, which take root.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

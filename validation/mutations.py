@@ -4,8 +4,6 @@ The 150 faults of mutations.txt were drawn from all rooms once. A row has the fi
 text of the line, by which it is found where code has moved; and, of a fault that changes no answer, why.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -6,8 +6,6 @@ Last found: a parameter called ``pi`` gave other numbers in MATLAB, ``sin``, ``E
 compiles (19cc3e36).
 """
 
-from __future__ import annotations
-
 import builtins
 import inspect
 import keyword

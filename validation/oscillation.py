@@ -3,8 +3,6 @@
 Last found: a row whose command did not print its number (013b47dd).
 """
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 from typing import Any

@@ -11,8 +11,6 @@ forces, masses, stiffnesses and damping follow by complex steps and by differenc
   and where a map of eigenvalues, of states of the reference followed over that range, shows that a pair has crossed it, one is listed.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 import tempfile

@@ -4,8 +4,6 @@ The parts are kept as text, and :mod:`validation.page_mechanics` evaluates them 
 Units become 1, so that the dimensionless values of the parameters are what the quantities are.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

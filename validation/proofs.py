@@ -4,8 +4,6 @@ Decimals, as rational intervals, hold the ball that was proved and meet those of
 that no cycle is proved that is none, for as long as a proof may take.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any

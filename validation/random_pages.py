@@ -4,8 +4,6 @@ Of each page accelerations, states with their gaps, growth and onsets of flutter
 Last found: an onset that hid behind a pair that is never damped (ef46ff1f), and a coordinate called s (64079ff1).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -3,8 +3,6 @@
 It guards the claim that no two statements of a report contradict each other, beyond the brakes that tests ask for.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 import re

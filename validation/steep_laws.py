@@ -3,8 +3,6 @@
 Last found: under tanh(d v) a step passed the layer, and the period was wrong by 1e-4 with an error of 1e-15 (issue 55).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

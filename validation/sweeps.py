@@ -3,8 +3,6 @@
 It guards the claim that no kill, full disk or damaged byte makes a wrong number.
 """
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 from typing import Any

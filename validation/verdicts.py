@@ -15,8 +15,6 @@ hold is counted.
 It guards the claim of docs/oscillation.md that another driver confirms every verdict.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -12,8 +12,6 @@ ACM Trans. Math. Softw. 44 (2017) 15res: algorithms 4, 6, 7, 10 and 17; T. J. De
 available precision, Numer. Math. 18 (1971) 224, for the exact product.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from .language import Flag, Real, absolute, sqrt, where

@@ -5,8 +5,6 @@ kinds of what it computes with: doubles stay doubles, and what a double-double e
 only are those of the plain kernel.
 """
 
-from __future__ import annotations
-
 import ast
 import math
 import textwrap

@@ -3,8 +3,6 @@
 In the small language of :mod:`.language`, emitted with a kernel that needs them.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from .language import Real, absolute, where

@@ -1,7 +1,5 @@
 """Expressions of the kernel's language in a target's syntax, with brackets where its operators need them."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Callable, Iterable, Mapping

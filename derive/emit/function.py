@@ -1,7 +1,5 @@
 """What is generated: functions of algebra, gathered in modules."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 

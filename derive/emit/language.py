@@ -4,8 +4,6 @@ A function is a docstring, statements and a return. Statements assign a name, un
 or repeat statements a fixed number of times. Everything has one of three kinds: a real number, a flag, or a record.
 """
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What a symbol of generated code stands for: its name in print, meaning, unit and allowed values."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Functions of the kernel's language in a target's syntax: its kinds of statements, each printed as the target writes it."""
 
-from __future__ import annotations
-
 import ast
 from collections import Counter
 from collections.abc import Callable, Iterator

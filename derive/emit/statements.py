@@ -1,7 +1,5 @@
 """From a function's algebra to straight-line code: shorthands in order, powers as products, shared subexpressions once."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Writes the files of a folder: all of them to the disk first, then each into its place; what others wrote there stays."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

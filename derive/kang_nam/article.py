@@ -10,8 +10,6 @@ coefficients), the transcription is a function of those objects, so that each mi
 wherever it is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any

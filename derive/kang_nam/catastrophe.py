@@ -1,7 +1,5 @@
 """The equilibrium surface in closed form, its folds (f = f′ = 0) and its cusps (f = f′ = f″ = 0)."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

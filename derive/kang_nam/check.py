@@ -1,7 +1,5 @@
 """Printed against derived: one ledger row for every printed statement, decided by exact algebra."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any

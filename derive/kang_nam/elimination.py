@@ -4,8 +4,6 @@ Both come from D(L) (cos θ, sin θ)ᵀ = b. The article asks that D⁻¹ b have
 cos θ; solving the second row for L keeps it and leaves one trigonometric equation f(θ) = 0.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

@@ -1,7 +1,5 @@
 """Every file of ``generated/``: the Python package, the C library that is built with it, and the ledger."""
 
-from __future__ import annotations
-
 import re
 
 from ..emit import python, write

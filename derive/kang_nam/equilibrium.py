@@ -5,8 +5,6 @@ y = sin θ₀ − L sin θ. From here on μ₀ stands for the friction coefficie
 μ₀ (1 − exp(−d V)) exactly is the row ``eq-12`` of the ledger.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

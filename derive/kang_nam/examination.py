@@ -3,8 +3,6 @@
 The second part of the kernel, in the same small language; the first, :mod:`.kernel`, finds the roots.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from ..emit.elementary import Direction

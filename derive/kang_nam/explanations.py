@@ -4,8 +4,6 @@ A correction holds the right form, which the check holds against the derived one
 would cost at the article's base values. An explanation of a difference that is zero fails the check.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction

@@ -5,8 +5,6 @@ by Newton's method on the sum of forces, and the forces themselves are compared 
 confirms the algebra of a corrected row and computes what a misprint would cost.
 """
 
-from __future__ import annotations
-
 import cmath
 from dataclasses import dataclass
 from fractions import Fraction

@@ -21,8 +21,6 @@ absolute values of all of its terms, and the count, at the head of the emitted f
 :mod:`derive.emit.bounds`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from ..emit.elementary import Direction

@@ -1,7 +1,5 @@
 """The outcome of the check, for machines (JSON) and for people (Markdown)."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import asdict, dataclass
 from typing import Any

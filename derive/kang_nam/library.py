@@ -1,7 +1,5 @@
 """The article's model as a library in any language, from the generated Python package; without SymPy."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from dataclasses import replace

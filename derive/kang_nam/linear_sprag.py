@@ -3,8 +3,6 @@
 The inclined spring keeps the angle θ₀ however the mass moves, so its stretch is the displacement along that direction.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

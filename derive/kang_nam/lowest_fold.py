@@ -3,8 +3,6 @@
 Candidates are the cusps, the points at which the curve of folds turns back in μ₀, f = f′ = f_θ₀ = 0, and the folds at θ₀ = 0.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

@@ -5,8 +5,6 @@ general way derives from them, as from any page; here stands what it gives in th
 forms and the theorem are made for these forces: where a changed page takes away what they rest on, the derivation stops.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` 
 and ``s0`` for cos θ₀ and sin θ₀; the relation between the two is in :data:`UNIT_CIRCLES`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import sympy as sp

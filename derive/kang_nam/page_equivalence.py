@@ -4,8 +4,6 @@ K of (28) and the damping that (27) leaves out follow from the balance in x, y a
 and each of some pages, without what it adds, has the equations of the article's page.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 
 from .. import algebra, laws, linearization, pages, statics

@@ -1,7 +1,5 @@
 """Linearization about an equilibrium: K (28), n̄ (29), the characteristic equation (27), and the damping it leaves out."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

@@ -6,8 +6,6 @@ claims and decides it by exact algebra: an identity, or a polynomial in nonnegat
 coefficients and a term that is positive.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Exact algebra on the unit circles of θ and θ₀, whose cosines and sines are symbols of the nomenclature."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import sympy as sp

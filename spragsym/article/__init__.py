@@ -4,8 +4,6 @@
 writes anew.
 """
 
-from __future__ import annotations
-
 from .ledger import STATEMENTS, Found, Statement, drifted, record_text, recorded, run
 
 __all__ = ["STATEMENTS", "Found", "Statement", "drifted", "record_text", "recorded", "run"]

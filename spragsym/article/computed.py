@@ -1,7 +1,5 @@
 """The computation that decides each statement: it returns whether the statement holds, and the values behind it."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Rows of the ledger of claims: what is stated, what was computed, and what has drifted from the record."""
 
-from __future__ import annotations
-
 import json
 import math
 import tomllib

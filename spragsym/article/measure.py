@@ -1,7 +1,5 @@
 """Time and memory of the commands that the report names, measured where this runs."""
 
-from __future__ import annotations
-
 import json
 import os
 import platform

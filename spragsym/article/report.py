@@ -1,7 +1,5 @@
 """The referee's page, docs/reproduction.md, made from the committed records alone: every machine writes the same page."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Mapping

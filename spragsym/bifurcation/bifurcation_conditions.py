@@ -1,7 +1,5 @@
 """Bifurcation conditions appended to the balance: of folds, of cusps, of states on the contact's border, of onsets of flutter."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -5,8 +5,6 @@ fold nearby differ in the sign of det K, which no branch changes between folds; 
 different sides of the mirror, which none crosses. A step of which not all pairs are known so is halved.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

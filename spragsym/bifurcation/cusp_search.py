@@ -1,7 +1,5 @@
 """A box around each cusp of a model in the plane of two parameters, and the boxes left undecided."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

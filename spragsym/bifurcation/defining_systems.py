@@ -5,8 +5,6 @@ with no change of det K along the direction that K maps to 0, a cusp. Derivative
 lie so near to each other that float64 does not tell them apart, the same is evaluated in balls.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial

@@ -7,8 +7,6 @@ In a box that reaches down to such an end at 0 no search decides anything. In th
 all of its sizes are alike, and each is decided on its own, down to :data:`LEAST`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """Any number of digits of equilibria and cusps: isolated over boxes of floats, narrowed by Krawczyk's operator in balls."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction

@@ -5,8 +5,6 @@ With q = u/w and one |u_i| = 1, the rows of the balance are G(u, w, λ) but for 
 λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that λ' says.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

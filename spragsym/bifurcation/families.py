@@ -1,7 +1,5 @@
 """Families of equilibria in contact: one parameter of a model varies over its range, or two do, and the others are fixed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Self

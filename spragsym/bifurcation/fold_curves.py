@@ -5,8 +5,6 @@ has a point there. So it is followed there: between two neighbours a cubic with 
 for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

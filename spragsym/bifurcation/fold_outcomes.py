@@ -4,8 +4,6 @@ With K v = 0 and w K = 0 the states near a fold are q + s v, where w · ∂F/∂
 det K changes by s ∇(det K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

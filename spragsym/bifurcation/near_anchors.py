@@ -4,8 +4,6 @@ A spring of length l whose line has the direction n adds R/l to K, and R, −k r
 t across n, has rank one. So l det K = l det K∞ + Σ cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Search for points at which equilibria change, along one or two parameters of a model: one driver for all kinds, one result."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -6,8 +6,6 @@ damps, or nothing, it is the condition's own value that changes its sign. Krawcz
 what it does not prove is listed as ``"detected"``.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 from typing import TypeAlias

@@ -13,8 +13,6 @@ forces and det K have no regular root, so that a search over boxes stays undecid
   of det K along that column of the adjugate is odd in it: where its slope is not 0 in a box and its image, that holds no cusp.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -3,8 +3,6 @@
 Exit codes: 0 done; 1 a check did not hold or a computation failed; 2 usage, bad values included; 130 interrupted.
 """
 
-from __future__ import annotations
-
 import codecs
 import importlib
 import os

@@ -1,7 +1,5 @@
 """``spragsym bifurcation``, ``folds`` and ``onsets``: where states meet, and where oscillation sets in."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path

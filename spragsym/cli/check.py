@@ -1,7 +1,5 @@
 """``spragsym check``: the ledgers of equations and of claims, as committed, or recomputed with ``--again``."""
 
-from __future__ import annotations
-
 import difflib
 import json
 import sys

@@ -1,7 +1,5 @@
 """``spragsym equilibria``: a table of all equilibria of one point, or of many."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator

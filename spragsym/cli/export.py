@@ -1,7 +1,5 @@
 """``spragsym export`` and ``derive``: the solver in another language, and a model page carried through to a folder."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

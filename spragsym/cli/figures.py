@@ -1,7 +1,5 @@
 """``spragsym figures``: the article's figures as files."""
 
-from __future__ import annotations
-
 import inspect
 import os
 import re

@@ -1,7 +1,5 @@
 """``spragsym simulate``, ``sweep`` and ``fates``: motion in time, over a grid of parameters, and what it comes to."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

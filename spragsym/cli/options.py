@@ -1,7 +1,5 @@
 """Common options of commands: one name, one meaning and one range everywhere, and the form of their help."""
 
-from __future__ import annotations
-
 import inspect
 import re
 from collections.abc import Callable

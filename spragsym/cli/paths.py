@@ -1,7 +1,5 @@
 """``spragsym path`` and ``critical``: a state followed as one parameter moves, where it jumps first, and critical frictions."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """``spragsym report``: the data of a brake in, a verdict out."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

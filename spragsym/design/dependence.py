@@ -1,7 +1,5 @@
 """Quantities that vary together: a Gaussian copula, the correlations of normal scores behind whatever distributions they have."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product

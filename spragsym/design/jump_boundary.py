@@ -3,8 +3,6 @@
 In floats: predictions for searches that verify what they find.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Ends of followed states at many points, from which jump values and their gradients are taken."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass

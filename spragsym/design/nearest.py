@@ -6,8 +6,6 @@ Where there is no point to begin with, rays are walked outward to their first me
 That finds a set that a ray meets, and proves nothing about one that all rays miss.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

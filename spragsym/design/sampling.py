@@ -5,8 +5,6 @@ interval follows (Student). One more set of points, and mixtures of both, give t
 total by Jansen (1999). Of a chunk only sums are kept.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Iterable, Sequence

@@ -6,8 +6,6 @@ that are left. A part of the box that stays open is halved across the parameter 
 those of the whole do.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias

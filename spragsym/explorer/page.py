@@ -1,7 +1,5 @@
 """The page of a model: template, bundled libraries and drawings, exported modules, and what it starts from."""
 
-from __future__ import annotations
-
 import html
 import json
 import re

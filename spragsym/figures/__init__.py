@@ -12,8 +12,6 @@ Examples
 ('Figure 12. Bifurcation set', ['a'])
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from .bifurcation_sets import figure_11, figure_12, figure_14

@@ -1,7 +1,5 @@
 """Common parts of captions and axes: the paths shown, the article's letters, and sentences."""
 
-from __future__ import annotations
-
 from ..models.load import USUAL, load
 from ..models.parameters import ARTICLE
 

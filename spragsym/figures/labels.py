@@ -1,7 +1,5 @@
 """Axis labels of a model's parameters and coordinates, and the ranges that axes show."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """One motion: over time, in the plane of a coordinate and its rate, and its spectrum."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The equilibrium surface in three dimensions, and lines on it: polygons of one collection, which matplotlib sorts by depth."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

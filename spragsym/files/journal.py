@@ -4,8 +4,6 @@ A line is a checksum and JSON. The checksum of a point takes in the fingerprint 
 is cut, changed, or that belongs to another sweep, is never taken for a result.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

@@ -3,8 +3,6 @@
 The file itself is locked, so that no other one is left beside it. On Windows nobody else can read its first byte meanwhile.
 """
 
-from __future__ import annotations
-
 import errno
 import os
 import warnings

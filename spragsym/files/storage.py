@@ -5,8 +5,6 @@ says where the data end. The checksum is verified before anything else is read: 
 process on others.
 """
 
-from __future__ import annotations
-
 import csv
 import hashlib
 import io

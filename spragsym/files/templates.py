@@ -1,7 +1,5 @@
 """Pages that come with the package as templates, filled in."""
 
-from __future__ import annotations
-
 from importlib import resources
 from typing import Any
 

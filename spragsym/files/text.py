@@ -1,7 +1,5 @@
 """Reading of users' files on any system: bytes up to a bound, and text."""
 
-from __future__ import annotations
-
 import codecs
 import os
 

@@ -4,8 +4,6 @@ Whatever ends a write, a full disk or a kill, what stood there before stays, and
 asked for. What a killed process leaves, ``.spragsym-`` with its number, is removed by the next write to the same folder.
 """
 
-from __future__ import annotations
-
 import errno
 import math
 import os

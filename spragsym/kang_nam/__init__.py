@@ -1,7 +1,5 @@
 """The article's model: what only it has, and its closed forms, each by the name of the public function that it answers."""
 
-from __future__ import annotations
-
 import lazy_loader as _lazy
 
 from ..models.parameters import Parameters as Parameters

@@ -1,7 +1,5 @@
 """The article's cases: its base values first, then those of its Figures 8 to 10."""
 
-from __future__ import annotations
-
 import math
 
 from ..models.parameters import Parameters

@@ -1,7 +1,5 @@
 """Equilibria and cusps to any number of digits, by the quartic and by one polynomial in sin θ."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

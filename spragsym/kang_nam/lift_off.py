@@ -5,8 +5,6 @@ higher stationary value of U, its brim, has no way out and does not reach the be
 lift-off, along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and brings the mass back.
 """
 
-from __future__ import annotations
-
 import inspect
 import math
 from typing import Any

@@ -1,7 +1,5 @@
 """Branch matching of the article's equilibria: between folds they keep their order in θ."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

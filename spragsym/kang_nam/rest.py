@@ -1,7 +1,5 @@
 """Equilibrium at which a motion rests."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..generated import laws

@@ -1,7 +1,5 @@
 """A model in words: its drawing, coordinates and parameters."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 

@@ -1,7 +1,5 @@
 """Extension modules compiled on installation from the generated C library, and whether they are of the one that is here."""
 
-from __future__ import annotations
-
 import importlib
 import warnings
 from functools import cache

@@ -1,7 +1,5 @@
 """Vector field of a model for integrators and the search for cycles: of second order, smooth in each of its modes."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

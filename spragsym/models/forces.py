@@ -1,7 +1,5 @@
 """Quantities of a state: directions, lengths and forces of springs, and the force of the contact."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """heyoka, without its warnings: it prints them on standard output, where results stand."""
 
-from __future__ import annotations
-
 import functools
 from typing import Any
 

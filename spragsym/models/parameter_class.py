@@ -1,7 +1,5 @@
 """The class of a model's parameters, made from its ``model.json``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import field, make_dataclass

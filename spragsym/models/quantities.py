@@ -1,7 +1,5 @@
 """The quantities that a brake with a model is given by: their units and ranges, and the dimensionless parameters from them."""
 
-from __future__ import annotations
-
 import inspect
 import itertools
 import textwrap

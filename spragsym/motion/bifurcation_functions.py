@@ -3,8 +3,6 @@
 They are products over multipliers, every factor divided by its size, so that one of 10¹⁰ hides nothing of the others.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from functools import partial

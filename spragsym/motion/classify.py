@@ -5,8 +5,6 @@ of a window look: lift-off for good where the model knows it, rest at an equilib
 linearization (:mod:`.rest`), and cycles by the closed orbit itself and its multipliers (:mod:`.cycles`), in this order.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from ..models.field import SETTLED

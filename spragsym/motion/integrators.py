@@ -4,8 +4,6 @@ All are existing methods, restarted wherever the field of (8)–(11) has a kink:
 one mode of the field (:mod:`~spragsym.motion.problem`), find where the motion leaves it, and go on in the next.
 """
 
-from __future__ import annotations
-
 import importlib.metadata
 import importlib.util
 from collections.abc import Sequence

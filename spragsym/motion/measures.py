@@ -1,7 +1,5 @@
 """Quantities measured on a motion while it runs, or from its samples afterwards."""
 
-from __future__ import annotations
-
 import math
 from collections import deque
 from dataclasses import dataclass

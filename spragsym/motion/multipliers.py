@@ -5,8 +5,6 @@ its rounding; so the product is brought to triangular form stretch by stretch (t
 P. Van Dooren 1992; K. Lust 2001), once the flow's own direction, whose multiplier is 1, has been projected off each stretch.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise

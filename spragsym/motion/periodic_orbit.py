@@ -1,7 +1,5 @@
 """How a motion goes on, and the periodic orbit near it with the derivative of its return map, by Newton's method."""
 
-from __future__ import annotations
-
 from contextlib import suppress
 from dataclasses import dataclass, replace
 

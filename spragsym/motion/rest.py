@@ -1,7 +1,5 @@
 """Rest: equilibria at μ(V), (10), linearized with the damping of the friction law, and motions that decay to them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

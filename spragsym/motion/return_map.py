@@ -5,8 +5,6 @@ is largest, or of an x that turns around and never back, where it passes 0. Coor
 Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never counted twice.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator

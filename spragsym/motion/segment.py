@@ -1,7 +1,5 @@
 """A segment of motion as an integrator gives it: its end, the derivatives of that, and the events on the way."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias

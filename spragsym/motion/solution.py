@@ -1,7 +1,5 @@
 """The result of an integrator: a motion by its samples, and the borders that it passed."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Frequencies and damping of a motion, from its samples."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """DOP853 as SciPy has it, step for step, in code that was compiled on installation: for machines without heyoka."""
 
-from __future__ import annotations
-
 from functools import cache
 from importlib import metadata
 

@@ -1,7 +1,5 @@
 """SciPy's DOP853, or Radau where motions are stiff, with the variational equations or without, restarted at every border."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Adaptive precision: bits are added until every sign that an answer needs is certified; an interval as a float or an angle."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import TypeVar

@@ -1,7 +1,5 @@
 """What every number type makes of its sum, its product and its change of sign."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, Self, TypeAlias
 

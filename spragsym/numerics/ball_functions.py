@@ -1,7 +1,5 @@
 """The namespace ``xp`` of generated functions for :class:`spragsym.numerics.balls.Ball` and jets of balls."""
 
-from __future__ import annotations
-
 import math
 import sys
 from fractions import Fraction

@@ -6,8 +6,6 @@ signs tell whether the part holds no root or exactly one (Descartes, Vincent). E
 polynomial is given back as undecided where that bound leaves open a sign that is needed.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import NamedTuple

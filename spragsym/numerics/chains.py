@@ -1,7 +1,5 @@
 """Curves from points that are linked to their neighbours."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import numpy as np

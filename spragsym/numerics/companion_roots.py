@@ -1,7 +1,5 @@
 """Roots of many polynomials of one degree: eigenvalues of companion matrices, polished by Newton's method, in float64."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -10,8 +10,6 @@ For a system F of n equations, a box X, its middle m, enclosures J of the Jacobi
   half-widths w, so that every matrix in A is regular, and the difference of two roots would be in the kernel of one.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ Coefficients are listed lowest power first: integers, of which nothing is rounde
 that more bits are needed. Intervals are halved, which only adds and shifts.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Sequence

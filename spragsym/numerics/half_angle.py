@@ -1,7 +1,5 @@
 """The half-angle map t = tan(θ/2), over rationals and intervals, and polynomials in cos θ and sin θ as polynomials in t."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple

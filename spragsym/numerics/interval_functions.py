@@ -1,7 +1,5 @@
 """Functions of arrays of intervals beside those that are methods of theirs."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .interval_arrays import FUNCTION_ULPS, FloatArray, Intervals, raised

@@ -1,7 +1,5 @@
 """A root that floats know, in a box of balls of many digits: Krawczyk's operator around the end of Newton's method."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from contextlib import suppress
 from fractions import Fraction

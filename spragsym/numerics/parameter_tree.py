@@ -1,7 +1,5 @@
 """Many points of a space of parameters as a tree of boxes, so that one proof serves all points of a box."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Exact polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation, real roots."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

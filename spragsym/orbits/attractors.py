@@ -4,8 +4,6 @@ What a motion comes to is told by the classifier (:mod:`spragsym.motion.classify
 orbit by Newton's method, which can be followed to other values of the parameters and compared with another.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 

@@ -3,8 +3,6 @@
 ``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes what was proved to standard output.
 """
 
-from __future__ import annotations
-
 import importlib
 import json
 import math

@@ -1,7 +1,5 @@
 """Branches of cycles in one parameter, with all that happens on them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 

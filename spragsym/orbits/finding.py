@@ -1,7 +1,5 @@
 """A cycle from a state near it, or from a motion that approaches it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import islice

@@ -1,7 +1,5 @@
 """Grazing: an orbit only touches a border, and the number of its kinks changes."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Ends of branches of doubled cycles: the two halves become one, on the cycle of half the period, which doubles there."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..errors import ConvergenceError

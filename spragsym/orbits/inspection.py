@@ -1,7 +1,5 @@
 """Events of a branch between two of its points: test functions that change sign, and levels that are passed."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass

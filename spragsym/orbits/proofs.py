@@ -1,7 +1,5 @@
 """Proofs that a cycle exists, is the only one near, and is stable or not."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import subprocess

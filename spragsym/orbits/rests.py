@@ -1,7 +1,5 @@
 """Equilibria of the motion as closed orbits are: followed by pseudo-arclength, with their eigenvalues."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from itertools import combinations

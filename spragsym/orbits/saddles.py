@@ -1,7 +1,5 @@
 """Saddles: equilibria and cycles that repel in exactly one direction."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

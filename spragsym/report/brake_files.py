@@ -1,7 +1,5 @@
 """``brake.toml``: the data of a brake with units and tolerances, read with an error for every mistake that says where it is."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

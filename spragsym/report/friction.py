@@ -1,7 +1,5 @@
 """The effective friction at the speed of the belt, by the model's law, within the tolerances; and the speed for a friction."""
 
-from __future__ import annotations
-
 import itertools
 import math
 

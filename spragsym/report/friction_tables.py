@@ -3,8 +3,6 @@
 What the head of the file says of names, units and order is what is read, or it is refused.
 """
 
-from __future__ import annotations
-
 import csv
 import math
 import re

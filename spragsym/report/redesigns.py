@@ -4,8 +4,6 @@ A value is rounded to what stands in the report, away from the old one, and veri
 within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """States and motions of a brake in newtons, millimetres and hertz: those of sliding, the jump, and the oscillation."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Corners between which all brakes within the tolerances lie, in the parameters of the model."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Variation within the tolerances of a brake: brakes at shares of it, corners, proofs and probabilities."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any

@@ -4,8 +4,6 @@ Only data classes of this package are made from a file, from their fields: it ru
 so that a damaged one is refused.
 """
 
-from __future__ import annotations
-
 import base64
 import enum
 import hashlib

@@ -4,8 +4,6 @@ Memory that is touched for the first time costs as much as the solving: what mos
 arrays, of one more axis than the parameters, are made when they are asked for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache

@@ -1,8 +1,6 @@
 """Searches in angle and length of a spring's line, see :mod:`~spragsym.statics.polar`: stiff, anchored and torsion
 springs."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Damping of a model: dampers and the slope of the friction law, the damped coordinates, and whether K is symmetric."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The reference state, that of small deformation, from which a state is followed unless another one is chosen."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -9,8 +9,6 @@ to the anchor, or the force is at most k_t π, and the coordinates are bounded a
 equilibria.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

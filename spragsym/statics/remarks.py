@@ -1,7 +1,5 @@
 """Reasons for undecided boxes, and for all that was not searched, in plain words."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """All equilibria of any model by a search over boxes, proved, with bounds on their errors."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 from typing import Any

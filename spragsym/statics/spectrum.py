@@ -5,8 +5,6 @@ All are real where the leading minors of the Hankel matrix of their sums of powe
 their elementary symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many digits.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, TypeAlias

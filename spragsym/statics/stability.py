@@ -1,7 +1,5 @@
 """Type of an equilibrium by the roots λ of its linearization, with and without damping."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

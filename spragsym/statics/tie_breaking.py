@@ -1,7 +1,5 @@
 """The order of states, and which is "the smallest" or "the nearest" one, where two are alike to within their errors."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..numerics.interval_arrays import FloatArray, IndexArray, IntArray

@@ -1,7 +1,5 @@
 """The check: its rows, and that it goes red for every small change in what is printed or said about it."""
 
-from __future__ import annotations
-
 import dataclasses
 import importlib
 import random

@@ -1,7 +1,5 @@
 """The numbers behind the claims and the figures, by other means than those that computed them."""
 
-from __future__ import annotations
-
 import ast
 import itertools
 from collections import defaultdict

@@ -1,7 +1,5 @@
 """Folds, cusps, flutter onsets and paths against counts, residuals, other codes and the article."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

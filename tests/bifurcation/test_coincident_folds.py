@@ -1,7 +1,5 @@
 """Folds at one value of the parameter, by a mirror or by chance: which state ends at which, and where it jumps to."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How dangerous an onset is: against closed forms, 50 digits of equations written by hand, and cycles on both sides."""
 
-from __future__ import annotations
-
 import doctest
 from fractions import Fraction
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The bifurcation diagram of one parameter: labels against what is proved and known, the figure and the command."""
 
-from __future__ import annotations
-
 import dataclasses
 import importlib.util
 import json

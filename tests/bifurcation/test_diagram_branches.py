@@ -1,7 +1,5 @@
 """Branches of a diagram: of equilibria each is there once and whole, and a cycle that is not followed costs that one only."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

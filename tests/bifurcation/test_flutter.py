@@ -1,7 +1,5 @@
 """Flutter onsets against a map of stability, against Newton's method on the equations of motion, and at degenerate parameters."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Branches of states: which state at one stop is which at the next."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

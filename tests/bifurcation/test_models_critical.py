@@ -1,7 +1,5 @@
 """The lowest end of a followed state, of any model: against the article's closed form, and against states followed one by one."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

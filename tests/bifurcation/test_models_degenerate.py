@@ -1,7 +1,5 @@
 """Degenerate points of models: ends of ranges, folds beside a cusp, lines of equilibria."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

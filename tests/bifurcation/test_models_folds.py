@@ -1,7 +1,5 @@
 """Folds and onsets of models that are degenerate by symmetry, or whose forces have no potential."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

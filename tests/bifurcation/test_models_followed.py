@@ -1,7 +1,5 @@
 """Which state is followed, and where it ends, where mirrors and ties leave that open: own pages against closed forms."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

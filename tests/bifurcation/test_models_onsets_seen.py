@@ -1,7 +1,5 @@
 """Onsets where a search over boxes can't decide all, as in four coordinates: what floats see is listed, and none is not said."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

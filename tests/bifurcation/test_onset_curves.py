@@ -1,7 +1,5 @@
 """Curves of Hopf points in the plane of two parameters: against closed forms, maps of eigenvalues, searches along other lines."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A state that runs to infinity at a value of a parameter: the value in closed form, for forces with and without springs."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Models with two mirrors: pitchforks of Augusti's column, P = 1 and P = κ, and cusps of von Mises' truss."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.optimize import brentq

@@ -1,7 +1,5 @@
 """Curves of onsets without damping, where two modes meet, in closed form; and pictures of a plane that holds none."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

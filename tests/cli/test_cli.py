@@ -1,7 +1,5 @@
 """The command line: output, exit codes, errors on one line, and nothing else whatever the arguments."""
 
-from __future__ import annotations
-
 import io
 import json
 import pickle

@@ -6,8 +6,6 @@
 each of them; the exit code is that of the tests.
 """
 
-from __future__ import annotations
-
 import inspect
 import os
 import sys

@@ -1,7 +1,5 @@
 """What is about one model each, and nothing else, is run for the models that ``python -m tests.conformance`` was asked for."""
 
-from __future__ import annotations
-
 import os
 
 import pytest

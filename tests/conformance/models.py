@@ -1,7 +1,5 @@
 """The models of the suite: those that are shipped and two that the tests write, or those that it is asked for."""
 
-from __future__ import annotations
-
 import math
 import os
 from importlib.util import find_spec

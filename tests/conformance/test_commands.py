@@ -1,7 +1,5 @@
 """Every command about a model: the same keys for all of them, and what Python says."""
 
-from __future__ import annotations
-
 import json
 import math
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Equilibria of every model to any number of digits."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Every set of parameters knows its model, and a function asked for one model never answers for another."""
 
-from __future__ import annotations
-
 import copy
 import math
 import pickle

@@ -1,7 +1,5 @@
 """The explorer's page of every model: the same parts and columns, the states that Python proves, and its motion."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator

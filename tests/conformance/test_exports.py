@@ -1,7 +1,5 @@
 """Exports of every model: its functions in each language, compiled or run, against the Python ones at the same numbers."""
 
-from __future__ import annotations
-
 import math
 import re
 import shutil

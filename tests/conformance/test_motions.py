@@ -1,7 +1,5 @@
 """Motions and sweeps: one class and one function for every model, with forces held against formulas written by hand."""
 
-from __future__ import annotations
-
 import pickle
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Folds, cusps and onsets of every model: one class, the same attributes, and two ways to one answer."""
 
-from __future__ import annotations
-
 import pickle
 
 import numpy as np

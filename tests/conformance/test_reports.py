@@ -1,7 +1,5 @@
 """The report of a brake with every model: the same keys, what Python says in the file's units, and exports of every page."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from pathlib import Path

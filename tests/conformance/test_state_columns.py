@@ -1,7 +1,5 @@
 """Equilibria of every model: columns that follow from where they are."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

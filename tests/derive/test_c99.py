@@ -1,7 +1,5 @@
 """The C target: clean under strict flags and sanitizers, Python's algebra, equilibria that it vouches for."""
 
-from __future__ import annotations
-
 import ctypes
 import itertools
 import math

@@ -1,7 +1,5 @@
 """``make derive``: the same bytes always, all or nothing, and a plain word when something is missing."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

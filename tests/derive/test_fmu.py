@@ -1,7 +1,5 @@
 """The FMU target: FMPy has nothing to say and simulates as Python does, in units too; bad calls get their status."""
 
-from __future__ import annotations
-
 import shlex
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """Pages from SymPy's mechanics: the generated code is that of the shipped page, and what no page can say is refused by name."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Generated functions: one algebra for every number type, and the numbers of the un-eliminated equations."""
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import pkgutil

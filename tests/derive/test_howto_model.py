@@ -1,7 +1,5 @@
 """The page on writing a model, done as written, in an empty folder."""
 
-from __future__ import annotations
-
 import re
 import runpy
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The JavaScript module: Python's folds, flutter onsets and motion."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """Languages: the bits of C, what their page shows, and one added by the words of CONTRIBUTING alone."""
 
-from __future__ import annotations
-
 import ctypes
 import inspect
 import itertools

@@ -1,7 +1,5 @@
 """Other machines: the C target's bits on each that can be built for here."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

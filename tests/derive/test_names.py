@@ -1,7 +1,5 @@
 """Names of a page, and texts in it, in every language that it is exported to."""
 
-from __future__ import annotations
-
 import ast
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What a page can't say is refused by its line, in the words of the guide, and what it can say goes through."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Pages: what is refused and in which words, what a folder holds, and that the article's page is the article's model."""
 
-from __future__ import annotations
-
 import dataclasses
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The page on changing the model, done as written in a copy of the tree."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

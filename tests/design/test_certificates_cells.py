@@ -1,7 +1,5 @@
 """Certificates over boxes: that cells cover every direction, halves every point, and that shares and counts add up."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Jump values, gradients, margins, certificates, probabilities and designs, each against other evidence than its own."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable
 from typing import Any

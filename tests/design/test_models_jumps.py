@@ -1,7 +1,5 @@
 """Jump values and gradients of any model: against the article's closed forms, and against states followed one by one."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

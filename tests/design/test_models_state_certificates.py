@@ -1,7 +1,5 @@
 """Claims about all states over boxes of parameters: against the article's closed forms, and against points of the boxes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The nearest design that jumps: of several sheets the nearest one, whatever was found first."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -3,8 +3,6 @@
 The truss snaps where P(u) = k u (l/r − 1), r² = b² + u², has its maximum over the height u that is left: r³ = l b².
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What the documents show is what runs: README, CONTRIBUTING, the pages under docs/ and every docstring's examples."""
 
-from __future__ import annotations
-
 import contextlib
 import doctest
 import importlib

@@ -1,7 +1,5 @@
 """Wheel and source distribution: complete, and the runtime without SymPy in an otherwise empty environment."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

@@ -1,7 +1,5 @@
 """A page of the explorer in a browser: what a reader does on it, and what it says; and the browser of this machine."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """The explorer: its bytes, and in a browser its numbers, jumps at folds and none around the cusp, keys, touch, words."""
 
-from __future__ import annotations
-
 import html
 import json
 import math

@@ -1,7 +1,5 @@
 """Axes show what tables and results hold: angles in degrees, each once."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

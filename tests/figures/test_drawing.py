@@ -1,7 +1,5 @@
 """The drawings of the pages: as committed, complete, readable by light and by dark, also of new pages."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("sympy")

@@ -1,7 +1,5 @@
 """Frequencies and growth rates over a parameter: columns, JSON and the picture, against closed forms and matrices."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Figures: every one is drawn, once and small; what they are drawn from is held to what it promises."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Figures of models: what is drawn is what was computed, on the axes that were given."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

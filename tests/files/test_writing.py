@@ -1,7 +1,5 @@
 """Nothing of a user's is lost: files in place whole, names that nobody can guess, folders that hold more than ours, Ctrl-C."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

@@ -1,7 +1,5 @@
 """The parts that prove flutter onsets, each against exact rational numbers worked out by hand or by another way."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The curves of folds against the folds that are proved, at friction coefficients and angles between their points."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

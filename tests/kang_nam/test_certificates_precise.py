@@ -1,7 +1,5 @@
 """Numbers taken exactly, ranges, digits, and the radii of cusps."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import Any

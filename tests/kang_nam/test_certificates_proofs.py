@@ -1,7 +1,5 @@
 """Folds and cusps with proofs: enclosed, none missed, and what can't be decided is not."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """How the solver uses the kernel's certificates: they alone settle a point, and other points go on to more digits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The lowest fold: against paths of states, the balance of forces in 50 digits, and on the borders of the parameters."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

@@ -1,7 +1,5 @@
 """The algebra's properties at numbers that hypothesis picks."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

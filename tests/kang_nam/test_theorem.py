@@ -1,7 +1,5 @@
 """One or three: every step holds, each part of it is needed, a broken assumption is noticed, and exact counts agree."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What a random attack on all models has found: each case as it was, against forces written by hand from the drawing."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

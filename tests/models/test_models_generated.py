@@ -1,7 +1,5 @@
 """What is generated from the shipped pages, held against numerical differentiation in 50 digits."""
 
-from __future__ import annotations
-
 import importlib
 import json
 from types import SimpleNamespace

@@ -3,8 +3,6 @@
 Each against the same mechanics written by hand: Lagrange's equations of a double pendulum from a textbook, balances in mpmath.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

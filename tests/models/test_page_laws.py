@@ -1,7 +1,5 @@
 """Laws of many shapes on one page, from the page to states, jumps and motions, against equations written down here by hand."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Parameters: what is wrong with them is said by name, in the words of who gave them."""
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import inspect

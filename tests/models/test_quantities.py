@@ -1,7 +1,5 @@
 """The model's names, meanings, units and ranges: written once, true, and read by everything that says them."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Every result shows itself: names in completion, values in repr, rows, a frame, a dataset and a picture."""
 
-from __future__ import annotations
-
 import copy
 import functools
 import hashlib

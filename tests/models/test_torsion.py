@@ -1,7 +1,5 @@
 """Torsion springs: the energy k φ²/2 of the least turning φ, against the same written by hand."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Motion in time against energy, linear theory, closed forms and a second integrator."""
 
-from __future__ import annotations
-
 import signal
 from importlib.util import find_spec
 

@@ -1,7 +1,5 @@
 """Motion against exact solutions, and in units in which it is small: no verdict depends on what a page measures lengths in."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

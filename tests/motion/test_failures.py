@@ -1,7 +1,5 @@
 """What the machine does to a sweep: never a wrong number, never a wait without end, one clear error, and no work lost."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import os

@@ -1,7 +1,5 @@
 """Motions in lanes: each as if it were alone, whatever runs beside it, ends before it, or breaks off."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

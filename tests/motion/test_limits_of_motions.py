@@ -1,7 +1,5 @@
 """Limits of motions by their whole state: equilibria and cycles that differ in any coordinate, and rotations modulo a turn."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp

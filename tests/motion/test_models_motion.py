@@ -1,7 +1,5 @@
 """Motion of the shipped models: energy, both integrators, closed forms, and the article's model among them."""
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 from typing import Any

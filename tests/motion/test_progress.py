@@ -1,7 +1,5 @@
 """What long work says of itself, and to whom."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """What motions come to: against what they do later, other integrators, and maps whose multipliers are given."""
 
-from __future__ import annotations
-
 import importlib.util
 from functools import partial
 

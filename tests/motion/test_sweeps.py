@@ -1,7 +1,5 @@
 """Sweeps: the same bits whoever computes them and however often they are interrupted."""
 
-from __future__ import annotations
-
 import ast
 import json
 import os

@@ -1,7 +1,5 @@
 """The search over boxes: others' problems with known roots, and what is not decidable or lies on borders."""
 
-from __future__ import annotations
-
 import time
 from fractions import Fraction
 from math import isqrt

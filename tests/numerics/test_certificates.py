@@ -1,7 +1,5 @@
 """What proofs stand on, against exact arithmetic and many digits: root counts, enclosures of roots."""
 
-from __future__ import annotations
-
 import itertools
 import random
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Numbers that carry the bound of their error: every number that they stand for, exactly, against the bound of each operation."""
 
-from __future__ import annotations
-
 import itertools
 import operator
 from fractions import Fraction

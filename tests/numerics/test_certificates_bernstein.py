@@ -1,7 +1,5 @@
 """Positive roots of many polynomials in float64: none missed, none doubled, each within its radius, and open signs stay open."""
 
-from __future__ import annotations
-
 import itertools
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """What the search over boxes proves, each step by itself against fractions: where roots are, and that there is one or none."""
 
-from __future__ import annotations
-
 import itertools
 from fractions import Fraction
 

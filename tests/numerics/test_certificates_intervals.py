@@ -1,7 +1,5 @@
 """Interval arithmetic, the heart of every proof, against exact rationals and mpmath with many more digits."""
 
-from __future__ import annotations
-
 import contextlib
 import itertools
 import math

@@ -1,7 +1,5 @@
 """Decimals with bounds: whatever is written encloses what was given, in rational arithmetic."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Double-double arithmetic: its bounds against exact fractions, and the rung that stands on it against proofs and other bits."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any

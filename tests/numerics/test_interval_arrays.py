@@ -1,7 +1,5 @@
 """Arrays of intervals against exact fractions and 60 digits, on numbers of every size, NaN and infinities among them."""
 
-from __future__ import annotations
-
 import itertools
 import math
 import operator

@@ -1,7 +1,5 @@
 """Functions of laws in every number type that evaluates a model, against mpmath with more digits than any of them has."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable, Iterator
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Roots that lie close together, by reduction to one unknown; derivatives by jets; exponentials of balls."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import mpmath as mp

@@ -1,7 +1,5 @@
 """Slopes over parts of tubes in affine arithmetic: against slopes at points of the same region, and against intervals."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

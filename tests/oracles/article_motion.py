@@ -1,7 +1,5 @@
 """The article's equations of motion (8)–(11) in plain numbers, written by hand: what other integrators are handed."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

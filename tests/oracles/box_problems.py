@@ -5,8 +5,6 @@ examples 2.2, 5.2 and 5.4; numbers of roots and regions as in the examples of In
 that package's tests.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -4,8 +4,6 @@ Every listed equilibrium has to solve the reference within its error in 40 digit
 starts may find none that is neither listed nor in an undecided box.
 """
 
-from __future__ import annotations
-
 import math
 import time
 from pathlib import Path

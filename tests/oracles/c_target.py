@@ -1,7 +1,5 @@
 """The C target for the benchmarks: built as a user would, called on whole arrays."""
 
-from __future__ import annotations
-
 import ctypes
 import shutil
 import subprocess

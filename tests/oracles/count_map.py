@@ -1,7 +1,5 @@
 """Numbers of equilibria on a grid of angle and friction, held against those that crossing the fold curves predicts."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import spragsym as ss

@@ -4,8 +4,6 @@ The reference knows the force only, written out here: at each small step of the 
 direction of the force. Values lie on folds, and beside them by one float, too.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 import sys

@@ -1,7 +1,5 @@
 """Generated functions of a model in floats, intervals and 50 digits: each held against the 50 digits; and their exports in C."""
 
-from __future__ import annotations
-
 import inspect
 import math
 import subprocess

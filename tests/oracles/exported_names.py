@@ -1,7 +1,5 @@
 """An exported page whose quantities bear names of languages: every function gives the numbers of Python in each of them."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 from typing import Any

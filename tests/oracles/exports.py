@@ -1,7 +1,5 @@
 """Exports of a model, run in each language on calls of its functions."""
 
-from __future__ import annotations
-
 import importlib.util
 import inspect
 import json

@@ -3,8 +3,6 @@
 Folds, cusps and the false double root are reached through their closed forms, then left by relative distances of 1e-3 to 1e-15.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -3,8 +3,6 @@
 Nothing of ``derive/`` or ``generated/`` is used. Numbers are floats, arrays or mpmath's, as ``xp`` has the functions for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -3,8 +3,6 @@
 Forces are those that pull back, so that the balance is ``forces = 0``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any

@@ -4,8 +4,6 @@ Nothing generated stands behind the reference: the accelerations below are writt
 by Newton's method, and derivatives are mpmath's.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any

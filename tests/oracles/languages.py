@@ -1,7 +1,5 @@
 """The JavaScript and MATLAB targets for tests and benchmarks: called on whole tables of points, in node and in Octave."""
 
-from __future__ import annotations
-
 import atexit
 import ctypes
 import json

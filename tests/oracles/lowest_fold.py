@@ -1,7 +1,5 @@
 """The friction of the lowest fold of all angles by a scan of first jumps, and to 50 digits by the balance of forces."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -5,8 +5,6 @@ of a hash over all results. On a machine that is not in the table, build ``bits.
 compare.
 """
 
-from __future__ import annotations
-
 import hashlib
 import platform
 import shutil

@@ -4,8 +4,6 @@ What a command prints, or gives in Python, is compared with the number to the la
 must be printed as they stand.
 """
 
-from __future__ import annotations
-
 import functools
 import json
 import re

@@ -1,7 +1,5 @@
 """Random motions of the article's model by their numbers: cycles that branches begin with, fates that change, and basins."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -4,8 +4,6 @@ Nothing is shared with the solver but the parameters. The quartic comes from its
 cotangent; counts are decided in Arb balls; states are refined on the un-eliminated balance of forces in mpmath.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable
 from fractions import Fraction

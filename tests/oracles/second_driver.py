@@ -1,7 +1,5 @@
 """Motions of the article's model by SciPy's solve_ivp with its own event location, on equations written by hand."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """One mass on a belt under steep friction laws: its page, and the return time of its motion by SciPy's Radau on the equation by hand."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import Any

@@ -3,8 +3,6 @@
 A wrong number, or an error that is not spragsym's own, ends one with that error.
 """
 
-from __future__ import annotations
-
 import warnings
 from collections import Counter
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,5 @@
 """True errors of equilibria, beside the bounds that are said of them: in floats, and to any number of digits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 
 import mpmath

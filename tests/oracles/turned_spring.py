@@ -1,7 +1,5 @@
 """States of a spring with a torsion spring at its anchor, in 50 digits: one scalar equation in the torsion spring's angle."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath as mp

@@ -1,7 +1,5 @@
 """Pages as a user writes them, and their models, each derived once."""
 
-from __future__ import annotations
-
 import functools
 import hashlib
 from importlib.metadata import version

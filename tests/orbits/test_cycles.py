@@ -1,7 +1,5 @@
 """Cycles: against SciPy's own driver, closed forms, published numbers, simulations on both sides, and a proof."""
 
-from __future__ import annotations
-
 import dataclasses
 import importlib
 import itertools

@@ -1,7 +1,5 @@
 """Numbers of docs/oscillation.md are those that the commands beside them print."""
 
-from __future__ import annotations
-
 import importlib.util
 
 import pytest

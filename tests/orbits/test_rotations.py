@@ -1,7 +1,5 @@
 """Cycles that turn around: a driven pendulum, against Liouville's theorem and the homoclinic orbit by shooting with SciPy."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Every mistake in a file of data is told with the file, the line, the key, the value and the remedy."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

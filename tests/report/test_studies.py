@@ -1,7 +1,5 @@
 """A brake in, a verdict out: units, files, and the report's numbers against direct calls."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Mapping

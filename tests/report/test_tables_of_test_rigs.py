@@ -1,7 +1,5 @@
 """Friction curves as test rigs write them: read where they have one meaning, refused where they have two."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Units that may mean two things, and quantities that carry units or dimensions of their own, are refused and not guessed."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """Equilibria around the anchors of springs: torsion springs, whose force has no value there, and springs however stiff."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath as mp

@@ -1,7 +1,5 @@
 """The compiled solver gives what NumPy gives."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Equilibria with proofs: counts, codes and errors against Newton's method on the forces, with many more digits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The solver as it chooses its way by itself, against an independent reference; shapes, bad input, dimensions."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

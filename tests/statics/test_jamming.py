@@ -1,7 +1,5 @@
 """Models whose gap is no coordinate, against closed forms: a rod that jams, a pad that rests as the article's mass does."""
 
-from __future__ import annotations
-
 import itertools
 import math
 

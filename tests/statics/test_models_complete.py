@@ -1,7 +1,5 @@
 """What ``complete`` says: that these are all there are. Whatever was searched is said where that is not everything, and why."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -3,8 +3,6 @@
 Pages with gaps at random are drawn by validation/random_pages.py; here what becomes of a state that lies on the border itself.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """What is called stable: only where nothing grows, dampers and the slope of the friction law included; (27) stands beside it."""
 
-from __future__ import annotations
-
 import json
 
 import mpmath

@@ -1,7 +1,5 @@
 """Equilibria, folds, cusps and onsets of flutter of models from pages: against closed forms and polynomials in many digits."""
 
-from __future__ import annotations
-
 import functools
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Bounds of ``precise`` at any precision, global precisions left alone, threads, and points without an answer."""
 
-from __future__ import annotations
-
 import dataclasses
 import sys
 from typing import Any

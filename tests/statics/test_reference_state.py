@@ -1,7 +1,5 @@
 """The state that is followed unless told otherwise: the stable one of least strain energy."""
 
-from __future__ import annotations
-
 import math
 import pickle
 

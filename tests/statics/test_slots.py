@@ -1,7 +1,5 @@
 """The order of states whose first coordinates are equal: the next ones decide, and not rounding."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

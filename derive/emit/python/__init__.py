@@ -1,7 +1,5 @@
 """Python: plain algebra for any number type, the kernel for arrays, and the table of quantities."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

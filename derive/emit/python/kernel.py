@@ -1,7 +1,5 @@
 """The kernel in Python: its own text, with names bound to NumPy's functions and to the generated algebra."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterable, Mapping
 

@@ -1,7 +1,5 @@
 """The nomenclature as a plain table, for what the runtime says about names, units and ranges."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

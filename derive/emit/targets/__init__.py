@@ -10,8 +10,6 @@ What only one model has in a language stands with that model, and comes with the
 needs SymPy: a library is put together when it is exported.
 """
 
-from __future__ import annotations
-
 import importlib
 import pkgutil
 import re

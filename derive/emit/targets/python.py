@@ -1,7 +1,5 @@
 """Python on an array library that differentiates: one module of functions, each with the statements of NumPy's; results are lists."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Mapping
 

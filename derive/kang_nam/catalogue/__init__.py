@@ -1,7 +1,5 @@
 """Which functions are generated: name, arguments, results, and the algebra of each, taken from the derivation."""
 
-from __future__ import annotations
-
 from ...emit.function import Function, Module
 from . import catastrophe, equilibrium, laws, linear_sprag, stability
 

@@ -1,7 +1,5 @@
 """What the modules of the catalogue share: lists of arguments, shorthands, and the check of what is arranged by hand."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from .. import unit_circles, elimination, equilibrium, mechanics

@@ -1,7 +1,5 @@
 """Functions of the equilibrium surface, its folds and its cusps."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from ...emit.function import Function, Module

@@ -1,7 +1,5 @@
 """Functions of the balance of forces: D, b, the quartics, f, the state."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from ...emit.function import Function, Module, rows

@@ -1,7 +1,5 @@
 """Functions of the laws that the equations of motion are made of."""
 
-from __future__ import annotations
-
 from ...emit.function import Function, Module
 from .. import mechanics
 from .. import nomenclature as nm

@@ -1,7 +1,5 @@
 """Functions of the model with the spring's angle held at θ₀."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from ...emit.function import Function, Module

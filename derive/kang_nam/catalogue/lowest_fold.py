@@ -1,7 +1,5 @@
 """Functions of the points at which the curve of folds turns back in μ₀."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from ...emit.function import Function

@@ -1,7 +1,5 @@
 """Functions of the linearization about an equilibrium: K, its invariants, damping, flutter onsets."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from ...emit.function import Function, Module, rows

@@ -10,8 +10,6 @@ two terms in the middle, and interval Newton in u proves that each s and each p 
 Segments hold together where the set of states at the end of one lies in the box of the next.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Folds at the end of tubes: where states that are followed along a parameter turn back, proved, for many points at once."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

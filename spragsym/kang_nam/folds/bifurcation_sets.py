@@ -1,7 +1,5 @@
 """Every fold curve in the plane of θ₀ and μ₀ with the cusps on them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

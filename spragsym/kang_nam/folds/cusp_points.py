@@ -1,7 +1,5 @@
 """All cusps, proved complete."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

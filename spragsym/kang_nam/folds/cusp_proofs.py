@@ -1,7 +1,5 @@
 """Cusps of exactly given parameters, with a proof that there are no more: ``cusp_polynomial`` in sin θ has them as roots."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """The parameters that stay where θ₀ and μ₀ are spanned."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 

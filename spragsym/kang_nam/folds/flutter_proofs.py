@@ -11,8 +11,6 @@ An onset is never a fold, nor the middle one of three equilibria: in contact the
 ``trace_identity``), and where its discriminant is 0 the determinant is a quarter of the square of that.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

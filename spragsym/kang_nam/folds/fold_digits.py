@@ -4,8 +4,6 @@ Where f changes little with the parameter, float64 leaves the value on the fold 
 found or decided again: one evaluation on each side of the fold gives the digits.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Points of the surface with f = f′ = 0, enclosed."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction

@@ -4,8 +4,6 @@ Both happen at roots of polynomials in sin θ (derived: ``fold_events``), hence 
 exactly. Between two of them the number of folds is that at one rational t, where it is counted exactly.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable, Iterator
 from fractions import Fraction

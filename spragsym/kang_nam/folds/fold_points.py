@@ -1,7 +1,5 @@
 """All folds along one parameter, proved complete."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Mapping

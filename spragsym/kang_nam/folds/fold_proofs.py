@@ -5,8 +5,6 @@ in t = tan(θ/2) (derived: ``fold_sextic``). Descartes' rule isolates its real r
 where cos θ₀ and sin θ₀ enter.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

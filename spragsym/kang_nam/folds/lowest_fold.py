@@ -1,7 +1,5 @@
 """The lowest fold: the friction below which the reference state jumps at no inclination."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Friction at steady sliding."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -1,7 +1,5 @@
 """Claims about every point of a box of parameters, and of units of measure that have tolerances too, by closed forms."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Claims over a box of parameters: for each a proof for many boxes, and a search for counterexamples."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

@@ -5,8 +5,6 @@ first equilibrium at μ₀ beyond the state without friction. If nothing has jum
 it rises all the way, nothing has. So one polynomial's signs between two directions decide, and no fold need be found.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

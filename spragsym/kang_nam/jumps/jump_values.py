@@ -6,8 +6,6 @@ and it jumps at the first fold at which it is one of the two that vanish. Points
 exact arithmetic.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import Any

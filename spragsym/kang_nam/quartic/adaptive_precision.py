@@ -5,8 +5,6 @@ is then enclosed between two numbers where f has opposite signs. What an interva
 bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is reported as a fold.
 """
 
-from __future__ import annotations
-
 import itertools
 from fractions import Fraction
 from typing import Any, NamedTuple

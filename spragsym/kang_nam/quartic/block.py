@@ -1,7 +1,5 @@
 """A block of points at once in NumPy, in float64 or in double-double arithmetic."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The generated C solver on columns of points, where it was compiled on installation."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Callable, Sequence
 

@@ -1,7 +1,5 @@
 """The generated algebra without the wrapper that restores shapes: of any number type."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable
 from typing import Any

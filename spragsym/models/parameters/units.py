@@ -1,7 +1,5 @@
 """Units of measure that have ranges: what depends on them, and what they may be."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The code that decides the bits of a sweep's results: a store made by different code is not resumed."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterator
 from functools import cache

@@ -1,7 +1,5 @@
 """Many motions: RMS and final regime over parameters and initial states, resumable, on all cores."""
 
-from __future__ import annotations
-
 import os
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Measures of one motion of a sweep, or the reason why there are none."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

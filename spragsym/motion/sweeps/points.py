@@ -1,7 +1,5 @@
 """One record for every point of a broadcast of numbers: on all cores, kept as they are done, and gone on with after a kill."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing

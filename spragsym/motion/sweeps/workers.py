@@ -6,8 +6,6 @@ with another: one that is killed is noticed by the end of its pipe, at once. One
 same sign.
 """
 
-from __future__ import annotations
-
 import base64
 import os
 import pickle

@@ -1,7 +1,5 @@
 """The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias

@@ -5,8 +5,6 @@ proved at the root itself: over the box in which it is known to floats, and wher
 What digits do not tell from a root on the border is among the boxes that are left.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol

@@ -1,7 +1,5 @@
 """Direction, length and turning of a spring, from the vector between its ends, for each kind of number that the search uses."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The generated functions of a model by their names, with arguments of any number type."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol, TypeAlias
 

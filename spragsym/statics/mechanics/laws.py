@@ -1,7 +1,5 @@
 """The namespace ``xp`` of a model's functions over boxes of coordinates."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The balance of forces with many digits, at one point of parameters: what float64 does not decide near folds and cusps."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace

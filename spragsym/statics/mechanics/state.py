@@ -1,7 +1,5 @@
 """One evaluation of a model at a state, of any number type: forces, matrices of the linearization, and the gap."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

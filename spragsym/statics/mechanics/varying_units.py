@@ -4,8 +4,6 @@ P is a parameter as the base values of the page's units make it dimensionless, a
 parameters depend on one unit; the chain rule keeps that, where boxes of the parameters themselves would take each for its own.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 from operator import mul

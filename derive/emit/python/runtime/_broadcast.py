@@ -5,8 +5,6 @@ An argument is anything with + − × ÷ and integer powers: float, array, Fract
 @header@
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import wraps
 from types import FunctionType

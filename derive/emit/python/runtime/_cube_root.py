@@ -3,8 +3,6 @@
 @header@
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy

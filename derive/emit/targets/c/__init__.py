@@ -1,7 +1,5 @@
 """C99: the algebra, the kernel if there is one, and what the model brings with it; no allocation, no global state."""
 
-from __future__ import annotations
-
 import re
 import textwrap
 from collections.abc import Iterable, Mapping

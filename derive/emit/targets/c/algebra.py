@@ -1,7 +1,5 @@
 """Generated algebra in C: the statements of Python, operation for operation."""
 
-from __future__ import annotations
-
 import re
 import textwrap
 from collections.abc import Iterable, Mapping

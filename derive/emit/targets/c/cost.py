@@ -1,7 +1,5 @@
 """Worst-case operations of C functions, counted in their text: every branch, and every pass of every loop."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 

@@ -1,7 +1,5 @@
 """The kernel's functions in C: records become structures, flags ints, and both sides of a choice are computed."""
 
-from __future__ import annotations
-
 import ast
 import itertools
 import math

@@ -4,8 +4,6 @@ Lines are broken only where clang-format leaves a break: after an operator outsi
 ones. Text inside further brackets stays on one line, however long.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 import textwrap

@@ -1,7 +1,5 @@
 """CasADi: a module of functions of numbers, SX and MX, to be differentiated and handed to its optimizers and integrators."""
 
-from __future__ import annotations
-
 from .. import Material, python
 
 #: What stands for ``numpy``.

@@ -3,8 +3,6 @@
 An importer sees quantities and motion in their units where data came with units of measure; inside all is dimensionless.
 """
 
-from __future__ import annotations
-
 import hashlib
 import io
 import math

@@ -1,7 +1,5 @@
 """JavaScript: one ES module without dependencies, its types, and for a model that has one an example."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """Generated algebra in JavaScript: the statements of Python, operation for operation, for one number at a time."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Iterable, Mapping
 

@@ -1,7 +1,5 @@
 """The kernel's functions in JavaScript: records become objects, and of a choice only the side that is taken is computed."""
 
-from __future__ import annotations
-
 import ast
 import math
 import re

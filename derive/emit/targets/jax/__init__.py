@@ -1,7 +1,5 @@
 """JAX: a module of functions for ``jax.jit``, ``grad`` and ``vmap``, in whatever precision JAX is set to."""
 
-from __future__ import annotations
-
 from .. import Material, python
 
 #: What stands for ``numpy``.

@@ -3,8 +3,6 @@
 A namespace is a class without objects, whose static methods are called ``library.algebra.name(...)``.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """Generated algebra in MATLAB, for arrays of any one size; nested results come one after the other."""
 
-from __future__ import annotations
-
 import textwrap
 
 from ...definitions import NAMES, Definition, ported

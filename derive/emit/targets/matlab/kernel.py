@@ -1,7 +1,5 @@
 """The kernel's functions in MATLAB: records become structures of columns, and both sides of a choice are computed."""
 
-from __future__ import annotations
-
 import ast
 import math
 import re

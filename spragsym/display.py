@@ -4,6 +4,8 @@ A result says by ``table_model``, ``table_angles``, ``table_varied`` and ``table
 ``table_values`` which they are, and by ``as_table`` what to show in their place.
 """
 
+from __future__ import annotations
+
 import enum
 import html
 import math

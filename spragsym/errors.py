@@ -1,5 +1,7 @@
 """Errors: each says which argument, its value, what is allowed, and what to do."""
 
+from __future__ import annotations
+
 
 class SpragsymError(Exception):
     """Base of every error that this package raises on purpose."""

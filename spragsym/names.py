@@ -1,5 +1,7 @@
 """Closest match for a mistyped name."""
 
+from __future__ import annotations
+
 import difflib
 import re
 import unicodedata

@@ -1,5 +1,7 @@
 """Progress of long work: a line on stderr, or a function that is called, for whoever asks."""
 
+from __future__ import annotations
+
 import itertools
 import sys
 import threading

@@ -1,5 +1,7 @@
 """The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any

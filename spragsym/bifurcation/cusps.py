@@ -1,5 +1,7 @@
 """Cusps of any model in the plane of two parameters: the public function."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Onsets of flutter of a model along one parameter, proved: with dampers and the slope of the friction law, or without."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial

@@ -1,5 +1,7 @@
 """Curves of onsets of flutter in the plane of two parameters: Hopf points and where their kind changes, or modes that meet."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace

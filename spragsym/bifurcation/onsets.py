@@ -1,5 +1,7 @@
 """Onsets of flutter as a result: supercritical or subcritical, once that is asked."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any

@@ -4,6 +4,8 @@ All folds along the parameter are known and proved beforehand. Between two of th
 only to the state that is proved to lie on the same branch: see :mod:`spragsym.bifurcation.branches`.
 """
 
+from __future__ import annotations
+
 import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,5 +1,7 @@
 """Certificates of claims about every point of a box of parameters: proved, refuted by a point, or undecided, by halving parts."""
 
+from __future__ import annotations
+
 import itertools
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence

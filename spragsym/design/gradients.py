@@ -1,5 +1,7 @@
 """Gradient of a jump value with respect to each parameter, as a result."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,5 +1,7 @@
 """Jump values of any model: where the followed state ends as a parameter moves, and their gradients; many points at once."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Distance of a design to a jump: the nearest parameters at which the followed state ends."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 

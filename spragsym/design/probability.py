@@ -1,5 +1,7 @@
 """Probability of a jump when parameters are known within tolerances, and the sensitivity to each."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing

@@ -1,5 +1,7 @@
 """Least changes of a design that move a jump beyond a target."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 

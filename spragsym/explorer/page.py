@@ -1,5 +1,7 @@
 """The page of a model: template, bundled libraries and drawings, exported modules, and what it starts from."""
 
+from __future__ import annotations
+
 import html
 import json
 import re

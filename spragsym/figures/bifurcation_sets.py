@@ -1,5 +1,7 @@
 """The article's Figures 11, 12 and 14: the surface of equilibria, and its shadow, the bifurcation set."""
 
+from __future__ import annotations
+
 import itertools
 
 import numpy as np

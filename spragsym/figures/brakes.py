@@ -1,5 +1,7 @@
 """Pictures of one brake: where it stands in the bifurcation set, its path as friction rises, and which tolerance matters."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any

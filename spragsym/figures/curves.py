@@ -1,5 +1,7 @@
 """Equilibrium curves: computed branch by branch, cut where a branch ends, drawn by stability."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress

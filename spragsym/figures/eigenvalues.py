@@ -1,5 +1,7 @@
 """Frequencies and growth rates of small deviations from equilibria over a parameter: how modes couple, and where one grows."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The article's Figures 4, 5 and 8 to 10: curves of equilibria over the inclination."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias

@@ -1,5 +1,7 @@
 """Figures that the article lacks: why its 8 to 10 come out as they do, and what its 4 and 7 rest on."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

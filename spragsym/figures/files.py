@@ -1,5 +1,7 @@
 """A figure as files: the picture, its caption and the data of its panels; the same bytes every time."""
 
+from __future__ import annotations
+
 import csv
 import io
 import textwrap

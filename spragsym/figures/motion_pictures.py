@@ -1,5 +1,7 @@
 """One motion: over time, in the plane of a coordinate and its rate, and its spectrum."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

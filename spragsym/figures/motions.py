@@ -1,5 +1,7 @@
 """The article's Figures 3 and 7: the laws of friction and contact, and the motion in time."""
 
+from __future__ import annotations
+
 import numpy as np
 
 import spragsym as ss

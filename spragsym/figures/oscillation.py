@@ -1,5 +1,7 @@
 """The oscillation: equilibria and cycles over θ₀, and the events of cycles in the plane of θ₀ and μ₀."""
 
+from __future__ import annotations
+
 import json
 import math
 from collections.abc import Callable

@@ -1,5 +1,7 @@
 """Planes of two parameters of any model: where the number of equilibria changes, and where oscillation begins."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,5 +1,7 @@
 """The picture of a result: which drawing function shows it."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from typing import Any
 

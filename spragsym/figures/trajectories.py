@@ -1,5 +1,7 @@
 """The article's Figures 6 and 13: which equilibrium a slow change of a parameter leads through."""
 
+from __future__ import annotations
+
 import numpy as np
 from matplotlib.axes import Axes
 

@@ -1,5 +1,7 @@
 """Models by name or from a folder: shipped ones stand in ``generated/models``, others where ``spragsym derive`` wrote them."""
 
+from __future__ import annotations
+
 import functools
 import hashlib
 import importlib

@@ -10,6 +10,8 @@ see: all its derivatives are below rounding there. So it is left out where it is
 layer (``near``) is one more that the integrator stops at.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

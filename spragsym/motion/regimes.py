@@ -1,5 +1,7 @@
 """Long-run behaviour of a motion: regimes, the limit that it has, and whether two limits are one."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum

@@ -1,5 +1,7 @@
 """Motion in time: a model integrated from an initial state."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any

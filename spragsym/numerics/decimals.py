@@ -1,5 +1,7 @@
 """Numbers in decimal digits with bounds that hold for the digits: a rounding to decimals is part of the bound beside it."""
 
+from __future__ import annotations
+
 import decimal
 import math
 from fractions import Fraction

@@ -1,5 +1,7 @@
 """Branches of cycles in one parameter, with all that happens on them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 

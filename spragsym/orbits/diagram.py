@@ -5,6 +5,8 @@ prove at some values of the parameter, so that a branch is left out only if it b
 followed from every Hopf point along the parameter, from starts that are given, and from period doublings; there may be others.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field

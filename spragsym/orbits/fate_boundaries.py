@@ -1,5 +1,7 @@
 """The value of a parameter at which a motion from a given start changes its fate, and the saddle that it then hovers at."""
 
+from __future__ import annotations
+
 import math
 from bisect import insort
 from collections.abc import Iterator

@@ -1,5 +1,7 @@
 """A cycle from a state near it, or from a motion that approaches it."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import islice

@@ -1,5 +1,7 @@
 """Maps of fates over a grid of parameters: each point by the rules of :func:`spragsym.fate`, resumable."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,5 +1,7 @@
 """A cycle: a closed orbit with its multipliers, its events, and what is measured over one period."""
 
+from __future__ import annotations
+
 import dataclasses
 import math
 from collections.abc import Sequence

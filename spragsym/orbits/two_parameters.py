@@ -1,5 +1,7 @@
 """Events of cycles followed in two parameters: curves of folds, doublings, tori and grazings in a plane."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from functools import partial
 

@@ -1,5 +1,7 @@
 """The verdict that there is on a motion: its attractor, chaos by its exponents, or what would decide it."""
 
+from __future__ import annotations
+
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any

@@ -1,5 +1,7 @@
 """Bifurcation sets: curves of folds and their cusps in the plane of two parameters, one class for every model."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any

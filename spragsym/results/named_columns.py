@@ -1,5 +1,7 @@
 """Results of a model: its coordinates and parameters are attributes under the names that its page gives them."""
 
+from __future__ import annotations
+
 from typing import Any, ClassVar
 
 from ..models.forces import columns_of

@@ -1,5 +1,7 @@
 """A state followed as one parameter moves, with its jumps: one class for every model, however it was followed."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar

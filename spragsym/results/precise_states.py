@@ -1,5 +1,7 @@
 """Equilibria and cusps to any number of digits, and how their numbers are written."""
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields

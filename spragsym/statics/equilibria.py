@@ -1,5 +1,7 @@
 """All equilibria of any model, and how many there are: the public functions."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from ..errors import ConvergenceError

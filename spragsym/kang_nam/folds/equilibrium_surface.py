@@ -1,5 +1,7 @@
 """The equilibrium surface, explicitly: the friction at which a direction is an equilibrium."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar

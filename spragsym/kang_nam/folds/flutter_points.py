@@ -1,5 +1,7 @@
 """Onsets of flutter: all onsets at one friction, proved complete, and the curves of onsets in the plane of θ₀ and μ₀."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction

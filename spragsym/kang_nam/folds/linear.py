@@ -1,5 +1,7 @@
 """The model in which the spring keeps its angle θ₀, the article's reference [17]."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any, ClassVar
 

@@ -1,5 +1,7 @@
 """Friction at steady sliding."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

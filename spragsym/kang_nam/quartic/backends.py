@@ -1,5 +1,7 @@
 """Backends that solve many points: NumPy, or the same kernel compiled from the generated C."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from types import ModuleType
 

@@ -1,5 +1,7 @@
 """The dimensionless parameters of the article's model."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from typing import Any, Self

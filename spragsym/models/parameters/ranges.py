@@ -1,5 +1,7 @@
 """Validation of arguments: numbers and arrays of numbers within a range."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from typing import Any

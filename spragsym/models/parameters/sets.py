@@ -1,5 +1,7 @@
 """Base of parameter sets: one shape, equality, and errors that suggest the name that was meant."""
 
+from __future__ import annotations
+
 import functools
 import importlib
 from collections.abc import Callable, Iterable, Mapping

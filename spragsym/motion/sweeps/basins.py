@@ -1,5 +1,7 @@
 """Basins of attraction: which attractor is reached from a grid of initial states."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

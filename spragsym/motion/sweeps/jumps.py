@@ -1,5 +1,7 @@
 """Sensitivity of the article's Figure 7b to V and d, which it does not state."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any, ClassVar
 

@@ -1,5 +1,7 @@
 """Many motions: RMS and final regime over parameters and initial states, resumable, on all cores."""
 
+from __future__ import annotations
+
 import os
 from functools import partial
 

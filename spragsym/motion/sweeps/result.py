@@ -1,5 +1,7 @@
 """The result of a sweep: made of the records of its motions, written to a file and loaded from it."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path

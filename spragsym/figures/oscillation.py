@@ -21,7 +21,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
-from ..orbits.maps import Kind
+from ..orbits.fates import Kind
 from .captions import BASE_TEXT, MODEL
 from .curves import branches, table_of
 from .labels import label, shown

@@ -4,11 +4,10 @@ from .basin_boundaries import BasinBoundary, basin_boundary
 from .branch import CycleBranch, CycleEvent, cycle_branch
 from .exponents import Lyapunov, lyapunov
 from .fate_boundaries import FateBoundary, fate_boundary
+from .fates import Fate, FateMap, fate, fate_map
 from .finding import cycle
-from .maps import FateMap, fate_map
 from .orbit import Cycle
 from .two_parameters import EventCurve, cycle_events
-from .verdicts import Fate, fate
 
 __all__ = [
     "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "Fate", "FateBoundary", "FateMap", "Lyapunov",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -26,7 +27,6 @@ from ..motion.shooting import (
     rounding,
     solved,
 )
-from .system import differences
 
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6
@@ -281,3 +281,9 @@ def started(setting: Setting, guess: Guess) -> Point:
     if loop.missed > 1e-9:
         raise ConvergenceError("a branch begins at a closed orbit")
     return point_of(setting, loop)
+
+
+def differences(function: Callable[[FloatArray], FloatArray], place: FloatArray, step: Any) -> FloatArray:
+    """Central differences of a function by each number of a place, along the last axis."""
+    ways = np.eye(len(place)) * step
+    return np.stack([(function(place + way) - function(place - way)) / (2 * way.max()) for way in ways], axis=-1)

@@ -16,9 +16,7 @@ from ..motion.regimes import Outcome, Regime
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of
-from .rests import Rest
-from .saddles import rounding_of
-from .system import System
+from .system import Rest, System, rounding_of
 
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)

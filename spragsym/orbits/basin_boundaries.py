@@ -17,8 +17,7 @@ from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from .attractors import Verdict, attractor, judged, same, surely
-from .saddles import Saddle, saddle_near
-from .system import System
+from .system import Saddle, System, saddle_near
 
 #: Equilibria that differ by less than this are one.
 SAME = 1e-9

@@ -16,10 +16,9 @@ from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, cut_finer, placed, started, within
-from .halving import NEAREST, between_halves, halved, in_halves, meets
-from .inspection import MERGES, Finding, NotLocated, Seen, findings, vertical
+from .events import MERGES, Finding, NotLocated, Seen, findings, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
-from .switching import switched
+from .switching import NEAREST, between_halves, halved, in_halves, meets, switched
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9

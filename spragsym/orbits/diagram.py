@@ -28,8 +28,7 @@ from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
 from .arclength import Point, angle, between, placed, turning, within, zero_of
 from .attractors import same_cycle
 from .finding import cycle_near
-from .rests import Rest
-from .system import System
+from .system import Rest, System
 
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13

@@ -37,10 +37,9 @@ from .attractors import (
     surely,
 )  # fmt: skip
 from .branch import cycle_branch
+from .events import MERGES
 from .finding import cycle_at
-from .inspection import MERGES
-from .saddles import Saddle, growth_of_cycle, saddle_near
-from .system import System
+from .system import Saddle, System, growth_of_cycle, saddle_near
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
 LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)

@@ -16,7 +16,7 @@ from ..progress import doing
 from ..results.result import Result
 from .arclength import Point, Setting, angle, at_zero, corrected, point_of
 from .branch import CycleEvent
-from .grazing import touching
+from .events import touching
 from .orbit import Cycle, cycle_of
 
 #: Lengths of a step, in states, shares of the period and spans of the parameters.

@@ -21,8 +21,8 @@ from spragsym.models.model_field import exact_field
 from spragsym.motion import bifurcation_functions, multipliers
 from spragsym.motion.flows import Flow
 from spragsym.numerics.decimals import exactly
-from spragsym.orbits import attractors, exponents, finding, saddles
-from spragsym.orbits.system import System
+from spragsym.orbits import attractors, exponents, finding
+from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
 from tests.support import few
@@ -473,10 +473,10 @@ def test_chaos_is_proved_by_exponents() -> None:
 
 
 def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:
-    assert saddles.growth_of_cycle(slow) is None
+    assert growth_of_cycle(slow) is None
     p = ss.Parameters.article(theta0=np.radians(54.0))
     doubled = ss.cycle(p, **BELT, near=(2.326445826, 3.364354753, 0.0, 0.3058563602), patient=False)
-    assert saddles.growth_of_cycle(doubled) == pytest.approx(np.log(abs(doubled.multipliers[1])) / doubled.period, rel=1e-9)
+    assert growth_of_cycle(doubled) == pytest.approx(np.log(abs(doubled.multipliers[1])) / doubled.period, rel=1e-9)
 
 
 @pytest.mark.thorough

@@ -2,6 +2,5 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "certificates", "dependence", "design_space", "gradients", "jump_ends", "jump_probability", "jumps", "margins",
-    "probability", "redesigns", "state_certificates", "tube_certificates",
+    "certificates", "design_space", "jumps", "margins", "probability", "sampling", "tube_certificates",
 ]  # fmt: skip

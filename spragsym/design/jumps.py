@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,16 +14,16 @@ from ..bifurcation.paths import first_end
 from ..bifurcation.tubes.tube_regions import Parts, Place
 from ..bifurcation.tubes.tubes import Tubes
 from ..bifurcation.tubes.turning_points import SEGMENTS, past, turned
-from ..errors import ConvergenceError, ParameterError
+from ..display import Table
+from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, Range, as_numbers
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
+from ..results.named_columns import Columns
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import reference_state
 from ..statics.stability import filled
-from .gradients import JumpGradient
-from .jump_ends import FROM_LOWER_END, Ends, told
 
 #: Points at a time.
 BLOCK = 4096
@@ -323,3 +325,56 @@ class Followed:
             left, at = left[~known], at[~known]
             at = past(tubes, parts[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
         return decided
+
+
+@dataclass(frozen=True, eq=False)
+class JumpGradient(Columns, held_in="slopes"):
+    """A jump value and its derivatives by the parameters, each of the shape of the points; NaN where nothing jumps.
+
+    The derivative by the parameter that varies is 0: where it jumps does not depend on where it started. Each derivative is an
+    attribute under the name of its parameter.
+    """
+
+    vary: str
+    value: FloatArray
+    slopes: Mapping[str, FloatArray]
+
+    def as_table(self) -> Table:
+        """The value and its slopes; of many points the smallest and the largest."""
+        rows = []
+        for name, values in {"value": self.value, **self.slopes}.items():
+            known = np.asarray(values)[~np.isnan(self.value)]
+            ends = (f"{known.min():.10g}", f"{known.max():.10g}") if known.size else ("nan", "nan")
+            rows.append((self.vary if name == "value" else f"slope by {name}", *ends))
+        return Table(f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows))
+
+
+#: Where θ₀ begins to rise; folds below it are looked for exactly.
+FIRST_ANGLE = 2.0**-40
+#: Parameters that rise from their lower end; the others move from the value that they have.
+FROM_LOWER_END = {"theta0": FIRST_ANGLE, "mu0": 0.0}
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Where the states of many points end: the value, NaN where they don't, a bound on its error, and the coordinates at a fold.
+
+    ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of which points, by their
+    position in ``value.flat``, nothing is known, and why.
+    """
+
+    value: FloatArray
+    error: FloatArray
+    state: FloatArray
+    reasons: Mapping[int, str]
+
+
+def told(found: Ends) -> Ends:
+    """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
+    for reason in found.reasons.values():
+        if not found.value.shape:
+            raise ConvergenceError(reason)
+        what = f"{len(found.reasons)} points have no answer and are NaN; the first: {reason}"
+        warnings.warn(what, UndecidedWarning, stacklevel=3)
+        break
+    return found

@@ -1,25 +1,34 @@
-"""Probability of a jump when parameters are known within tolerances, and the sensitivity to each."""
+"""Probability that the followed state ends within tolerances, for any model: by sampling, and between proved bounds."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from ..display import Table
 from ..errors import ParameterError
-from ..models.parameters import FloatArray, Parameters, PhysicalParameters, Range, as_count, as_number
+from ..models.load import USUAL, load
+from ..models.parameters import Parameters, PhysicalParameters, Range, as_count, as_number
+from ..models.quantities import Quantities, quantities
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
+from ..numerics.interval_arrays import FloatArray
 from ..progress import advance
+from ..questions import WAYS, Method, model_of
 from ..results.result import Result
 from . import sampling
-from .dependence import Correlation, Dependence, dependence
+from .jumps import have_jumped
+from .sampling import Correlation, Dependence, dependence
+from .tube_certificates import Pieces, Splitting
+
+if TYPE_CHECKING:
+    from ..models.model import Model
 
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
 Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]
@@ -194,3 +203,188 @@ def _at_points(variables: Mapping[str, Any], together: Dependence, event: Event,
 
 def _told(chunk: sampling.Chunk) -> str:
     return f"points {chunk.begin} to {chunk.begin + chunk.size} of replicate {chunk.replicate}"
+
+
+#: The share of a distribution up to some values.
+Shares: TypeAlias = Callable[[FloatArray], Any]
+#: Share of a distribution without an end that is left out of the proof on either side, and counts as not decided.
+TAIL = 1e-9
+#: What sums of shares are rounded outward by.
+ROUNDING = 1e-12
+
+
+def jump_probability(
+    distribution: Distribution,
+    *,
+    model: Model | str | None = None,
+    vary: str | None = None,
+    begin: float | None = None,
+    max_boxes: int = 0,
+    correlation: Correlation | None = None,
+    n: int = POINTS,
+    rng: int | np.random.Generator | None = None,
+    confidence: float = 0.95,
+    sobol: bool = True,
+    replicates: int = 16,
+    workers: Workers = 1,
+    progress: bool = False,
+    method: Method = "auto",
+) -> JumpProbability:
+    """The probability that the followed state ends, by quasi-Monte Carlo, with an interval and Sobol' indices, and proved bounds.
+
+    Parameters
+    ----------
+    distribution : mapping, or two corners of a box
+        For each parameter by name, or for each of the quantities of a brake on which its states depend, as k, k_c and L_0: a
+        number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``;
+        parameters that are left out have their base values. With those of the friction law too, as V and d beside the quantities
+        of the article's model, the friction is that at the speed of the belt. Two :class:`~spragsym.Parameters` or
+        :class:`~spragsym.PhysicalParameters` are the corners of a box.
+    model : Model or str, optional
+        Whose parameters a mapping is of; the article's unless told otherwise.
+    vary, begin : str and float, optional
+        The parameter that rises to its value, mu0 unless told otherwise, and from where, the lower end of its range.
+    max_boxes : int
+        Parts of the box to look at for ``proved``, which is (0, 1) without.
+    correlation : mapping of pairs of names to float, optional
+        Of the normal scores behind the distributions (a Gaussian copula), which are the quantities' own where they are normal;
+        1 where one decides the other. Those that are not named are independent.
+    n : int
+        Points, rounded up to a power of two for each replicate; without closed forms one takes up to a millisecond.
+    rng : int or numpy.random.Generator, optional
+        An int gives the same points each time.
+    confidence : float
+        Of the intervals.
+    sobol : bool
+        Also estimate the indices, which costs half as many evaluations more for each quantity that varies.
+    replicates : int
+        Independent scramblings, from whose spread the intervals follow.
+    workers : int or map-like callable
+        Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask client's. The result is the same.
+    progress : bool
+        Show a bar on stderr.
+    method : {"auto", "closed", "search"}
+        Whether what is asked of each point may be answered by closed forms.
+
+    Returns
+    -------
+    JumpProbability
+
+    Raises
+    ------
+    ParameterError
+        For quantities that are missing or unknown, and distributions that reach out of a range.
+
+    Notes
+    -----
+    Source: an event is an end of the state up to the value of the loading parameter; interval by Student's distribution over the
+    replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't. Proved bounds: tubes around curves of states
+    about parts of the box, whose probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes.tubes`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> base = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.55)
+    >>> box = base.replace(mu0=0.5, sigma=0.09), base.replace(mu0=0.65, sigma=0.11)
+    >>> found = ss.jump_probability(box, n=4096, rng=1)
+    >>> round(found.probability, 2), found.high - found.low < 0.01, max(found.total, key=found.total.get)
+    (0.39, True, 'mu0')
+    >>> found = ss.jump_probability(
+    ...     {"theta0": 1.0, "mu0": (0.2, 0.4)}, model="inclined_belt", n=64, rng=1, replicates=2, max_boxes=64
+    ... )
+    >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
+    (True, True)
+    """
+    if method not in WAYS:
+        raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
+    if isinstance(distribution, tuple):
+        asked = model_of(distribution)
+    else:
+        asked = load(model or USUAL) if model is None or isinstance(model, str) else model
+    asked = asked.search if method == "search" else asked
+    variables = _variables(asked, distribution)
+    vary, begin = asked.rising(vary, begin)
+    kind = quantities(asked.where)
+    event = partial(_ended, asked, kind if _is_physical(kind, distribution) else None, vary, begin, method)
+    found = estimated(
+        variables, event, correlation=correlation, n=n, rng=rng, confidence=confidence, sobol=sobol, replicates=replicates,
+        workers=workers, progress=progress,
+    )  # fmt: skip
+    if not max_boxes:
+        return found
+    if correlation:
+        raise ParameterError("correlation: a bracket is proved for independent parameters only; leave max_boxes out")
+    base = asked.Parameters(**{name: one for name, one in variables.items() if isinstance(one, float)})
+    return replace(found, proved=bracket(base, variables, vary, begin, max_boxes))
+
+
+def bracket(base: Any, variables: Mapping[str, Any], vary: str, begin: float, max_boxes: int) -> tuple[float, float]:
+    """Probability of what is proved to end, and one minus that of what is proved not to."""
+    laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
+    ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
+    low, high = (base.replace(**end) for end in ends)
+    goal = float(getattr(high, vary))
+    up_to = laws[vary].cdf if vary in laws else lambda value: 1.0 * (value >= goal)
+    return measured(Splitting(low, high, vary, begin), {name: law.cdf for name, law in laws.items()}, (up_to, up_to), max_boxes)
+
+
+def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int) -> tuple[float, float]:
+    """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds of those of what moves."""
+    rows = [(place, laws[name]) for place, name in enumerate(box.free) if name in laws]
+
+    def of_free(pieces: Pieces) -> FloatArray:
+        parts = [law(pieces.high[place]) - law(pieces.low[place]) for place, law in rows]
+        return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
+
+    def open_(pieces: Pieces) -> FloatArray:
+        return np.asarray(of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)))
+
+    least, most = 0.0, 1.0
+    for pieces, last, _ in box.run(open_, max_boxes, sharp=True):
+        done = pieces[last]
+        least += float((of_free(done) * (1.0 - up_to[1](done.top))).sum())
+        most -= float((of_free(done) * up_to[0](done.safe)).sum())
+    return max(0.0, least - ROUNDING), min(1.0, most + ROUNDING)
+
+
+def _end(law: Any, share: float) -> float:
+    end = float(law.ppf(share))
+    return end if np.isfinite(end) else float(law.ppf(TAIL if share == 0 else 1 - TAIL))
+
+
+def _variables(model: Model, distribution: Distribution) -> dict[str, Any]:
+    """Each quantity as a float, or as something with a quantile function ``ppf``."""
+    kind = quantities(model.where)
+    physical = _is_physical(kind, distribution)
+    names = kind.of_statics if physical else model.parameters
+    if isinstance(distribution, tuple):
+        low, high, *more = distribution
+        if more or type(low) is not type(high):
+            raise ParameterError("distribution: the corners of a box are two Parameters or two PhysicalParameters")
+        given = sides(low, high, names)
+    else:
+        given = dict(distribution)
+    if physical:
+        names = (*names, *kind.of_the_law) if set(given) & set(kind.of_the_law) else names
+        return checked(given, {name: kind.ranges()[name] for name in names}, "a quantity here")
+    return checked(
+        {**model.base, **given}, {name: model.Parameters.ranges[name] for name in names}, f"a parameter of {model.name}"
+    )
+
+
+def _is_physical(kind: Quantities, distribution: Distribution) -> bool:
+    """Whether what is given are quantities of a brake, in SI."""
+    if isinstance(distribution, tuple):
+        return isinstance(distribution[0], PhysicalParameters)
+    return bool({*distribution} & ({*kind.units} - {*kind.model.parameters}))
+
+
+def _ended(
+    model: Model, kind: Quantities | None, vary: str, begin: float, method: Method, values: Mapping[str, Any]
+) -> FloatArray:
+    """1 where the state ends, 0 where it does not, NaN where that is not known."""
+    # On units that the states do not depend on, as the mass, neither does the friction.
+    p = model.Parameters(**(values if kind is None else kind.groups({**dict.fromkeys(kind.bases, 1.0), **values})))
+    if kind is not None and {*kind.of_the_law} & {*values}:
+        p = p.replace(mu0=model.friction(p))
+    return have_jumped(p, vary, begin, method=method)

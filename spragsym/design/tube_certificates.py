@@ -19,8 +19,7 @@ from ..results import Stability
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.varying_units import BalanceInUnits
 from ..statics.reference_state import reference_state
-from .certificates import ENDS, OPEN, SAFE, Boxes, Certificate, Claim, corner_values
-from .state_certificates import STATES, ClaimOfStates
+from .certificates import ENDS, OPEN, SAFE, STATES, Boxes, Certificate, Claim, ClaimOfStates, corner_values
 
 #: Fewer parts than this take as long as so many.
 FEW = 256
@@ -258,7 +257,7 @@ def certify(
     Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes.tubes`. A part is proved where the tube of all its
     points comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold
     crosses is halved; a box that touches the border of the claim can't be decided there. The other claims:
-    :mod:`spragsym.design.state_certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine
+    :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine
     arithmetic, see :mod:`spragsym.kang_nam.jumps.certificates`.
 
     Examples

@@ -14,8 +14,7 @@ import numpy as np
 
 from ..design.design_space import Design, space
 from ..design.jumps import jump_gradient
-from ..design.margins import jump_margin
-from ..design.redesigns import redesign
+from ..design.margins import jump_margin, redesign
 from ..errors import SpragsymError
 from ..models.parameters import Range
 from ..models.units import factor

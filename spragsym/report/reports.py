@@ -21,14 +21,12 @@ from ..files.writing import put
 from ..remarks import Remark
 from ..results import Equilibria, Points, Result
 from ..statics.equilibria import equilibria
-from . import report_json, texts
-from .cautions import FRICTION, cautions
-from .friction import speed_for
-from .next_steps import next_steps
+from . import texts
+from .advice import FRICTION, cautions, next_steps
 from .redesigns import Change, changes, distance
 from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
 from .study import Study
-from .tolerances import BoxCertificate, bracket, certificate, chance, effort, varied
+from .tolerances import BoxCertificate, bracket, certificate, chance, effort, speed_for, varied
 
 T = TypeVar("T")
 
@@ -413,7 +411,7 @@ class Report(Result):
 
     def to_dict(self) -> dict[str, Any]:
         """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
-        return report_json.as_json(self)
+        return texts.as_json(self)
 
     def text(self) -> str:
         """The report as text: the verdict, then the numbers."""

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..bifurcation.families import ranges
-from ..design.dependence import Correlation, Dependence, dependence
 from ..design.jumps import first_ends, jump_value
+from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
@@ -28,7 +28,7 @@ from ..questions import has_closed_form
 from .units import Measured, read, shown_in
 
 if TYPE_CHECKING:
-    from .friction_tables import FrictionFit
+    from .brake_files import FrictionFit
     from .reports import Report
 
 #: Units of the report where the data came as plain numbers in SI.
@@ -172,8 +172,8 @@ class Study:
 
         A number whose unit was probably meant otherwise is a UserWarning.
         """
+        from .advice import of_data
         from .brake_files import read_brake
-        from .cautions import of_data
 
         study = read_brake(path, trust)
         for said in of_data(study):
@@ -279,9 +279,9 @@ class Study:
     @cached_property
     def friction(self) -> tuple[float, float, float]:
         """The friction that works: least, at the operating point, and largest within the tolerances; by the model's law."""
-        from .friction import working
+        from .tolerances import working_friction
 
-        return working(self)
+        return working_friction(self)
 
     def of_statics(self, mu0: float) -> float:
         """The friction that statics takes with a value of μ₀."""

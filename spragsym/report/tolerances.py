@@ -1,5 +1,7 @@
-"""Variation within the tolerances of a brake: brakes at shares of it, corners, proofs and probabilities."""
+"""Variation within the tolerances of a brake: the friction that works, brakes at shares, corners, proofs, probabilities."""
 
+import itertools
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -7,15 +9,17 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
-from ..design.jump_probability import measured
 from ..design.jumps import have_jumped
-from ..design.probability import JumpProbability, estimated
+from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..models.parameters.units import Unit
+from ..numerics.interval_arrays import Intervals, stacked
+from ..numerics.jets import gradient, variables
 from ..results.result import Result
-from . import friction, tolerance_boxes
+from ..statics.mechanics.balance import NOTHING
+from ..statics.mechanics.varying_units import BalanceInUnits
 from .study import Study
 from .units import Measured
 
@@ -75,7 +79,7 @@ class BoxCertificate(Result):
 
 def deciding(study: Study) -> tuple[str, ...]:
     """The quantities that decide whether it jumps: those of the balance of forces, and of the friction that works."""
-    names = {*study.kind.balanced, *friction.depends_on(study)}
+    names = {*study.kind.balanced, *friction_depends_on(study)}
     return tuple(name for name in study.quantities if name in names)
 
 
@@ -98,7 +102,7 @@ def corners(study: Study) -> FloatArray:
     """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur, at upper ends only of
     what rises, or of quantities with which the friction does."""
     names = varied(study)
-    rising = friction.rising(study) if study.rise is None or study.of_friction else {study.rise.quantity}
+    rising = friction_rises_with(study) if study.rise is None or study.of_friction else {study.rise.quantity}
     together = study.together(names)
     found = together.corners()
     for group in together.groups:
@@ -126,12 +130,12 @@ def ending(study: Study, values: Mapping[str, Any], target: float | None = None,
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has begun to."""
-    low, high, units = tolerance_boxes.corners(study)
+    low, high, units = parameter_ends(study)
     if not study.of_friction:
         name = study.rises.name
         low = low.replace(**{name: max(study.begins(), float(getattr(low, name)))})
     if not _all_works(study):
-        ends = zip((low, high), friction.bounds(study), strict=True)
+        ends = zip((low, high), friction_bounds(study), strict=True)
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in ends)
     return low, high, units
 
@@ -184,7 +188,7 @@ def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
     ends = {name: sorted((study.values[name], value)) for name, value in after.items()}
     moved = {name: replace(study.quantities[name].alone, low=low, high=high) for name, (low, high) in ends.items()}
     low, high, units = box(study.with_quantities({name: one.alone for name, one in study.quantities.items()} | moved))
-    of = tolerance_boxes.sides(study)
+    of = sides(study)
     try:
         way = Splitting(low, high, study.rises.name, study.begins(), units)
         least, most = way.whole.low[:-1, 0], way.whole.high[:-1, 0]
@@ -208,7 +212,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
         return lambda value: study.quantities[name].whole.cdf(np.asarray(value) * scale)
 
     low, high, units = box(study)
-    splitting, of = Splitting(low, high, study.rises.name, study.begins(), units), tolerance_boxes.sides(study)
+    splitting, of = Splitting(low, high, study.rises.name, study.begins(), units), sides(study)
     laws = {side: law(*of[side]) for side in splitting.free}
     up_to = (law(*of[study.rises.name]),) * 2
     if study.of_friction:
@@ -224,5 +228,166 @@ def _shares_that_work(study: Study) -> tuple[float, float]:
     """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
     if _all_works(study):
         return 1.0, 1.0
-    least, most = friction.bounds(study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")}))
+    least, most = friction_bounds(study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")}))
     return max(_NOTHING, least), max(_NOTHING, most)
+
+
+#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how many boxes at once, or few.
+CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
+#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and parts that are looked at.
+OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
+
+
+def working_friction(study: Study) -> tuple[float, float, float]:
+    """The friction that works: least, as drawn, and largest within the tolerances; 0 for a model without friction.
+
+    The ends are those of the law at the corners of the tolerances; where it says less or more between them, they are bounds.
+    """
+    p = study.dimensionless
+    if not study.kind.about["friction"]:
+        return 0.0, 0.0, 0.0
+    here = float(p.model.friction(p, study.law))
+    names = [name for name in friction_depends_on(study) if name in study.tolerances]
+    ends = itertools.product(*((study.quantities[name].low, study.quantities[name].high) for name in names))
+    at = study.kind.parameter_set({**study.values, **dict(zip(names, np.array(list(ends)).T, strict=True))})
+    at_corners = np.atleast_1d(p.model.friction(at, study.law)).tolist()
+    least, most = min(here, *at_corners), max(here, *at_corners)
+    below, above = friction_bounds(study)
+    return (
+        least if below >= least - CLOSE * abs(least) - NOTHING else below, here,
+        most if above <= most + CLOSE * abs(most) + NOTHING else above,
+    )  # fmt: skip
+
+
+def friction_depends_on(study: Study) -> tuple[str, ...]:
+    """Quantities on which the friction that works depends."""
+    law = study.kind.law
+    return ("mu0",) if law["at_rest"] == "mu0" and study.law == "friction_at_rest" else tuple(law["quantities"])
+
+
+def friction_rises_with(study: Study) -> set[str]:
+    """Quantities along which friction is proved not to fall, over all tolerances."""
+    if not study.kind.about["friction"]:
+        return set()
+    law = _Law(study)
+    prepared, shape = law.balance.prepared(Intervals.between(law.low, law.high)), law.low.shape[1:]
+    of = {quantity: name for quantity, name in study.kind.parameters.items() if quantity in friction_depends_on(study)}
+    jets = variables([prepared[law.balance.codes.index(name)] for name in of.values()], 1)
+    arguments = law.balance.arguments(prepared, dict(zip(of.values(), jets, strict=True)))
+    slopes = gradient(law.balance.friction(arguments), len(of))
+    return {name for name, slope in zip(of, slopes, strict=True) if (stacked([slope], shape).low >= 0).all()}
+
+
+def friction_bounds(study: Study) -> tuple[float, float]:
+    """Bounds of the friction that works for everything within the tolerances, by intervals."""
+    law = _Law(study)
+    least, most = -law.largest(-1.0), law.largest(1.0)
+    # A law that is proportional to μ₀ does not drive.
+    return max(0.0, least) if study.kind.law["at_rest"] == "mu0" else least, most
+
+
+def speed_for(study: Study, friction: float) -> float:
+    """The least speed of the belt in m/s at which the largest friction within the tolerances is this one; NaN where none is.
+
+    It is a little less where the law neither rises nor falls over the tolerances, where bounds over intervals are loose.
+    """
+    if not study.moves or study.law != "friction_at_speed" or study.belt is None or not study.values[study.belt]:
+        return math.nan
+    law, name = _Law(study), study.kind.law["belt"]
+    place, speed = law.balance.parameters.index(name), abs(float(getattr(study.dimensionless, name)))
+    parts = [(speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))] + [(0.0, speed)]
+    for _ in range(SPANS):
+        if not parts:
+            return math.nan
+        slow, fast = parts.pop()
+        law.low[place], law.high[place] = slow, fast
+        if law.largest(1.0, FEW) < friction:
+            continue
+        middle = 0.5 * (slow + fast)
+        if fast - slow <= SHARP * fast:
+            return float(middle * study.scales.length / study.scales.time)
+        parts += [(middle, fast), (slow, middle)]
+    return math.nan
+
+
+class _Law:
+    """The law that works, and corners within the tolerances of all on which it depends; units of measure cancel in it."""
+
+    def __init__(self, study: Study) -> None:
+        names = study.kind.law["quantities"]
+        taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
+        low, high, units = parameter_ends(study.with_quantities(taken))
+        self.low, self.high = (
+            np.array([[value] for value in (*corner.scalars(*corner.ranges), *(getattr(unit, side) for unit in units.values()))])
+            for corner, side in ((low, "low"), (high, "high"))
+        )
+        self.balance = BalanceInUnits(low.model, True, units, study.law)
+
+    def between(self, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Bounds of the law over boxes."""
+        arguments = self.balance.over(Intervals.between(low, high))
+        found = stacked([self.balance.friction(arguments)], low.shape[1:])
+        return found.low[0], found.high[0]
+
+    def largest(self, sign: float, most: int = MOST) -> float:
+        """A bound of ± the law over the box: parts are halved along the side over which it moves most, until it is close."""
+        low, high = self.low, self.high
+        above, done, near, far = np.full(1, np.inf), -np.inf, *((0, 1) if sign > 0 else (1, 0))
+        for _ in range(HALVINGS):
+            above = sign * self.between(low, high)[far]
+            best = max(float((sign * self.between(end, end)[near]).max()) for end in (low, high))
+            open_ = np.flatnonzero(above > best + CLOSE * abs(best))
+            if not open_.size or 2 * open_.size > most:
+                break
+            done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
+            low, high = low[:, open_], high[:, open_]
+            middle = 0.5 * (low + high)
+            side, rows = np.argmax([self._moves(low, high, side) for side in range(len(low))], axis=0), np.arange(open_.size)
+            first, second = high.copy(), low.copy()
+            first[side, rows] = second[side, rows] = middle[side, rows]
+            low, high = np.concatenate([low, second], axis=1), np.concatenate([first, high], axis=1)
+        return max(done, float(above.max()))
+
+    def _moves(self, low: FloatArray, high: FloatArray, side: int) -> FloatArray:
+        """By how much the law moves over one side, all others in their middles."""
+        one, other = 0.5 * (low + high), 0.5 * (low + high)
+        one[side], other[side] = low[side], high[side]
+        least, most = self.between(one, other)
+        return np.where(low[side] < high[side], most - least, -1.0)
+
+
+#: Some roundings of half a unit each.
+ROUNDED = 2.0**-48
+
+
+def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
+    """Two sets of parameters at the study's own units, rounded outward, and units of measure that have tolerances too."""
+    kind, low, high = study.kind, dict[str, float](), dict[str, float]()
+    of_units: dict[str, dict[str, float]] = {name: {} for name in kind.bases}
+    for quantity, name in kind.parameters.items():
+        if quantity not in study.quantities:
+            continue
+        powers, allowed = kind.powers(kind.units[quantity]), kind.model.Parameters.ranges[name]
+        for base, power in powers.items():
+            of_units[base] |= {name: -power} if power else {}
+        off = ROUNDED if any(powers.values()) else 0.0
+        ends = outward(study.quantities[quantity], study.scale(kind.units[quantity]), off)
+        low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
+    units = {
+        f"{base}/{base}_0": Unit(*outward(study.quantities[base], study.values[base], ROUNDED), of)
+        for base, of in of_units.items() if of and study.quantities[base].varies
+    }  # fmt: skip
+    return study.placed(kind.model.Parameters(**low)), kind.model.Parameters(**high), units
+
+
+def outward(one: Measured, scale: float, off: float) -> tuple[float, float]:
+    """Ends over a scale, the lower one no higher and the upper one no lower than they are."""
+    return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (1 + math.copysign(off, one.high))
+
+
+def sides(study: Study) -> dict[str, tuple[str, float]]:
+    """For each parameter and each unit the quantity that it is, and its unit in SI."""
+    kind = study.kind
+    return {f"{base}/{base}_0": (base, study.values[base]) for base in kind.bases} | {
+        name: (quantity, study.scale(kind.units[quantity])) for quantity, name in kind.parameters.items()
+    }

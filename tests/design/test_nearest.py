@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from spragsym.design.nearest import nearest
+from spragsym.design.design_space import nearest
 
 #: Centres and radii of discs; the nearest point of each lies on the line to its centre.
 DISCS = ((np.array([5.0, 0.0, 0.0]), 1.0), (np.array([0.0, -2.0, 2.0]), 1.0), (np.array([-1.5, 3.0, 3.0]), 0.8))

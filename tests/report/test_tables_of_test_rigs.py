@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import spragsym as ss
-from spragsym.report.friction_tables import read_friction
+from spragsym.report.brake_files import read_friction
 
 PLAIN = "0.5;0.41\n1;0.43\n"
 

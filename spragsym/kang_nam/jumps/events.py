@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...design.jump_ends import FROM_LOWER_END
+from ...design.jumps import FROM_LOWER_END
 from ...models.parameters import NAMES, FloatArray, Parameters
 from ...numerics import bernstein
 from ...numerics.interval_arrays import IndexArray

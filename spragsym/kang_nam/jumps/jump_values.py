@@ -14,7 +14,7 @@ import numpy as np
 
 from ...bifurcation.paths import first_end
 from ...design.design_space import Space
-from ...design.jump_ends import FIRST_ANGLE, FROM_LOWER_END, Ends
+from ...design.jumps import FIRST_ANGLE, FROM_LOWER_END, Ends
 from ...errors import ConvergenceError
 from ...models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ...numerics.balls import Undecided

@@ -16,7 +16,7 @@ from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
 from benchmarks.timing import timed
-from spragsym.motion import integrators, periodic_orbit, simulate
+from spragsym.motion import integrators, return_map, simulate
 from spragsym.motion.classify import classify
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
@@ -142,7 +142,7 @@ def overhead_table() -> None:
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
             problem = prepare(p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
-            motions, flow = [problem], periodic_orbit.Onward(problem, "heyoka")
+            motions, flow = [problem], return_map.Onward(problem, "heyoka")
             course = integrators.measure(motions, "heyoka")[0]
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)

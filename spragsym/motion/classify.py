@@ -2,18 +2,44 @@
 
 A motion is judged by the limit that it approaches and by the rate at which it does, never by how alike two parts
 of a window look: lift-off for good where the model knows it, rest at an equilibrium by its
-linearization (:mod:`.rest`), and cycles by the closed orbit itself and its multipliers (:mod:`.cycles`), in this order.
+linearization with the damping of the friction law, and cycles by the closed orbit itself and its multipliers
+(:mod:`.return_map`), in this order.
 """
 
-from dataclasses import replace
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
 
-from ..models.field import SETTLED
-from .measures import Course
-from .periodic_orbit import Onward
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.field import SETTLED, Field, Mode, in_one_turn
+from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import ComplexArray
+from .measures import KEPT, Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
-from .rest import at_rest
-from .return_map import on_cycle
+from .return_map import Onward, on_cycle
+
+#: Fewest maxima of x in a window from which a decay is read.
+FEW = 8
+
+#: Real parts up to this are 0 but for rounding.
+ROUNDING = 1e-12
+
+#: Smallest decay of the squares over half a window that can be measured.
+VISIBLE = 1e-3
+
+#: Squares that are larger than this many times what a linear decay leaves of them have not decayed.
+LEFT = 4.0
+
+#: What an integrator leaves of a motion at rest, in tolerances of a step.
+NOISE = 100.0
+
+#: Newton's method has gone astray beyond this, in L_0; its most steps.
+FAR, ROUNDS = 1e6, 40
 
 
 def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETTLED) -> Outcome:
@@ -28,3 +54,106 @@ def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETT
     else:
         found = at_rest(course, problem, tol) or on_cycle(course, problem, onward, tol) or Outcome()
     return replace(found, names=problem.field.components)
+
+
+def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
+    """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
+    still = abs(course.last[0] - course.first[0]) <= 4 * tol and course.reach[1] - course.reach[0] <= 4 * tol
+    decaying = len(course.maxima) >= FEW and not _kinks(course, problem)
+    if not (still or decaying):
+        return None
+    n = len(course.last) // 2
+    rest = rest_near(problem, course.last[:n] if still else course.means)
+    if rest is None:
+        return None
+    place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
+    growth = float(rest.values.real.max())
+    late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
+    distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
+    if still and distance <= tol and growth <= ROUNDING and _stays(course, problem, rest):
+        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(-growth, 0.0), distance=distance)
+    if decaying and growth < 0 and _decays(course, rest):
+        regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
+        return Outcome(regime, rest=place, rate=-growth, distance=distance)
+    return None
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
+
+    state: FloatArray
+    values: ComplexArray
+    vectors: ComplexArray
+
+
+def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
+    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none."""
+    field, constants = problem.field, problem.constants
+    mode = field.mode_at_rest([*place.tolist(), *np.zeros(len(place))], constants)
+    try:
+        state = equilibrium_near(field, constants, place, lambda _: mode)
+    except ConvergenceError:
+        return None
+    if any(border.sign(mode) * border.level(state, constants, mode) < 0 for border in field.borders if border.kink):
+        return None
+    return Rest(state, *np.linalg.eig(field.matrix(state.tolist(), constants, mode)))
+
+
+def equilibrium_near(
+    field: Field, constants: Any, place: FloatArray, mode_at: Callable[[list[float]], Mode] | None = None
+) -> FloatArray:  # fmt: skip
+    """The state of rest that Newton's method finds from a place, in the modes ``mode_at`` states, by default their own."""
+    mode_at = mode_at or partial(field.initial_mode, constants=constants)
+    q, n = np.array(place, dtype=float), len(place)
+    for _ in range(ROUNDS):
+        state = [*q.tolist(), *[0.0] * n]
+        mode = mode_at(state)
+        pull = np.array(field.acceleration(state, constants, mode, math), dtype=float)
+        try:
+            step = np.linalg.solve(field.matrix(state, constants, mode)[n:, :n], -pull)
+        except np.linalg.LinAlgError as error:
+            raise ConvergenceError("there is no equilibrium near") from error
+        q = q + step
+        if not np.abs(q).max() < FAR or np.abs(step).max() < 1e-15 * (1 + np.abs(q).max()):
+            break
+    if np.abs(q).max() < FAR and np.abs(step).max() < 1e-12:
+        return np.concatenate([q, np.zeros(n)])
+    raise ConvergenceError("there is no equilibrium near")
+
+
+def _stays(course: Course, problem: Problem, rest: Rest) -> bool:
+    """Whether as little is left as the linearization says: a cycle beside the equilibrium may be small too, in the model's units.
+
+    Beyond a kink the linearization says nothing, unless the decay is seen.
+    """
+    inverse = np.linalg.pinv(rest.vectors)
+    before, after = (np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last))
+    noise = NOISE * problem.rtol * (1e-3 + np.abs(rest.state).max()) * np.linalg.norm(inverse, 2)
+    left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
+    return bool(after <= noise**2 or (after <= left and (left < before or not _kinks(course, problem))))
+
+
+def _kinks(course: Course, problem: Problem) -> bool:
+    """Whether the motion passed a kink: on a belt that stands still the law of friction is smooth where x' changes its sign."""
+    felt = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
+    return bool(felt.any())
+
+
+def _decays(course: Course, rest: Rest) -> bool:
+    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within a factor of two.
+
+    The squares of the two halves are compared under Hann windows, which hide unfinished beats.
+    """
+    modes = np.abs(np.linalg.pinv(rest.vectors) @ (course.maxima - rest.state).T) ** 2
+    since = course.begin if len(course.maxima_t) < KEPT else float(course.maxima_t[0])
+    window = course.end - since
+    share = (course.maxima_t - since) / window
+    if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
+        return False
+    hann = np.sin(2 * np.pi * share) ** 2
+    first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
+    expected = first * np.exp(rest.values.real * window)  # two times half the window
+    before, after, linear = first.sum(), second.sum(), expected.sum()
+    # A decay that is too slow to show in the window does not count: the first of the three conditions.
+    return bool(linear < before * (1 - VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)

@@ -4,27 +4,39 @@ All are existing methods, restarted wherever the field of (8)–(11) has a kink:
 one mode of the field (:mod:`~spragsym.motion.problem`), find where the motion leaves it, and go on in the next.
 """
 
+from __future__ import annotations
+
 import importlib.metadata
 import importlib.util
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
 from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
+from ..models.field import Field
 from ..models.model import Model
-from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
-from .events import events_of
+from ..models.parameters import FloatArray
+from . import with_compiled, with_heyoka, with_scipy
+from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
-from .solution import Solution, without_chatter
+from .solution import Fly, Passage, Solution, events_of, without_chatter
+from .with_heyoka import taylor_of
+from .with_scipy import IMPLICIT, Flight
 
 #: In the order in which they are preferred.
 BACKENDS = ("heyoka", "compiled", "scipy")
+
 #: Those that take the field of any model; what is compiled on installation is the article's.
 OF_ANY_MODEL = ("heyoka", "scipy")
 
 _INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
+
+#: Tolerance by which SciPy follows a motion to where Newton's method can begin.
+LOOSE = 1e-9
 
 
 def offered_for(model: Model) -> tuple[str, ...]:
@@ -79,7 +91,7 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
     found: dict[int, Course | Exception] = {}
     rows = list(range(len(problems)))
     if backend == "heyoka":
-        watched, rows = batch_heyoka.watch(problems)
+        watched, rows = with_heyoka.watch(problems)
         found = dict(enumerate(watched))
     for row in rows:
         try:
@@ -89,3 +101,48 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
     return [found[row] for row in range(len(problems))]
+
+
+@dataclass(frozen=True)
+class Flow:
+    """A field and an integrator; ``other`` carries derivatives in the integrator's place."""
+
+    field: Field
+    backend: str
+    other: Fly | None = None
+
+    @classmethod
+    def of(cls, field: Field, backend: str | None) -> Flow:
+        """The flow of a field by a backend that takes any model."""
+        return cls(field, choose(backend, OF_ANY_MODEL))
+
+    def _by(self, derivatives: bool) -> Any:
+        return taylor_of(self.field, derivatives) if self.backend == "heyoka" else Flight(self.field, derivatives)
+
+    def fly(
+        self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray | None = None
+    ) -> Passage:  # fmt: skip
+        """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (2, P)."""
+        if directions is None:
+            directions = np.zeros((2, len(self.field.parameters)))
+        return (self.other or self._by(True).fly)(state, constants, duration, directions)
+
+    def plain(
+        self, state: FloatArray, constants: tuple[float, ...], duration: float, _: object = None, *, loose: bool = False
+    ) -> Passage:  # fmt: skip
+        """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
+        carrier = Flight(self.field, False, rtol=LOOSE) if loose and self.backend == "scipy" else self._by(False)
+        return carrier.fly(state, constants, duration, np.zeros((2, len(self.field.parameters))))
+
+    @property
+    def without(self) -> Flow:
+        """This flow without derivatives."""
+        return replace(self, other=self.plain)
+
+    def samples(self, start: FloatArray, constants: tuple[float, ...], t_end: float) -> PiecewisePolynomial:
+        """A motion by its samples; by an implicit method where steps collapse."""
+        try:
+            solution: Solution = self._by(False).motion(start, constants, t_end)
+        except StiffError:
+            solution = Flight(self.field, False, 0, IMPLICIT, stiff=True).motion(start, constants, t_end)
+        return solution.samples

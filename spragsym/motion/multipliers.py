@@ -1,18 +1,28 @@
-"""Floquet multipliers from the stretches of a closed orbit: small ones keep their digits beside large ones.
+"""Floquet multipliers from the stretches of a closed orbit, and test functions: each passes zero at a bifurcation of the orbit.
 
 The monodromy matrix is a product of the stretches' derivatives. Multiplied out, multipliers below 10⁻¹⁶ of the largest drown in
 its rounding; so the product is brought to triangular form stretch by stretch (the periodic QR algorithm: A. Bojanczyk, G. Golub,
 P. Van Dooren 1992; K. Lust 2001), once the flow's own direction, whose multiplier is 1, has been projected off each stretch.
+So small ones keep their digits beside large ones. Test functions are products over multipliers, every factor divided by its size,
+so that one of 10¹⁰ hides nothing of the others.
 """
 
-from collections.abc import Sequence
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import partial
+from itertools import combinations, pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
+
+if TYPE_CHECKING:
+    from .shooting import Loop
 
 #: A product no larger than this is multiplied out: its smallest multiplier loses no more than these digits.
 PLAIN = 1e3
@@ -25,6 +35,9 @@ ROUNDING = 2e-15
 
 #: Trials that tell how far multipliers move by such errors, and what the largest move is multiplied with.
 TRIALS, SAFETY = 3, 3.0
+
+#: Errors of a factor up to which a zero of a test function is told: what is lost concludes nothing.
+LOST = 1e-6
 
 
 @dataclass(frozen=True)
@@ -102,3 +115,49 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
             block = factor[begin:end, begin:end] @ block
         found.append(np.linalg.eigvals(turned[begin:end, begin:end] @ block))
     return np.concatenate(found).astype(complex)
+
+
+def _factors(loop: Loop, kind: str) -> Iterator[tuple[complex, float]]:
+    """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at most, and their errors."""
+    values, errors = loop.multipliers.others, loop.multipliers.errors
+    if kind == "torus":
+        for (a, e), (b, f) in combinations(zip(values.tolist(), errors.tolist(), strict=True), 2):
+            scale = 1 + abs(a * b)
+            yield (1 - a * b) / scale, (abs(a) * f + abs(b) * e) / scale
+        return
+    sign = 1 if kind == "period_doubling" else -1
+    for value, error in zip(values.tolist(), errors.tolist(), strict=True):
+        scale = 1 + abs(value)
+        yield (1 + sign * value) / scale, error / scale
+
+
+def criterion_of(kind: str, loop: Loop) -> float:
+    """Passes zero at a fold, where a multiplier is 1, at a period doubling, where one is −1, and where the product of two is 1.
+
+    That is a torus, if they are complex; nothing, if they are real.
+    """
+    return math.prod((factor for factor, _ in _factors(loop, kind)), start=1.0 + 0.0j).real
+
+
+def is_lost(loop: Loop, kind: str) -> bool:
+    """Whether the sign of a test function is unknown, because a factor is less than its error and that is no small one."""
+    return any(not abs(factor) > error and not error < LOST for factor, error in _factors(loop, kind))
+
+
+def unsure(loop: Loop, kind: str) -> float:
+    """Error of a test function: that of its smallest factor, times the others."""
+    factors = sorted(_factors(loop, kind), key=lambda pair: abs(pair[0]))
+    return float(factors[0][1] * np.prod([abs(factor) for factor, _ in factors[1:]])) if factors else 0.0
+
+
+def is_complex_pair(loop: Loop) -> bool:
+    """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than their errors."""
+    pairs = combinations(zip(loop.multipliers.others, loop.multipliers.errors, strict=True), 2)
+    nearest = min(zip(_factors(loop, "torus"), pairs, strict=True), key=lambda both: abs(both[0][0]), default=None)
+    return nearest is not None and bool(abs(nearest[1][1][0].imag) > max(1e-9, nearest[1][1][1]))
+
+
+#: Kinds of event that a test function tells.
+CRITERIA: dict[str, Callable[[Loop], float]] = {
+    kind: partial(criterion_of, kind) for kind in ("fold", "period_doubling", "torus")
+}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .simulation import Trajectory
 
 #: Names that are letters.
 GREEK = {

@@ -14,9 +14,9 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import TURN, Field, apart
 from ..models.parameters import FloatArray
-from .flows import Flow
+from .integrators import Flow
 from .multipliers import Multipliers, multipliers_of
-from .segment import Crossing, Passage, Turn
+from .solution import Crossing, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
 CLOSED = 1e-12

@@ -3,21 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..display import Table, caption, words
 from ..errors import ParameterError, ParameterTypeError
-from ..models.field import Field
-from ..models.parameters import FloatArray, ParameterSet, as_number, as_numbers
+from ..files import storage
+from ..models import forces
+from ..models.field import SETTLED, Field
+from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from ..names import hint
+from ..numerics.interval_arrays import IndexArray
 from ..questions import model_of
-from . import integrators
-from .events import events_of
-from .problem import MAX_STEPS, Problem, prepare
-from .trajectory import Trajectory
+from ..results.named_columns import Named
+from ..statics.search import rest_index
+from . import integrators, pictures
+from .classify import classify
+from .lobatto import PiecewisePolynomial
+from .measures import Course, Spectrum, course_of, decay_rate_of, spectrum_of
+from .problem import MAX_STEPS, Event, Problem, prepare
+from .regimes import Outcome, Regime
+from .return_map import Onward
+from .solution import Events, events_of
 from .with_scipy import RTOL
 
 
@@ -106,6 +118,280 @@ def simulate(
         difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(axis=0)
         trajectory = replace(trajectory, error=difference)
     return trajectory if events else replace(trajectory, events=None)
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory(Named):
+    """A motion in time, as accurate between the samples as on them.
+
+    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
+    among them: ``degree + 1`` to a step, consecutive steps sharing one. The motion is the polynomial through
+    them, so that integrals and values in between lose nothing against the integration. A coordinate or its rate is an
+    attribute of its name, as ``tr.x`` and ``tr.vx``.
+
+    Attributes
+    ----------
+    model : Model
+        Its page says the units; the article's are sqrt(m/k_c) for times, L_0 for lengths, k_c L_0 for forces.
+    p : Parameters of the model
+        Scalars.
+    t : ndarray, shape (k,)
+        Time in the model's unit.
+    state : ndarray, shape (2 n, k)
+        The n coordinates, then their rates; x, y, x', y' for the article's model.
+    events : Events or None
+        Contact lost and regained, slip reversed; None when not asked for.
+    rtol : float
+        The tolerance.
+    backend : str
+        Which integrator ran.
+    error : ndarray, shape (k,), or None
+        Largest of the 2 n |differences| to a second run at a tighter tolerance; None when not asked for.
+    implicit : bool
+        Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend`` collapsed.
+    """
+
+    model: Any
+    p: Any
+    t: FloatArray
+    state: FloatArray
+    events: Events | None
+    rtol: float
+    backend: str
+    error: FloatArray | None = None
+    implicit: bool = False
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        return (*self.model.coordinates, *self.model.rates)
+
+    @property
+    def offered(self) -> tuple[str, ...]:
+        return self.components
+
+    def data(self) -> dict[str, Any]:
+        """Time and every component, at the samples."""
+        return {"t": self.t, **dict(zip(self.components, self.state, strict=True))}
+
+    def _asked(self, name: str) -> Any:
+        return self.data().get(name)
+
+    def as_table(self) -> Table:
+        """First, smallest, largest and last value of each coordinate and rate, in place of all samples."""
+        said, t = words(self), self.t
+        rows = [
+            (said.heading(key), *(said.cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
+            for key, values in zip(self.components, self.state, strict=True)
+        ]
+        known: dict[str, Any] = {
+            "model": self.model.name,
+            "p": self.p,
+            "rtol": self.rtol,
+            "backend": "SciPy's Radau" if self.implicit else self.backend,
+        }
+        known |= {} if self.events is None else {"events": len(self.events)}
+        title = caption(said, f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}", known, f"{len(t)} samples")
+        return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
+
+    @cached_property
+    def samples(self) -> PiecewisePolynomial:
+        """The polynomials through the samples."""
+        return PiecewisePolynomial(self.t, self.state)
+
+    @cached_property
+    def weights(self) -> FloatArray:
+        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
+        return self.samples.weights()
+
+    def integral(self, values: ArrayLike) -> float:
+        """Integral over time of ``values``, given at the samples."""
+        return float(np.sum(self.weights * np.asarray(values)))
+
+    def __call__(self, t: ArrayLike) -> FloatArray:
+        """x, y, x', y' at any times within the trajectory, shape (4, …)."""
+        times = as_numbers("t", t)
+        if times.size and not (self.t[0] <= times.min() and times.max() <= self.t[-1]):
+            raise ParameterError(
+                f"t = {times.min():g} … {times.max():g} is not within the trajectory, "
+                f"[{self.t[0]:g}, {self.t[-1]:g}]; simulate with a larger t_end"
+            )
+        return self.samples(times)
+
+    def after(self, transient: float | None) -> Trajectory:
+        """What follows the time ``transient``, three quarters of the end if None, as a trajectory; an error if nothing does."""
+        transient = 0.75 * float(self.t[-1]) if transient is None else as_number("transient", transient, NOT_NEGATIVE)
+        if transient >= self.t[-1]:
+            raise ParameterError(
+                f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
+                "give a smaller transient, or simulate with a larger t_end"
+            )
+        if transient <= self.t[0]:
+            return self
+        late = self.samples.after(transient)
+        error = None if self.error is None else np.interp(late.t, self.t, self.error)
+        events = self.events
+        if events is not None:
+            events = events.select(events.t >= transient)
+        return replace(self, t=late.t, state=late.states, events=events, error=error)
+
+    def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
+        """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
+        late = self.after(transient)
+        return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
+
+    def rms(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+        """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
+
+        The article's Figure 7b shows the root mean square of x, from zero.
+        """
+        late = self.after(transient)
+        deviation = late._values(of) - late._centre(of, about)
+        return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
+
+    def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+        """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
+        late = self.after(transient)
+        return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
+
+    def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
+        """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
+
+        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on the flow and its
+        derivatives, which integrates a few periods more.
+        """
+        late = self.after(transient)
+        start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
+        problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
+        found = classify(late.course(), problem, Onward(problem, self.backend), as_number("tol", tol, POSITIVE))
+        return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
+
+    def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
+        """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.
+
+        It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The period is the cycle's
+        own, whatever is left. For what a motion only approaches see :meth:`outcome`.
+        """
+        outcome = self.outcome(transient, tol=tol)
+        return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
+
+    def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
+        """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol`` (see :meth:`outcome`)."""
+        return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
+
+    def course(self) -> Course:
+        """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the samples."""
+        counts = self._event_counts() if self.events is None else np.bincount(self.events.which, minlength=len(Event))
+        return course_of(self.samples, counts)
+
+    def energy(self) -> FloatArray:
+        """Kinetic and stored energy, contact and applied forces included, at the samples."""
+        return self.model.algebra.energy(*self.state, *self._arguments(), self._pushing())
+
+    def friction_power(self) -> FloatArray:
+        """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
+        _, slip = self._levels()
+        side, felt = np.where(slip >= 0, 1, -1), [1] * self.model.about["layers"]
+        return self.model.algebra.friction_power(*self.state, *self._arguments(), self._pushing(), side, *felt)
+
+    def power(self) -> FloatArray:
+        """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
+        motion, taken = self.model.algebra, self._arguments()
+        others = motion.damper_power(*self.state, *taken) + motion.applied_power(*self.state, *taken)
+        return self.friction_power() + others
+
+    def spring_force(self, spring: str | None = None) -> FloatArray:
+        """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names one of several."""
+        name = forces.spring_named(self.model, spring)
+        return forces.told_of(self.model)[name](self.state, self._arguments())
+
+    def contact_force(self) -> FloatArray:
+        """Normal force of the contact at the samples: 0 where the mass has lifted off."""
+        return forces.contact_force(self.model, self.state, self._arguments())
+
+    def spectrum(self, transient: float | None = None, *, of: str | None = None, points: int = 4096) -> Spectrum:
+        """Amplitudes over frequency, in cycles per unit of time, of the motion after ``transient``."""
+        return spectrum_of(self.after(transient).samples, self._row(of, self.components), points)
+
+    def decay_rate(self, transient: float = 0.0, *, of: str | None = None) -> float:
+        """The rate at which the swings of a coordinate shrink after ``transient``; negative where they grow.
+
+        NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle see :meth:`outcome`.
+        """
+        row, n = self._row(of, self.model.coordinates), len(self.model.coordinates)
+        late = self.after(transient)
+        extrema = np.concatenate([late.samples.passages(row + n, sign) for sign in (1, -1)])
+        return decay_rate_of(extrema, late.samples(extrema)[row])
+
+    def plot(self, ax: Any = None, *, transient: float = 0.0, of: str | None = None) -> Any:  # type: ignore[override]  # names its options
+        """Draw x, the first coordinate, over time, or another component (extra ``plot``); returns the line."""
+        row = self._row(of, self.components)
+        if ax is None:
+            from matplotlib import pyplot
+
+            ax = pyplot.gca()
+        return pictures.course_over_time(self.after(transient), self.components[row], ax)
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
+        data: dict[str, Any] = {name: ("t", getattr(self, name)) for name in self.components}
+        if self.error is not None:
+            data["error"] = ("t", self.error)
+        coords: dict[str, Any] = {"t": self.t}
+        if self.events is not None:
+            coords["event_t"] = self.events.t
+            data["event"] = ("event_t", self.events.which.astype(np.int8))
+        codes = {"event": Event} if "event" in data else {}
+        return storage.dataset(data, coords, self._attributes(), self.model.quantities, codes)
+
+    def _save_columns(self, path: Path) -> None:
+        """Write netCDF to ``*.nc`` (extra ``sweep``), with the events, or the samples alone to ``*.csv``."""
+        storage.write(path, self.to_dataset, self.data, self._attributes(), self.model.quantities)
+
+    # -------------------------------------------------------------------------------------------- inner parts
+
+    def _row(self, of: str | None, offered: tuple[str, ...]) -> int:
+        if of is not None and of not in offered:
+            raise ParameterError(f"of = {of!r} is not one of {', '.join(offered)}")
+        return 0 if of is None else offered.index(of)
+
+    def _values(self, of: str | None) -> FloatArray:
+        return self.state[self._row(of, self.components)]
+
+    def _centre(self, of: str | None, about: str) -> float:
+        if about not in ("zero", "mean"):
+            raise ParameterError(f"about = {about!r} is neither 'zero' nor 'mean'")
+        return self.mean(0.0, of=of) if about == "mean" else 0.0
+
+    def _extrema(self, of: str | None) -> FloatArray:
+        """Values at the ends and at all local extrema: of a rate, where its own rate passes 0."""
+        values = self._values(of)
+        row, n = self._row(of, self.components), len(self.components) // 2
+        speed = self.state[row + n] if row < n else self.samples.slopes(row)
+        both = PiecewisePolynomial(self.t, np.array([values, speed]))
+        return np.concatenate([values[[0, -1]], *(both(both.passages(1, sign))[0] for sign in (1, -1))])
+
+    def _arguments(self) -> list[float]:
+        return [float(value) for value in self.model.arguments(self.p, "motion")]
+
+    def _levels(self) -> tuple[FloatArray, FloatArray]:
+        """Gap and sliding speed at the samples; the gap is negative of a contact that always pushes."""
+        gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
+        return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
+
+    def _pushing(self) -> IndexArray:
+        return (self._levels()[0] < 0).astype(int)
+
+    def _event_counts(self) -> IndexArray:
+        """How often each kind of event happened, from the samples alone, which include all events."""
+        gap, slip = self._levels()
+        changes = [np.diff((level > 0).astype(int)) for level in (gap, -slip)]
+        return np.array([np.count_nonzero(change == sign) for change in changes for sign in (1, -1)])
+
+    def _attributes(self) -> dict[str, Any]:
+        values = dict(zip(self.model.parameters, self.p.scalars(*self.model.parameters), strict=True))
+        angles = {f"{name}_deg": degrees(values[name]) for name in self.model.about["angles"]}
+        settings = {"rtol": self.rtol, "backend": self.backend}
+        return {**storage.provenance(), "model": self.model.name, **values, **angles, **settings}
 
 
 def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:

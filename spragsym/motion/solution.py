@@ -1,15 +1,79 @@
-"""The result of an integrator: a motion by its samples, and the borders that it passed."""
+"""What an integrator gives: a motion by its samples and the borders passed, or a stretch of it by its end and derivatives."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..models.field import GAP
+from ..models.field import GAP, Field, Mode
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import BoolArray, IndexArray
+from ..results.result import Result
 from .lobatto import PiecewisePolynomial
-from .problem import Problem
-from .segment import Crossing
+from .problem import Event, Problem, kinds_of
+
+
+class Crossing(NamedTuple):
+    """A border passed: when, which, to which sign of its level, and the state there."""
+
+    t: float
+    border: int
+    sign: int
+    state: FloatArray
+
+
+def crossed(field: Field, border: int, mode: Mode, t: float, state: FloatArray) -> tuple[Crossing, ...]:
+    """The crossing of a border into a mode; none where there is no kink."""
+    passed = field.borders[border]
+    return (Crossing(t, border, int(passed.sign(mode)), state.copy()),) if passed.kink else ()
+
+
+class Turn(NamedTuple):
+    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the first coordinate.
+
+    ``direction`` is the sign of the rate's own rate: −1 at a largest value.
+    """
+
+    t: float
+    border: int
+    direction: int
+    state: FloatArray
+    by_state: FloatArray
+    by_parameters: FloatArray
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A stretch of motion: where it ends, (m,), and derivatives of that.
+
+    Those by the state at the start, (m, m), are the product over the smooth pieces, as the field is continuous; those by the
+    parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and of its square over time are there
+    where the integrator carries them along.
+    """
+
+    state: FloatArray
+    by_state: FloatArray
+    by_parameters: FloatArray
+    crossings: tuple[Crossing, ...]
+    turns: tuple[Turn, ...]
+    integrals: tuple[float, float] | None = None
+
+
+#: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (2, P).
+Fly: TypeAlias = Callable[[FloatArray, tuple[float, ...], float, FloatArray], Passage]
+
+
+def parted(state: FloatArray, columns: FloatArray | None) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """A state and its derivatives by the start and by the parameters, 0 where there are no columns for these; empty for none."""
+    if columns is None:
+        return state.copy(), np.empty((0, 0)), np.empty((0, 0))
+    m = len(state)
+    whole = np.zeros((m, m + 2))
+    whole[:, : columns.shape[1]] = columns
+    return state.copy(), whole[:, :m], whole[:, m:]
 
 
 @dataclass(frozen=True)
@@ -19,6 +83,17 @@ class Solution:
     samples: PiecewisePolynomial
     crossings: tuple[Crossing, ...]
     implicit: bool = False
+
+
+def assembled(t: FloatArray, states: FloatArray, crossings: Sequence[Crossing], t_record: float = 0.0) -> Solution:
+    """From samples by steps, shapes (steps, DEGREE + 1) and (steps, 2 n, DEGREE + 1), to samples in a row."""
+    samples = PiecewisePolynomial(
+        np.append(t[:, :-1].ravel(), t[-1, -1]),
+        np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),
+    )
+    if t_record > t[0, 0]:
+        samples = samples.after(t_record)
+    return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
 
 
 def without_chatter(solution: Solution, problem: Problem) -> Solution:
@@ -44,12 +119,50 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
     return replace(solution, crossings=tuple(each for each in solution.crossings if id(each) not in chatter))
 
 
-def assembled(t: FloatArray, states: FloatArray, crossings: Sequence[Crossing], t_record: float = 0.0) -> Solution:
-    """From samples by steps, shapes (steps, DEGREE + 1) and (steps, 2 n, DEGREE + 1), to samples in a row."""
-    samples = PiecewisePolynomial(
-        np.append(t[:, :-1].ravel(), t[-1, -1]),
-        np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),
-    )
-    if t_record > t[0, 0]:
-        samples = samples.after(t_record)
-    return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
+@dataclass(frozen=True, eq=False)
+class Events(Result):
+    """Where the motion passed a kink of the field, in order of time.
+
+    Attributes
+    ----------
+    t : ndarray, shape (k,)
+        Time.
+    state : ndarray, shape (k, 2 n)
+        Coordinates and rates there: y = 0 or x' = V to 1e-12.
+    which : ndarray of int, shape (k,)
+        Codes of :class:`Event`.
+    components : tuple of str
+        Names of the coordinates and rates.
+    """
+
+    table_codes: ClassVar[Mapping[str, type[Event]]] = {"which": Event}
+
+    t: FloatArray
+    state: FloatArray
+    which: IndexArray
+    components: tuple[str, ...] = field(repr=False)
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def of(self, *kinds: Event) -> Events:
+        """The events of some kinds only."""
+        return self.select(np.isin(self.which, kinds))
+
+    def select(self, chosen: BoolArray) -> Events:
+        """The events that are marked."""
+        return replace(self, t=self.t[chosen], state=self.state[chosen], which=self.which[chosen])
+
+    def table_values(self) -> dict[str, Any]:
+        """Time, what happened, and the state by its names."""
+        return {"t": self.t, "which": self.which, **dict(zip(self.components, self.state.T, strict=True))}
+
+
+def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
+    """The crossings that have a name for users."""
+    kinds = kinds_of(field)
+    told = [each for each in crossings if (each.border, each.sign) in kinds]
+    return Events(
+        np.array([each.t for each in told]), np.array([each.state for each in told]).reshape(-1, field.size),
+        np.array([kinds[each.border, each.sign] for each in told], dtype=np.intp), field.components,
+    )  # fmt: skip

@@ -13,8 +13,7 @@ from ..models.parameters import FloatArray
 from . import with_scipy
 from .lobatto import unit_points
 from .problem import Problem, check_stiffness, out_of_range, too_many_steps
-from .segment import Crossing, crossed
-from .solution import Solution, assembled
+from .solution import Crossing, Solution, assembled, crossed
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
 CHUNK = 20_000

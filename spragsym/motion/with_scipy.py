@@ -14,8 +14,7 @@ from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, StiffError, check_stiffness, out_of_range, too_many_steps
-from .segment import Crossing, Passage, Turn, crossed, parted
-from .solution import Solution, assembled
+from .solution import Crossing, Passage, Solution, Turn, assembled, crossed, parted
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.

@@ -11,8 +11,8 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import CRITERIA, unsure
-from ..motion.flows import Flow
+from ..motion.integrators import Flow
+from ..motion.multipliers import CRITERIA, unsure
 from ..motion.shooting import (
     CLOSED,
     LARGEST_GROWTH,

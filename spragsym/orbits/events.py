@@ -10,9 +10,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, unsure
-from ..motion.segment import Turn
+from ..motion.multipliers import CRITERIA, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Conditions, Guess, Loop, recut, solved
+from ..motion.solution import Turn
 from .arclength import LOCATED, Point, Setting, between, corrected, differences, placed, turning, uncertainty, zero_of
 
 #: What test functions tell, a grazing apart.

@@ -21,9 +21,8 @@ from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
 from ..motion.regimes import Outcome, Regime
 from ..motion.simulation import state_of
-from ..motion.sweeps.points import made_or_loaded
-from ..motion.sweeps.result import fingerprint, with_degrees
-from ..motion.sweeps.workers import Workers
+from ..motion.sweeps.many import fingerprint, with_degrees
+from ..motion.sweeps.workers import Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
 from ..questions import model_of
 from ..results.result import Result

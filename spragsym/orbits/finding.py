@@ -16,10 +16,10 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
-from ..motion.flows import Flow
+from ..motion.integrators import Flow
 from ..motion.regimes import Outcome, Regime
-from ..motion.segment import Turn
 from ..motion.shooting import Guess, Loop, across, error_of, extent, rate, solved, split
+from ..motion.solution import Turn
 from ..numerics.balls import Undecided
 from .arclength import differences
 from .orbit import Cycle, cycle_of

@@ -16,7 +16,6 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.events import Events, events_of
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
     LARGEST_GROWTH,
@@ -32,6 +31,7 @@ from ..motion.shooting import (
     solved,
 )
 from ..motion.simulation import motion_of
+from ..motion.solution import Events, events_of
 from ..numerics.interval_arrays import ComplexArray
 from ..results.result import Result
 

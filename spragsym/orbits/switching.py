@@ -8,7 +8,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
-from ..motion.bifurcation_functions import unsure
+from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, across, extent, rate, recut, solved
 from .arclength import SURE, Point, Setting, at_zero, corrected, fixed, point_of
 from .events import MERGES

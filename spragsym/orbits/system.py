@@ -13,11 +13,11 @@ from ..errors import ConvergenceError
 from ..models.field import GAP, Field, Mode
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
-from ..motion.flows import Flow
-from ..motion.rest import equilibrium_near
-from ..motion.segment import Passage
+from ..motion.classify import equilibrium_near
+from ..motion.integrators import Flow
 from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
+from ..motion.solution import Passage
 from ..questions import model_of
 from .arclength import Point, Setting, started
 from .orbit import Cycle

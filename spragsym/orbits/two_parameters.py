@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import CRITERIA, is_complex_pair
+from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop
 from ..progress import doing
 from ..results.result import Result

@@ -117,7 +117,7 @@ def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
 def test_a_coordinate_hides_nothing_of_the_results() -> None:
     """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that of a parameter."""
     from spragsym.derive import reserved
-    from spragsym.motion.sweeps.measure import reported
+    from spragsym.motion.sweeps.many import reported
 
     def asked(kind: type) -> set[str]:
         return {name for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind))) if not name.startswith("_")}

@@ -17,7 +17,7 @@ import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.derive.kang_nam.library import exported
 from spragsym.explorer import explorer_page
-from spragsym.explorer.described import described
+from spragsym.explorer.page import described
 from spragsym.models.load import shipped
 from spragsym.models.parameters import NAMES
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium

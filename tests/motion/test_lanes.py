@@ -9,7 +9,7 @@ import pytest
 import spragsym as ss
 from spragsym.errors import SweepError
 from spragsym.models.field import Field
-from spragsym.motion import Event, batch_heyoka, integrators, simulate
+from spragsym.motion import Event, integrators, simulate, with_heyoka
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep
 from spragsym.motion.with_heyoka import taylor_for
@@ -38,7 +38,7 @@ def broken(problem: Problem) -> Problem:
 
 def watched(some: list[Problem]) -> list[Any]:
     """What is measured while motions are integrated, or why there is nothing."""
-    return batch_heyoka.watch(some)[0]
+    return with_heyoka.watch(some)[0]
 
 
 def assert_same(left: Any, right: Any) -> None:
@@ -48,9 +48,9 @@ def assert_same(left: Any, right: Any) -> None:
     assert left.reach == right.reach
 
 
-@pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
+@pytest.mark.parametrize("burst", [5, with_heyoka.BURST])
 def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
-    monkeypatch.setattr(batch_heyoka, "BURST", burst)  # the shorter it is, the more often some have ended while others go on
+    monkeypatch.setattr(with_heyoka, "BURST", burst)  # the shorter it is, the more often some have ended while others go on
     some = problems(21)  # more than two fillings, and a rest
     together = watched(some)
     order = RNG.permutation(len(some)).tolist()
@@ -61,9 +61,9 @@ def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyP
         assert_same(together[row], watched([some[row]])[0])
 
 
-@pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
+@pytest.mark.parametrize("burst", [5, with_heyoka.BURST])
 def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
-    monkeypatch.setattr(batch_heyoka, "BURST", burst)
+    monkeypatch.setattr(with_heyoka, "BURST", burst)
     good = problems(19)
     enough = max(simulate_steps(problem) for problem in good) + 5  # steps before a new beginning do not count
     good = [replace(problem, max_steps=enough) for problem in good]

@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from spragsym.motion import with_compiled, with_heyoka
-from spragsym.motion.flows import Flow
+from spragsym.motion.integrators import Flow
 from spragsym.motion.problem import check_stiffness
 from spragsym.motion.sweeps import rms_sweep
 from spragsym.orbits import finding

@@ -17,7 +17,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.motion import Event, Regime, simulate
-from spragsym.motion.sweeps import Sweep, basin, code, rms_sweep
+from spragsym.motion.sweeps import Sweep, basin, many, rms_sweep
 from tests.support import ROOT, needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
@@ -128,7 +128,7 @@ def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pyte
     interrupted(path, 2)
     for _ in ("journal", "result"):
         with monkeypatch.context() as patch:
-            patch.setattr(code, "digest", lambda *_: "of other code")
+            patch.setattr(many, "digest", lambda *_: "of other code")
             with pytest.raises(ss.ParameterError, match="other code"):
                 rms_sweep(P, **SHORT, store=path)
         rms_sweep(P, **SHORT, store=path)
@@ -141,14 +141,14 @@ UNDECIDING = ("display.py", "errors.py", "names.py", "progress.py", "remarks.py"
 def test_every_module_that_decides_a_record_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A change in any of them changes the digest; line ends and other modules don't."""
     package = Path(ss.__file__).parent
-    read = _imported(package, "motion/sweeps/measure.py") | _imported(package, "motion/sweeps/result.py")
+    read = _imported(package, "motion/sweeps/many.py")
     assert len(read) > 30
     for file in read:
         (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / file).write_bytes((package / file).read_bytes())
-    monkeypatch.setattr(code, "files", lambda _: tmp_path)
-    monkeypatch.setattr(code, "DECIDING", [place for place in code.DECIDING if (tmp_path / place).exists()])
-    digest = code.digest.__wrapped__
+    monkeypatch.setattr(many, "files", lambda _: tmp_path)
+    monkeypatch.setattr(many, "DECIDING", [place for place in many.DECIDING if (tmp_path / place).exists()])
+    digest = many.digest.__wrapped__
     before = digest()
     for file in tmp_path.rglob("*.py"):
         text = file.read_bytes()

@@ -18,8 +18,8 @@ from benchmarks import bench_auto
 from spragsym.generated import laws
 from spragsym.models.field import Border, Field
 from spragsym.models.model_field import exact_field
-from spragsym.motion import bifurcation_functions, multipliers
-from spragsym.motion.flows import Flow
+from spragsym.motion import multipliers
+from spragsym.motion.integrators import Flow
 from spragsym.numerics.decimals import exactly
 from spragsym.orbits import attractors, exponents, finding
 from spragsym.orbits.system import System, growth_of_cycle
@@ -389,9 +389,9 @@ def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
         """Of factors 1 − μ, each over its size."""
         return math.prod(((1 - value) / (1 + abs(value))).real for value in values)
 
-    assert bifurcation_functions.CRITERIA["fold"](slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
-    assert bifurcation_functions.CRITERIA["period_doubling"](slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
-    assert bifurcation_functions.CRITERIA["torus"](slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
+    assert multipliers.CRITERIA["fold"](slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
+    assert multipliers.CRITERIA["period_doubling"](slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
+    assert multipliers.CRITERIA["torus"](slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
 
 
 @pytest.mark.parametrize("large", [1e3, 1e8, 1e10])
@@ -422,10 +422,10 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     found = multipliers.multipliers_of(parts, [np.array([1.0, 0.0, 0.0])])
     loop: Any = types.SimpleNamespace(multipliers=found)
     assert found.errors[1] > 0.1
-    assert bifurcation_functions.is_lost(loop, "fold")
-    assert bifurcation_functions.is_lost(loop, "torus") or not bifurcation_functions.is_complex_pair(loop)
+    assert multipliers.is_lost(loop, "fold")
+    assert multipliers.is_lost(loop, "torus") or not multipliers.is_complex_pair(loop)
     good = multipliers.multipliers_of([np.diag([1.0, 1e2, 1.1])], [np.array([1.0, 0.0, 0.0])])
-    assert not bifurcation_functions.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
+    assert not multipliers.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents

@@ -3,8 +3,7 @@
 from ..regimes import Regime
 from .basins import Basin, basin
 from .jumps import Sensitivity, sensitivity
-from .many import rms_sweep
-from .result import Sweep
+from .many import Sweep, rms_sweep
 from .workers import Workers
 
 __all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "Workers", "basin", "rms_sweep", "sensitivity"]

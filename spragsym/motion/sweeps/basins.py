@@ -13,8 +13,7 @@ from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...numerics.interval_arrays import IntArray
 from ...results.named_columns import Named
 from ..regimes import Outcome, Regime, same_limit
-from .many import rms_sweep
-from .result import Sweep
+from .many import Sweep, rms_sweep
 
 
 @dataclass(frozen=True, eq=False)

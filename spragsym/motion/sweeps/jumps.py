@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike
 from ...errors import ModelError, ParameterError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...results.result import Result
-from .many import rms_sweep
-from .result import Sweep
+from .many import Sweep, rms_sweep
 
 
 @dataclass(frozen=True, eq=False)

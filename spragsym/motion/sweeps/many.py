@@ -2,27 +2,49 @@
 
 from __future__ import annotations
 
+import hashlib
+import math
 import os
-from functools import partial
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, partial
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any, ClassVar
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ...errors import ParameterError
-from ...models.parameters import NOT_NEGATIVE, POSITIVE, ParameterSet, as_count, as_number
+from ...errors import ConvergenceError, ParameterError
+from ...files import storage
+from ...files.journal import Record
+from ...models.model_field import field_of
+from ...models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_count, as_number, degrees
+from ...numerics.interval_arrays import Int8Array, Shape
 from ...questions import model_of
-from .. import batch_heyoka, integrators
-from ..problem import MAX_STEPS, RELATIVE_TOLERANCE
+from ...results.named_columns import Columns
+from ...statics.search import rest_index
+from .. import integrators
+from ..classify import classify
+from ..measures import Course
+from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, check_direction, out_of_range
+from ..regimes import Outcome, Regime
+from ..return_map import Onward
 from ..simulation import initial_state
-from .measure import Settings, measured, reported
-from .points import made_or_loaded
-from .result import Sweep, fingerprint, made_of
-from .workers import Workers
+from ..with_heyoka import LANES
+from .workers import Workers, made_or_loaded
 
 #: Motions of one task at most, and their time in all; a few points are one task each.
 TOGETHER, TOGETHER_FOR = 1024, 2e5
 
 #: Tasks that every worker gets at least, where there are points enough.
 PARTS = 16
+
+#: What a motion's record is made by: rooms, and single modules. ``test_sweeps`` compares them with what is imported.
+DECIDING = (
+    "generated", "kang_nam", "models", "motion", "numerics", "results", "statics", "questions.py",
+)  # fmt: skip
 
 
 def rms_sweep(
@@ -119,5 +141,249 @@ def _together(settings: Settings, count: int, workers: int) -> int:
     """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
     if settings.backend != "heyoka":  # which alone carries many at a time
         return 1
-    lasting = max(batch_heyoka.LANES, int(TOGETHER_FOR / settings.t_end))
+    lasting = max(LANES, int(TOGETHER_FOR / settings.t_end))
     return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep(Columns, held_in="measured"):
+    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
+
+    Attributes
+    ----------
+    inputs : dict of str to ndarray
+        The model's parameters and initial state as they were given, which broadcast together; for the article's θ₀, μ₀, κ, α,
+        σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y stands for every other one.
+    measured : dict of str to ndarray
+        What follows, up to ``distance``; each is an attribute of its name.
+    rms, spread, largest, mean, mean_y : ndarray
+        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
+        means of x and y.
+    contact_lost, slip_reversed : ndarray
+        How often, after the transient.
+    period, cycle_mean, cycle_rms : ndarray
+        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
+        one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
+    cycle_x, cycle_y, cycle_vx, cycle_vy : ndarray
+        State of that cycle where its x is largest, or 0 if x turns around; NaN for no cycle.
+    rest_x, rest_y : ndarray
+        Where the equilibrium is that the motion is at or approaches; NaN for none.
+    rate, distance : ndarray
+        In the long run a motion nears what it settles to or approaches as exp(−rate τ); ``distance`` is what is left of the
+        way at ``t_end``, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.motion.regimes.Outcome`.
+    regime : ndarray of int8
+        Codes of :class:`Regime`.
+    equilibrium : ndarray of int8
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its slot among ``equilibria(p)`` in contact at the friction
+        μ(V); −1 otherwise.
+    reason : ndarray of str
+        Why a motion failed.
+    model : Model
+        The model.
+    """
+
+    table_codes: ClassVar[Mapping[str, type[Regime]]] = {"regime": Regime}
+
+    inputs: dict[str, FloatArray]
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    max_steps: int
+    measured: dict[str, FloatArray]
+    regime: Int8Array
+    equilibrium: Int8Array
+    reason: NDArray[np.str_]
+    model: Any
+
+    def outcome(self, index: Any) -> Outcome:
+        """What one motion comes to."""
+        names = (*self.model.coordinates, *self.model.rates)
+        rest, cycle = (
+            tuple(float(self.measured[f"{what}_{name}"][index]) for name in places)
+            for what, places in (("rest", self.model.coordinates), ("cycle", names))
+        )
+        known = {name: float(self.measured[name][index]) for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")}
+        regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
+        at_rest, on_cycle = not np.isnan(rest[0]), not np.isnan(cycle[0])
+        return Outcome(regime, which, rest if at_rest else (), cycle=cycle if on_cycle else (), names=names, **known)
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
+
+        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, …. θ₀ is there
+        in radians and, as ``theta0_deg``, in degrees.
+        """
+        dims = _dimensions(self.inputs, self.rms.shape)
+        # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
+        inputs = {
+            name: ((), float(values.flat[0])) if values.size == 1
+            else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
+            else (dims, np.broadcast_to(values, self.rms.shape).copy())
+            for name, values in with_degrees(self.model, self.inputs).items()
+        }  # fmt: skip
+        columns = {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason.astype(object)}
+        results = {name: (dims, values) for name, values in columns.items()}
+        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, self.table_codes)
+
+    def _save_columns(self, path: Path) -> None:
+        """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
+        storage.write(path, self.to_dataset, self._columns, self._attributes(), self.model.quantities)
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        found: dict[str, NDArray[Any]] = {
+            **self.measured,
+            "regime": self.regime,
+            "equilibrium": self.equilibrium,
+            "reason": self.reason,
+        }
+        inputs = with_degrees(self.model, self.inputs)
+        return {name: np.broadcast_to(values, self.rms.shape) for name, values in inputs.items()} | found
+
+    def _attributes(self) -> dict[str, Any]:
+        settings = {name: getattr(self, name) for name in ("t_end", "transient", "rtol", "backend", "max_steps")}
+        key = fingerprint(self.model, self.inputs, settings)
+        return {**storage.provenance(), "model": self.model.name, **settings, "fingerprint": key}
+
+
+def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
+    """Numbers that a file and a result hold, by names of the model; a record holds these, then the code of the regime.
+
+    Of the first coordinate after the transient, and means of the others; then about the limit, from ``period`` on: an equilibrium
+    by its place, a cycle by one state.
+    """
+    return (
+        "rms", "spread", "largest", "mean", *(f"mean_{name}" for name in coordinates[1:]), "contact_lost", "slip_reversed",
+        "period", "rate", "distance", "cycle_mean", "cycle_rms", *(f"rest_{name}" for name in coordinates),
+        *(f"cycle_{name}" for name in (*coordinates, *rates)),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What all motions of a sweep share."""
+
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    max_steps: int = MAX_STEPS
+
+
+def measured(model: Any, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
+    """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
+    records, problems, count = dict[int, Record](), dict[int, Problem](), len(model.parameters)
+    given = settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
+    for i, point in enumerate(points):
+        problems[i] = problem = Problem(model.field.constants(point[:count]), point[count:], *given)
+        try:
+            check_direction(model, problem.constants, problem.start)
+        except ParameterError as error:
+            records[i] = _no_result(error)
+            del problems[i]
+    with np.errstate(all="ignore"):  # numbers out of range show in the result
+        courses = integrators.measure(list(problems.values()), settings.backend) if problems else []
+        for (i, problem), course in zip(problems.items(), courses, strict=True):
+            records[i] = _record(course, problem, settings.backend)
+    return [records[i] for i in range(len(points))]
+
+
+def _record(course: Course | Exception, problem: Problem, backend: str) -> Record:
+    if isinstance(course, Exception):
+        return _no_result(course)
+    values, names, n = _averages(course), problem.field.components, len(problem.field.coordinates)
+    if not np.isfinite(values).all():
+        return _no_result(out_of_range())
+    try:
+        outcome = classify(course, problem, Onward(problem, backend))
+    except (ConvergenceError, ArithmeticError) as error:
+        return _no_result(error)
+    told = vars(outcome) | outcome.places()
+    of_limit = (told[name] for name in (*reported(names[:n], names[n:])[len(values) :], "regime"))
+    return [float(value) for value in (*values, *of_limit)], ""
+
+
+def _no_result(error: Exception) -> Record:
+    error = out_of_range() if isinstance(error, ArithmeticError) else error
+    return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def _averages(course: Course) -> list[float]:
+    """The measured values after the transient, in the order of :func:`reported`."""
+    mean, spread = course.moments()
+    lost, _, *reversals = course.events
+    return [math.hypot(mean, spread), spread, max(map(abs, course.reach)), *course.means, lost, sum(reversals)]
+
+
+def made_of(
+    model: Any, inputs: dict[str, FloatArray], settings: Settings, records: list[Record], columns: Mapping[str, Any]
+) -> Sweep:  # fmt: skip
+    """The sweep of these records; of a file's columns the slots of equilibria, which are searched for otherwise."""
+    names, shape = (*reported(model.coordinates, model.rates), "regime"), np.broadcast_shapes(*(v.shape for v in inputs.values()))
+    table = np.array([values or [np.nan] * len(names) for values, _ in records]).reshape(-1, len(names))
+    measured = {name: column.reshape(shape) for name, column in zip(names, table.T, strict=True)}
+    regime = measured.pop("regime")
+    if "equilibrium" in columns:
+        which = np.asarray(columns["equilibrium"]).astype(np.int8).reshape(shape)
+    else:
+        p = model.Parameters(**{name: inputs[name] for name in model.parameters})
+        which = rest_index(p, np.array([measured[f"rest_{name}"] for name in model.coordinates]))
+    reason = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+    regime = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
+    return Sweep(inputs, **vars(settings), measured=measured, regime=regime, equilibrium=which, reason=reason, model=model)
+
+
+def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
+    """The inputs, every angle in degrees beside it in radians."""
+    known = {}
+    for name, values in inputs.items():
+        known[name] = values
+        if name in model.about["angles"]:
+            known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
+    return known
+
+
+def _dimensions(inputs: dict[str, FloatArray], shape: Shape) -> tuple[str, ...]:
+    """A name for every axis: the input that alone varies along it, and along no other axis."""
+
+    def axes(values: FloatArray) -> tuple[int, ...]:
+        lead = len(shape) - values.ndim
+        return tuple(lead + i for i, size in enumerate(values.shape) if size > 1)
+
+    along = {name: axes(values) for name, values in inputs.items()}
+    names = []
+    for axis in range(len(shape)):
+        candidates = [name for name, varied in along.items() if axis in varied]
+        alone = len(candidates) == 1 and along[candidates[0]] == (axis,)
+        names.append(candidates[0] if alone else f"axis_{axis}")
+    return tuple(names)
+
+
+def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any], *rooms: str) -> str:
+    """A hash of everything that decides the bits of a result, the code of further ``rooms`` too."""
+    decides = {
+        "integrator": integrators.version(settings["backend"]), "code": digest(*rooms),
+        "numpy": np.__version__,  # its eigenvalues tell what is approached
+        "model": model.name, "files": model.about["files"], "page": model.about["source"], "own": sorted(model.closed),
+    }  # fmt: skip
+    return storage.fingerprint(inputs, {**settings, **decides})
+
+
+@cache
+def digest(*further: str) -> str:
+    """SHA-256 of the text of all modules that decide a record, whatever their line ends are; ``further`` places among them."""
+    package = files(__package__.partition(".")[0])
+    total = hashlib.sha256()
+    for name, module in sorted(found for place in (*DECIDING, *further) for found in _modules(package, place)):
+        total.update(f"{name}\n".encode() + module.read_bytes().replace(b"\r\n", b"\n"))
+    return total.hexdigest()
+
+
+def _modules(package: Traversable, place: str) -> Iterator[tuple[str, Traversable]]:
+    """Name and text of a module, or of all modules of a room."""
+    there = package.joinpath(place)
+    if place.endswith(".py"):
+        yield place, there
+    elif there.is_dir():
+        for inner in there.iterdir():
+            yield from _modules(package, f"{place}/{inner.name}")

@@ -19,7 +19,7 @@ from spragsym.generated.equilibrium import (
     t_quartic,
 )
 from spragsym.models.parameters import NAMES
-from spragsym.numerics.companion_roots import eigenvalues
+from spragsym.numerics.polynomials import eigenvalues
 
 Array: TypeAlias = NDArray[np.float64]
 

@@ -5,8 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..numerics.arithmetic import Matrix
-from ..numerics.determinants import Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
+from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.interval_arrays import BoolArray, stacked
 from ..numerics.jets import Jet
 from ..numerics.polynomials import derivative

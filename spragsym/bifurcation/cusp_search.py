@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..numerics import contractors
+from ..numerics.arithmetic import cofactor
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.determinants import cofactor
 from ..numerics.interval_arrays import BoolArray, Intervals
 from ..numerics.jets import constant, variables
 from ..statics.mechanics.precise_balance import clusters

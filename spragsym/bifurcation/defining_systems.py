@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from ..numerics.ball_functions import XP as BALLS
+from ..numerics.balls import XP as BALLS
 from ..numerics.boxes import POLE, System
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import constant, gradient, variables
-from ..numerics.krawczyk import Digits
+from ..numerics.precise_roots import Digits
 from ..statics.mechanics.laws import XP
 from ..statics.mechanics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.mechanics.state import State

@@ -11,13 +11,11 @@ from ..errors import ConvergenceError
 from ..models.forces import columns_of
 from ..models.parameters import ParameterSet
 from ..numerics import balls, certified_roots
-from ..numerics.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
-from ..numerics.ball_functions import XP
-from ..numerics.balls import Undecided, as_mpf
+from ..numerics.arithmetic import cofactor
+from ..numerics.balls import FIRST_BITS, XP, Undecided, as_mpf, as_numbers, with_enough_bits
 from ..numerics.certified_roots import Roots
-from ..numerics.determinants import cofactor
 from ..numerics.interval_arrays import FloatArray, Intervals
-from ..numerics.krawczyk import narrowed
+from ..numerics.precise_roots import narrowed
 from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.mechanics.balance import Balance

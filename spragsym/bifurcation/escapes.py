@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics import boxes, certified_roots
-from ..numerics.determinants import determinant
+from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..results.points import Points

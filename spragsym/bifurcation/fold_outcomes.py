@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..numerics.determinants import cofactor
+from ..numerics.arithmetic import cofactor
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..results.equilibria import Stability

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics import jets
-from ..numerics.determinants import cofactor, determinant
+from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.interval_arrays import BoolArray, Intervals, Shape, raised, stacked
 from ..statics.mechanics.balance import AWAY, Balance, taken
 from ..statics.mechanics.forces import Values

@@ -23,11 +23,8 @@ import numpy as np
 
 from ..models.model_field import undecorated
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix
-from ..numerics.ball_functions import XP
-from ..numerics.balls import Ball, Undecided, ball
-from ..numerics.complex_numbers import Complex, as_complex
-from ..numerics.determinants import solved
+from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
+from ..numerics.balls import XP, Ball, Undecided, ball
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant
 from ..statics.mechanics.balance import Balance

@@ -16,7 +16,7 @@ from scipy.optimize import linear_sum_assignment
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
-from ..numerics.krawczyk import as_intervals, narrowed
+from ..numerics.precise_roots import as_intervals, narrowed
 from ..statics import stability
 from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.precise_balance import ROOT_BITS

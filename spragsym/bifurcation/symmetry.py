@@ -23,12 +23,12 @@ from typing import Any
 import numpy as np
 
 from ..numerics import balls, boxes, certified_roots, contractors
+from ..numerics.arithmetic import determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
-from ..numerics.determinants import determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
-from ..numerics.reduction import third_derivative
+from ..numerics.precise_roots import third_derivative
 from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.mechanics.border import on_side
 from ..statics.mechanics.forces import Values

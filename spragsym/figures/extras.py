@@ -15,8 +15,8 @@ from ..assumed import MU0_RANGE, D, V
 from ..generated import equilibrium as _equilibrium
 from ..models.parameters import ARTICLE, FloatArray, Parameters
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
-from ..numerics.companion_roots import eigenvalues
 from ..numerics.interval_arrays import BoolArray
+from ..numerics.polynomials import eigenvalues
 from .captions import BASE_TEXT
 from .planes import draw_bifurcation_set
 from .style import (

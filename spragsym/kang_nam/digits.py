@@ -4,8 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..models.parameters import Parameters
-from ..numerics.adaptive_bits import as_numbers, with_enough_bits
-from ..numerics.balls import as_mpf
+from ..numerics.balls import as_mpf, as_numbers, with_enough_bits
 from ..questions import NotInClosedForm
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria
 from .folds import cusp_proofs

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..generated.models.kang_nam import algebra
 from ..models.parameters import FloatArray, Parameters
-from ..numerics.companion_roots import eigenvalues
+from ..numerics.polynomials import eigenvalues
 
 #: Energy of numbers without checks.
 _energy: Any = inspect.unwrap(algebra.energy)

@@ -2,7 +2,6 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "adaptive_bits", "affine", "arithmetic", "ball_functions", "balls", "bernstein", "boxes", "certified_roots", "chains",
-    "companion_roots", "complex_numbers", "contractors", "decimals", "descartes", "determinants", "double_double",
-    "half_angle", "interval_arrays", "interval_functions", "jets", "krawczyk", "polynomials", "reduction", "rounded",
+    "affine", "arithmetic", "balls", "bernstein", "boxes", "certified_roots", "chains", "contractors", "decimals",
+    "double_double", "interval_arrays", "jets", "polynomials", "precise_roots",
 ]  # fmt: skip

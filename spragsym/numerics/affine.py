@@ -1,4 +1,8 @@
-"""Affine arithmetic for many boxes at once: numbers that know, to first order, how they depend on what varies over a box.
+"""Floats with a proved bound on the error of each, and affine arithmetic: numbers that know how they depend on what varies.
+
+A :class:`Rounded` stands for every number within ``error`` of ``value``, for many points at once. What generated algebra makes of
+them is again right: each operation adds what it rounds. A sign that the bound leaves open is 0, and its point goes to
+:mod:`spragsym.numerics.balls`.
 
 An :class:`Affine` stands for value + Σ terms_j ε_j ± error with every \\|ε_j\\| ≤ 1, one ε for each side of a box. Sums and
 products keep the terms, so that what depends on a parameter twice is not widened twice, and what is lost is of second order in
@@ -13,12 +17,81 @@ from typing import Any
 
 import numpy as np
 
-from . import interval_functions
-from .interval_arrays import FUNCTION_ULPS, FloatArray, Intervals, raised
+from . import interval_arrays
+from .arithmetic import Arithmetic, repeated_product
+from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, raised
 from .jets import Functions, Jet
-from .rounded import UNIT, Rounded
 
+#: Half a unit in the last place, relative.
+UNIT = 2.0**-53
+#: What an error bound itself may lose by the roundings of one operation, and the underflow of a product.
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
+
+
+class Rounded(Arithmetic):
+    """Numbers ``value`` ± ``error``, arrays of one shape; operations with ints and floats take these as exact."""
+
+    __slots__ = ("error", "value")
+    __array_ufunc__ = None  # an array on the left leaves the operation to the right
+
+    def __init__(self, value: Any, error: Any = 0.0) -> None:
+        self.value, self.error = value, error
+
+    def radius(self) -> Any:
+        """How far from ``value`` the numbers reach."""
+        return self.error
+
+    def __add__(self, other: Any) -> Rounded:
+        if isinstance(other, Rounded):
+            value = self.value + other.value
+            return Rounded(value, (self.error + other.error + UNIT * abs(value)) * _SLACK)
+        value = self.value + other
+        return Rounded(value, (self.error + UNIT * abs(value)) * _SLACK)
+
+    def __neg__(self) -> Rounded:
+        return Rounded(-self.value, self.error)
+
+    def __mul__(self, other: Any) -> Rounded:
+        if isinstance(other, Rounded):
+            value, size = self.value * other.value, abs(other.value)
+            carried = abs(self.value) * other.error + (size + other.error) * self.error
+            return Rounded(value, (carried + UNIT * abs(value)) * _SLACK + _TINY)
+        value = self.value * other
+        return Rounded(value, (abs(other) * self.error + UNIT * abs(value)) * _SLACK + _TINY)
+
+    def __truediv__(self, other: Any) -> Rounded:
+        divisor = other if isinstance(other, Rounded) else Rounded(other)
+        value = self.value / divisor.value
+        least = abs(divisor.value) - divisor.error
+        # |a/b − v/w| ≤ (|δa| + |v/w| |δb|) / (|w| − |δb|), and v/w is rounded.
+        carried = (self.error + abs(value) * divisor.error) / least
+        error = (carried + UNIT * abs(value)) * _SLACK**3 + _TINY
+        return Rounded(value, np.where(least > 0, error, np.inf))
+
+    def __rtruediv__(self, other: Any) -> Rounded:
+        return Rounded(other) / self
+
+    __pow__ = repeated_product
+
+    def sqrt(self) -> Rounded:
+        """Square roots; an infinite error where negative numbers may be among them."""
+        least = self.value - self.error
+        value = np.sqrt(np.maximum(self.value, 0.0))
+        # |√a − √m| ≤ |a − m|/√m
+        error = (self.error / value + UNIT * value) * _SLACK**2
+        return Rounded(value, np.where(least > 0, error, np.inf))
+
+    def rows(self, index: Any) -> Rounded:
+        """Some of the numbers; of a single number, that."""
+        if np.ndim(self.value) == 0:
+            return self
+        return Rounded(self.value[index], np.broadcast_to(self.error, np.shape(self.value))[index])
+
+    def sign(self) -> Int8Array:
+        """−1 or 1 where all that it stands for has that sign, else 0; 0 for NaN."""
+        reach = self.radius()
+        above, below = self.value > reach, -self.value > reach
+        return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
 
 
 class Affine(Rounded):
@@ -120,9 +193,12 @@ def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
     return result
 
 
-def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
-    """Cosine and sine of an angle, to first order in what the angle depends on."""
-    cosine, sine = np.cos(angle.value), np.sin(angle.value)
+def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
+    """Cosine and sine of an angle, to first order in what it depends on; of floats, which are exact, as :class:`Rounded`."""
+    cosine, sine = (wave(angle.value if isinstance(angle, Affine) else angle) for wave in (np.cos, np.sin))
+    if not isinstance(angle, Affine):
+        one, other = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * abs(value) + _TINY) for value in (cosine, sine))
+        return one, other
     reach = angle.radius()
     beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK
     return Affine(cosine, -sine * angle.terms, beyond), Affine(sine, cosine * angle.terms, beyond)
@@ -130,7 +206,7 @@ def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
 
 def _through(name: str) -> Callable[[Affine], Affine]:
     """A function of affine numbers from itself and its slope, of intervals."""
-    function = getattr(interval_functions, name)
+    function = getattr(interval_arrays, name)
 
     def through(x: Affine) -> Affine:
         with np.errstate(all="ignore"):
@@ -147,14 +223,14 @@ def _taken(value: Any) -> Affine:
 
 class _Functions(Functions):
     #: π.
-    pi = Affine.between(interval_functions.PI)
+    pi = Affine.between(interval_arrays.PI)
 
     def sign(self, value: Any) -> Affine:
         """−1, 0, 1."""
         return Affine.between(self.taken(value).interval().sign())
 
 
-_INTERVALS = Functions(interval_functions, lambda value: value)
+_INTERVALS = Functions(interval_arrays, lambda value: value)
 #: The one that is needed.
 AFFINE = _Functions(
     SimpleNamespace(**{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}), _taken

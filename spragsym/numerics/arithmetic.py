@@ -1,10 +1,22 @@
-"""What every number type makes of its sum, its product and its change of sign."""
+"""Arithmetic of any number type: operators from a sum, a product and a change of sign, complex numbers, small linear systems,
+determinants, characteristic polynomials and resultants."""
 
-from collections.abc import Sequence
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, Self, TypeAlias
 
 #: Rows of entries of any number type.
 Matrix: TypeAlias = Sequence[Sequence[Any]]
+
+
+def repeated_product(self: Any, power: int) -> Any:
+    """A positive power, one product after the other: the ``__pow__`` of types for which only small powers occur."""
+    result = self
+    for _ in range(power - 1):
+        result = result * self
+    return result
 
 
 class Arithmetic:
@@ -39,3 +51,157 @@ class Arithmetic:
 
     def __rsub__(self, other: Any) -> Self:
         return (-self).__add__(other)
+
+
+def determinant(rows: Matrix) -> Any:
+    """By the first row; entries of any number type, integers 0 among them."""
+    if not rows:
+        return 1
+    total: Any = 0
+    for j, entry in enumerate(rows[0]):
+        if not is_zero(entry):
+            total = total + entry * cofactor(rows, 0, j)
+    return total
+
+
+def cofactor(rows: Matrix, i: int, j: int) -> Any:
+    """Cofactor of the entry in row i and column j: entry (j, i) of the adjugate."""
+    minor = determinant([[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i])
+    return -minor if (i + j) % 2 else minor
+
+
+class Polynomial(Arithmetic):
+    """A polynomial in λ or κ with coefficients of any number type, the lowest first."""
+
+    def __init__(self, coefficients: Sequence[Any]) -> None:
+        self.coefficients = list(coefficients)
+
+    def padded(self, size: int) -> list[Any]:
+        """The coefficients, with zeros up to that number."""
+        return self.coefficients + [0] * (size - len(self.coefficients))
+
+    def __add__(self, other: Any) -> Polynomial:
+        two = other.coefficients if isinstance(other, Polynomial) else [other]
+        size = max(len(self.coefficients), len(two))
+        return Polynomial([a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)])
+
+    def __neg__(self) -> Polynomial:
+        return Polynomial([-value for value in self.coefficients])
+
+    def __mul__(self, other: Any) -> Polynomial:
+        two = other.coefficients if isinstance(other, Polynomial) else [other]
+        out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
+        for i, a in enumerate(self.coefficients):
+            for j, b in enumerate(two):
+                if not (is_zero(a) or is_zero(b)):
+                    out[i + j] = out[i + j] + a * b
+        return Polynomial(out)
+
+
+def pencil(*matrices: Matrix) -> list[list[Polynomial]]:
+    """A + λ B + λ² C + …."""
+    return [[Polynomial(entries) for entries in zip(*rows, strict=True)] for rows in zip(*matrices, strict=True)]
+
+
+def characteristic(*matrices: Matrix) -> list[Any]:
+    """Coefficients of det(A + λ B + λ² C + …), the lowest first."""
+    return determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
+
+
+def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Any:
+    """Hurwitz's determinant of that size of a polynomial, the lowest coefficient first.
+
+    Without a size the last but one: 0 if two roots have the sum 0.
+    """
+    a = coefficients[::-1]
+    size = len(a) - 2 if size is None else size
+    # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
+    places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
+    return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places])
+
+
+def trimmed(polynomial: Polynomial) -> list[Any]:
+    """Coefficients without the highest ones that are 0 by structure."""
+    coefficients = polynomial.coefficients
+    while len(coefficients) > 1 and is_zero(coefficients[-1]):
+        coefficients = coefficients[:-1]
+    return coefficients
+
+
+def resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
+    """Sylvester's determinant of two polynomials."""
+    m, n = len(one) - 1, len(two) - 1
+    rows = [[0] * shift + list(one[::-1]) + [0] * (n - 1 - shift) for shift in range(n)]
+    rows += [[0] * shift + list(two[::-1]) + [0] * (m - 1 - shift) for shift in range(m)]
+    return determinant(rows)
+
+
+#: What is done to the rows before column k is eliminated, as a choice of its pivot.
+Choice = Callable[[list[list[Any]], int], None]
+
+
+def is_zero(value: Any) -> bool:
+    """0 by structure."""
+    return isinstance(value, int) and value == 0
+
+
+def solved(matrix: Matrix, values: Sequence[Any], choose: Choice | None = None) -> list[Any]:
+    """Solution by elimination, pivots in the order of the rows unless ``choose`` exchanges them."""
+    rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
+    n = len(rows)
+    for k in range(n):
+        if choose is not None:
+            choose(rows, k)
+        for i in range(k + 1, n):
+            if is_zero(rows[i][k]):
+                continue
+            factor = rows[i][k] / rows[k][k]
+            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k], strict=True)]
+    solution: list[Any] = [0] * n
+    for k in reversed(range(n)):
+        rest = rows[k][n]
+        for j in range(k + 1, n):
+            rest = rest - rows[k][j] * solution[j]
+        solution[k] = rest / rows[k][k]
+    return solution
+
+
+@dataclass(frozen=True)
+class Complex(Arithmetic):
+    """re + i im."""
+
+    re: Any
+    im: Any
+
+    def __add__(self, other: Any) -> Complex:
+        other = as_complex(other)
+        return Complex(self.re + other.re, self.im + other.im)
+
+    def __neg__(self) -> Complex:
+        return Complex(-self.re, -self.im)
+
+    def __mul__(self, other: Any) -> Complex:
+        if not isinstance(other, Complex):
+            return Complex(self.re * other, self.im * other)
+        return Complex(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
+
+    def __truediv__(self, other: Any) -> Complex:
+        if not isinstance(other, Complex):
+            return Complex(self.re / other, self.im / other)
+        square = other.squared()
+        return Complex(
+            (self.re * other.re + self.im * other.im) / square, (self.im * other.re - self.re * other.im) / square
+        )  # fmt: skip
+
+    def squared(self) -> Any:
+        """|z|²."""
+        return self.re**2 + self.im**2
+
+    def conjugate(self) -> Complex:
+        """re − i im."""
+        return Complex(self.re, -self.im)
+
+
+def as_complex(value: Any) -> Complex:
+    """A real number with the imaginary part 0, and a complex one itself."""
+    return value if isinstance(value, Complex) else Complex(value, 0)

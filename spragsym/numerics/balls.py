@@ -13,16 +13,19 @@ All precisions are in bits.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import mpmath
 
+from ..errors import ConvergenceError
 from .arithmetic import Arithmetic
+from .jets import Functions, constant
 
 #: A :class:`Ball`, or what is made of balls and numbers beside them.
 Interval: TypeAlias = Any
@@ -37,6 +40,17 @@ _BITS: ContextVar[int] = ContextVar("bits", default=53)
 
 class Undecided(ArithmeticError):
     """A sign that the precision can't decide."""
+
+
+T = TypeVar("T")
+
+
+#: Bits of the first try and of the last.
+FIRST_BITS, MAXIMUM_BITS = 192, 6144
+
+
+#: Digits that an interval must have to become a float.
+FLOAT_DIGITS = 15
 
 
 class Ball(Arithmetic):
@@ -171,6 +185,28 @@ def middle(value: Ball) -> Ball:
     return Ball(value.mid, 0, value.exp, value.bits)
 
 
+def ends(value: Ball | Fraction | int) -> tuple[Fraction, Fraction]:
+    """Lower and upper end, exactly; of a rational that itself."""
+    if not isinstance(value, Ball):
+        return Fraction(value), Fraction(value)
+    low, high = value.mid - value.rad, value.mid + value.rad
+    if value.exp >= 0:
+        return Fraction(low << value.exp), Fraction(high << value.exp)
+    return Fraction(low, 1 << -value.exp), Fraction(high, 1 << -value.exp)
+
+
+def sign(value: Ball | Fraction | int) -> int:
+    """−1 or 1 where a ball or rational has that sign; 0 for 0, and where a ball holds 0."""
+    if isinstance(value, Ball):
+        return 1 if value.mid > value.rad else -1 if value.mid < -value.rad else 0
+    return (value > 0) - (value < 0)
+
+
+def power(value: Ball) -> int:
+    """n with 2ⁿ⁻¹ ≤ |middle| < 2ⁿ, for a middle that is not 0."""
+    return value.mid.bit_length() + value.exp
+
+
 def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
     """Cosine and sine: each changes by no more than the angle does."""
     if not angle.mid:
@@ -221,31 +257,174 @@ def _pi(bits: int) -> Ball:
     return Ball(_pi_fixed(bits + GUARD_BITS), 2, -(bits + GUARD_BITS), bits)
 
 
-def ends(value: Ball | Fraction | int) -> tuple[Fraction, Fraction]:
-    """Lower and upper end, exactly; of a rational that itself."""
-    if not isinstance(value, Ball):
-        return Fraction(value), Fraction(value)
-    low, high = value.mid - value.rad, value.mid + value.rad
-    if value.exp >= 0:
-        return Fraction(low << value.exp), Fraction(high << value.exp)
-    return Fraction(low, 1 << -value.exp), Fraction(high, 1 << -value.exp)
+def atan2(sine: Ball, cosine: Ball) -> Ball:
+    """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which it jumps."""
+    up, right = (sign(part) for part in (sine, cosine))
+    if right > 0 and (not up or _size(sine) <= _size(cosine)):
+        return atan(sine / cosine)
+    if not up:
+        raise Undecided("the angle of balls that meet the ray on which it jumps")
+    half = atan(Ball(1, 0, 0, sine.bits)) * 2
+    return (half if up > 0 else -half) - atan(cosine / sine)
 
 
-def sign(value: Ball | Fraction | int) -> int:
-    """−1 or 1 where a ball or rational has that sign; 0 for 0, and where a ball holds 0."""
-    if isinstance(value, Ball):
-        return 1 if value.mid > value.rad else -1 if value.mid < -value.rad else 0
-    return (value > 0) - (value < 0)
+def cos(angle: Ball) -> Ball:
+    """Cosine."""
+    return cos_sin(angle)[0]
 
 
-def power(value: Ball) -> int:
-    """n with 2ⁿ⁻¹ ≤ |middle| < 2ⁿ, for a middle that is not 0."""
-    return value.mid.bit_length() + value.exp
+def sin(angle: Ball) -> Ball:
+    """Sine."""
+    return cos_sin(angle)[1]
+
+
+def exp(value: Ball) -> Ball:
+    """Exponential: Taylor's series of the argument over 2^halvings, squared as often.
+
+    The argument is cut to at most 2^-8, so that what is dropped after a term is less than that term.
+    """
+    halvings = max(0, value.mid.bit_length() + value.exp, value.rad.bit_length() + value.exp) + 8
+    bits = value.bits + halvings + GUARD_BITS
+    small = Ball(value.mid, value.rad, value.exp - halvings, bits)
+    total, term, order = Ball(1, 0, 0, bits), Ball(1, 0, 0, bits), 0
+    while _size(term) > -bits:
+        order += 1
+        term = term * small / order
+        total = total + term
+    total = total + Ball(0, 1, _size(term) + 1, bits)
+    for _ in range(halvings):
+        total = total * total
+    return Ball(total.mid, total.rad, total.exp, value.bits)
+
+
+def log(value: Ball) -> Ball:
+    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's series."""
+    if value.mid <= 2 * value.rad:
+        raise Undecided("the logarithm of a ball that holds 0, or nearly does")
+    bits = value.bits + GUARD_BITS
+    near = math.log(value.mid) + value.exp * math.log(2)
+    y = ball(near, bits)
+    z = Ball(value.mid, value.rad, value.exp, bits) * exp(-y) - 1
+    total, power, order = z, z, 1
+    # z is below 2/3: all that is left out together is less than three times its first term.
+    while _size(power) > -bits and order < bits:
+        order += 1
+        power = power * -z
+        total = total + power / order
+    total = total + Ball(0, 3, _size(power), bits) + y
+    return Ball(total.mid, total.rad, total.exp, value.bits)
+
+
+def tanh(value: Ball) -> Ball:
+    """Hyperbolic tangent, 1 − 2/(e^2x + 1), with the bits that it lacks near 0."""
+    bits = value.bits + max(0, min(-_size(value), 4 * value.bits)) + GUARD_BITS
+    found = 1 - 2 / (exp(Ball(value.mid, value.rad, value.exp + 1, bits)) + 1)
+    return Ball(found.mid, found.rad, found.exp, value.bits)
+
+
+def _taken(value: Any) -> Ball:
+    return value if isinstance(value, Ball) else exact(Fraction(value))
+
+
+class _Functions(Functions):
+    @property
+    def pi(self) -> Ball:
+        """π."""
+        return pi()
+
+    @staticmethod
+    def sign(value: Any) -> int:
+        """−1 or 1; :class:`Undecided` where the ball holds 0."""
+        found = sign(constant(value))
+        if not found:
+            raise Undecided("the sign of a ball that holds 0")
+        return found
+
+    @classmethod
+    def abs(cls, value: Any) -> Any:
+        """Absolute value."""
+        return value if cls.sign(value) > 0 else -value
+
+
+#: ``xp`` of generated functions for balls and jets of them.
+XP = _Functions(sys.modules[__name__], _taken)
+
+
+def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
+    """Run ``attempt(bits)`` with more and more bits until every sign that it needs is decided."""
+    bits = max(FIRST_BITS, int(3.4 * digits) + 96)
+    while True:
+        with precision(bits):
+            try:
+                return attempt(bits)
+            except (Undecided, ZeroDivisionError) as reason:
+                if bits >= MAXIMUM_BITS:
+                    raise ConvergenceError(
+                        f"{what}: {bits} bits do not decide it ({reason}); the parameters are degenerate, "
+                        "change one of them a little"
+                    ) from None
+        bits *= 2
+
+
+def decided(value: Interval, what: str) -> int:
+    """The sign of an interval that must have one."""
+    result = sign(value)
+    if result == 0:
+        raise Undecided(what)
+    return result
+
+
+def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
+    """The sign of an interval; 0 only where it holds 0 and ``vanishes()`` says that the number in it is exactly 0."""
+    result = sign(value)
+    if result == 0 and not vanishes():
+        raise Undecided(what)
+    return result
+
+
+def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
+    """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1, |value|) of all of them."""
+    middles, worst, _ = as_numbers(intervals, FLOAT_DIGITS)
+    # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is rounded and in the sum, 1e-30.
+    return list(map(float, middles)), float(worst) + 1.2e-16
+
+
+def as_numbers(
+    intervals: Iterable[Interval], digits: int | None
+) -> tuple[list[mpmath.mpf], Fraction, Fraction]:  # fmt: skip
+    """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all."""
+    middles, error, radius = [], Fraction(0), Fraction(0)
+    for low, high in map(ends, intervals):
+        middle, half = (low + high) / 2, (high - low) / 2
+        # Over the smallest that the value may be, so that it is a bound over the true one as well.
+        error, radius = max(error, half / max(Fraction(1), abs(middle) - half)), max(radius, half)
+        middles.append(as_mpf(middle))
+    if digits is not None and error > Fraction(1, 10**digits):
+        raise Undecided(f"an error of {float(error):.1e}")
+    return middles, rounded_up(error), rounded_up(radius)
+
+
+def as_mpf(value: Fraction) -> mpmath.mpf:
+    """An integer over a power of two as an mpf, every bit of it, whatever ``mpmath.mp.prec`` is."""
+    if value.denominator & (value.denominator - 1):
+        raise ValueError(f"{value} has no finite number of bits")
+    return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(value.numerator, 1 - value.denominator.bit_length()))
+
+
+def rounded_up(bound: Fraction) -> Fraction:
+    """A number of few bits that is not below ``bound`` ≥ 0."""
+    shift = bound.denominator.bit_length() - bound.numerator.bit_length() + RADIUS_BITS
+    return math.ceil(bound * Fraction(2) ** shift) * Fraction(2) ** -shift
 
 
 def _leading_zeros(value: Ball) -> int:
     """Number of binary places after the point before the first digit of the middle."""
     return max(0, -value.exp - value.mid.bit_length())
+
+
+def _size(value: Ball) -> int:
+    """n with |x| < 2^n all over the ball."""
+    return (abs(value.mid) + value.rad).bit_length() + value.exp
 
 
 def _shifted(radius: int, places: int) -> int:
@@ -316,16 +495,3 @@ def _pi_fixed(places: int) -> int:
     """π to less than two units."""
     inner = places + 2 * GUARD_BITS
     return 4 * _atan(1 << inner, inner)[0] >> 2 * GUARD_BITS
-
-
-def as_mpf(value: Fraction) -> mpmath.mpf:
-    """An integer over a power of two as an mpf, every bit of it, whatever ``mpmath.mp.prec`` is."""
-    if value.denominator & (value.denominator - 1):
-        raise ValueError(f"{value} has no finite number of bits")
-    return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(value.numerator, 1 - value.denominator.bit_length()))
-
-
-def rounded_up(bound: Fraction) -> Fraction:
-    """A number of few bits that is not below ``bound`` ≥ 0."""
-    shift = bound.denominator.bit_length() - bound.numerator.bit_length() + RADIUS_BITS
-    return math.ceil(bound * Fraction(2) ** shift) * Fraction(2) ** -shift

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .affine import UNIT, Rounded
 from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array
-from .rounded import UNIT, Rounded
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
 DEPTH = 30

@@ -14,10 +14,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from .arithmetic import Arithmetic
-from .determinants import is_zero
+from .arithmetic import Arithmetic, is_zero, repeated_product
 from .interval_arrays import Intervals
-from .rounded import repeated_product
 
 #: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
 Term: TypeAlias = tuple[int, ...]

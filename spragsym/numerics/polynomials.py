@@ -1,16 +1,24 @@
-"""Exact polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation, real roots."""
+"""Polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation, real roots.
 
+Coefficients are integers or fractions, of which nothing is rounded, or balls, where :class:`.balls.Undecided` says that more bits
+are needed. Real roots are isolated by Descartes' rule of signs, so that none is missed: intervals are halved, which only adds and
+shifts. At the end the half-angle map, and roots of many polynomials in floats.
+"""
+
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
-from typing import Any, TypeAlias
+from functools import cache, lru_cache
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
 
 from . import balls
-from .balls import Interval
-from .descartes import real_roots, sign_at
-from .determinants import solved
+from .arithmetic import solved
+from .balls import Ball, Interval, Undecided
+from .interval_arrays import FloatArray
 
 #: A Fraction or a ball.
 Coefficient: TypeAlias = Any
@@ -130,7 +138,7 @@ def interpolate(
 
 
 @dataclass(frozen=True)
-class Root:
+class ChartRoot:
     """A real root of a polynomial in (low, high], or of the reversed polynomial: then it is the reciprocal."""
 
     low: Fraction
@@ -151,19 +159,233 @@ class Root:
 _BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
 
 
-def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool = False) -> list[Root]:
+def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool = False) -> list[ChartRoot]:
     """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of :func:`.real_roots`.
 
     Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where balls are undecided.
     """
     while positive and polynomial and isinstance(polynomial[0], int) and polynomial[0] == 0:
         polynomial = polynomial[1:]  # the root 0
-    found: list[Root] = []
+    found: list[ChartRoot] = []
     if not polynomial:
         return found
     for chart, limit, backward in ((polynomial, _BETWEEN, False), (tuple(reversed(polynomial)), 1 / _BETWEEN, True)):
         for low, high in real_roots(chart, _BELOW if positive else -limit, limit, bits):
             at_the_end = backward and low == limit  # which the first chart has
             if not at_the_end and (high > 0 or not positive):
-                found.append(Root(low, high, backward))
+                found.append(ChartRoot(low, high, backward))
     return found
+
+
+class Root(NamedTuple):
+    """The only root of its polynomial in [low, high]: inside, or at both where the two are equal."""
+
+    low: Fraction
+    high: Fraction
+
+
+class _Cell(NamedTuple):
+    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k; and the sign between it and m/2^k, where that is asked."""
+
+    n: int
+    m: int
+    k: int
+    above: int = 0
+
+
+def _sign(value: Any) -> int:
+    """Sign of an integer or a ball; only an integer may be 0."""
+    found = balls.sign(value)
+    if not found and isinstance(value, Ball):
+        raise Undecided("a polynomial holds 0 where its sign is needed")
+    return found
+
+
+def sign_at(polynomial: Sequence[int], t: Fraction) -> int:
+    """Sign of the polynomial at a rational."""
+    return _sign(_homogeneous(polynomial, t.numerator, t.denominator))
+
+
+def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits: int) -> list[Root]:
+    """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a distance from 0 that is below 1.
+
+    The polynomial has no multiple root there, or this does not end.
+    """
+    unit, cells = _isolated(polynomial, low, high)
+    common, start, scale = _common(low, high)
+
+    def at(n: int, k: int) -> Fraction:
+        return Fraction((start << k) + scale * n, common << k)
+
+    def lacking(n: int, k: int) -> int:
+        """How many times (n, n + 1)/2^k has to be halved yet; at most 0 if never."""
+        begin, one = (start << k) + scale * n, common << k
+        distance = min(abs(begin), abs(begin + scale), one) if begin > 0 or begin + scale < 0 else one
+        return (-((-scale << bits) // distance) - 1).bit_length()
+
+    found = [_refined(cell, unit, lacking) for cell in cells]
+    return sorted(Root(at(cell.n, cell.k), at(cell.m, cell.k)) for cell in found)
+
+
+@lru_cache(maxsize=64)
+def _isolated(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> tuple[list[Any], list[_Cell]]:
+    """The polynomial in u, where t = low + (high − low) u, and a cell in u for each root in (low, high].
+
+    Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
+    """
+    unit = _between_0_and_1(polynomial, low, high)
+    found = [] if _sign(sum(unit)) else [_Cell(1, 1, 0)]
+    pending = [(unit, 0, 0)]
+    while pending:
+        local, n, k = pending.pop()
+        changes = _sign_changes(shifted(local[::-1]))
+        if changes == 1:
+            found.append(_Cell(n, n + 1, k, -(_sign(local[0]) or _sign(local[1]))))
+        elif changes:
+            degree = len(local) - 1
+            left = [value * (1 << degree - power) for power, value in enumerate(local)]
+            right = shifted(left)
+            if not _sign(right[0]):
+                found.append(_Cell(2 * n + 1, 2 * n + 1, k + 1))
+            pending += [(left, 2 * n, k + 1), (right, 2 * n + 1, k + 1)]
+    return unit, found
+
+
+def _common(low: Fraction, high: Fraction) -> tuple[int, int, int]:
+    """The least common denominator, and times that the lower end and the width."""
+    common = math.lcm(low.denominator, high.denominator)
+    return common, int(low * common), int((high - low) * common)
+
+
+def _between_0_and_1(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> list[Any]:
+    """Coefficients of a positive multiple of the polynomial in u."""
+    common, start, scale = _common(low, high)
+    values: list[Any] = []
+    for power, coefficient in enumerate(reversed(polynomial)):  # Horner's rule with polynomials in u, times common^power
+        values = [start * one + scale * other for one, other in zip([*values, 0], [0, *values], strict=True)]
+        values[0] += coefficient * common**power
+    return values
+
+
+def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:
+    """Coefficients of the polynomial at u + ``by``."""
+    values = list(coefficients)
+    for start in range(len(values)):
+        for power in range(len(values) - 2, start - 1, -1):
+            values[power] += by * values[power + 1]
+    return values
+
+
+def _sign_changes(coefficients: Sequence[Any]) -> int:
+    signs = [sign for value in coefficients if (sign := _sign(value))]
+    return sum(left != right for left, right in itertools.pairwise(signs))
+
+
+def _homogeneous(coefficients: Sequence[Any], numerator: int, denominator: int) -> Any:
+    """denominator^degree times the polynomial at numerator/denominator."""
+    value, power = coefficients[-1], 1
+    for coefficient in reversed(coefficients[:-1]):
+        power *= denominator
+        value = value * numerator + coefficient * power
+    return value
+
+
+def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int], int]) -> _Cell:
+    """The root in a cell that lacks nothing and whose ends are no roots, or the root itself.
+
+    The secant's guess is tried on a grid of 2^j parts of the cell, j twice as large where it is right, else half.
+    Source: quadratic interval refinement, J. Abbott (2006).
+    """
+    n, m, k, above = cell
+    if n == m:
+        return cell
+
+    def value(n: int, k: int) -> Any:
+        return _homogeneous(polynomial, n, 1 << k)
+
+    low, high = value(n, k), value(n + 1, k)
+    j = 1
+    while True:
+        open_ends = _sign(low) != 0 and _sign(high) != 0  # else another root sits on an end
+        wanted = lacking(n, k)
+        if wanted <= 0 and open_ends:
+            return _Cell(n, n + 1, k, above)
+        j = min(j, wanted) if open_ends else 1
+        guess = (n << j) + (1 if j == 1 else _share(low, high, j))
+        middle = value(guess, k + j)
+        side = _sign(middle)
+        if side == 0:
+            return _Cell(guess, guess, k + j)
+        left = side == above
+        other = value(guess - 1 if left else guess + 1, k + j)
+        if j == 1 or _sign(other) == -side:
+            n, k, j = guess - 1 if left else guess, k + j, 2 * j
+            low, high = (other, middle) if left else (middle, other)
+        else:
+            j //= 2
+
+
+def _share(low: Any, high: Any, j: int) -> int:
+    """Part of 2^j, from below, in which the chord of values of opposite signs, or of their middles, crosses zero."""
+    if isinstance(low, Ball):
+        low, high = (sum(balls.ends(value)) for value in (low, high))
+    return int((low * (1 << j)) // (low - high))
+
+
+class OnCircle(NamedTuple):
+    """cos θ, sin θ and their denominator 1 + t² at t = tan(θ/2)."""
+
+    cosine: Any
+    sine: Any
+    scale: Any
+
+
+def on_circle(t: Any) -> OnCircle:
+    """The direction θ with tan(θ/2) = t, exactly for a rational t."""
+    scale = 1 + t * t
+    return OnCircle((1 - t) * (1 + t) / scale, 2 * t / scale, scale)
+
+
+def in_t(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
+    """(1 + t²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in t."""
+
+    def value(t: Fraction) -> Fraction:
+        c, s, scale = on_circle(t)
+        return Fraction(function(c, s) * scale**degree)
+
+    return value
+
+
+def of_sine_in_t(polynomial: Sequence[int]) -> tuple[int, ...]:
+    """(1 + t²)^degree times a polynomial in sin θ, lowest power first: its coefficients in t."""
+    value, scale = [polynomial[-1]], [1]
+    for coefficient in reversed(polynomial[:-1]):  # Horner's rule, times 1 + t² at each step
+        scale = [one + other for one, other in zip([*scale, 0, 0], [0, 0, *scale], strict=True)]
+        value = [2 * one + coefficient * other for one, other in zip([0, *value, 0], scale, strict=True)]
+    return tuple(value)
+
+
+def by_power(coefficients: FloatArray) -> tuple[FloatArray, ...]:
+    """Coefficients from the last axis, each ready to meet several arguments, as :func:`evaluate` takes them."""
+    return tuple(np.moveaxis(coefficients, -1, 0)[..., None])
+
+
+def eigenvalues(coefficients: FloatArray) -> Any:
+    """All complex roots of each polynomial, lowest power first; 0 where its leading coefficient is too small for them."""
+    degree = coefficients.shape[-1] - 1
+    companion = np.zeros((*coefficients.shape[:-1], degree, degree))
+    companion[..., range(1, degree), range(degree - 1)] = 1.0
+    companion[..., :, -1] = -coefficients[..., :-1] / coefficients[..., -1:]
+    companion[~np.isfinite(companion).all(axis=(-1, -2))] = 0.0
+    return np.linalg.eigvals(companion)
+
+
+def polished(coefficients: FloatArray, roots: FloatArray) -> FloatArray:
+    """Three Newton steps on positive roots in ascending order, none longer than half the way to a neighbour or to 0."""
+    polynomial = by_power(coefficients)
+    slope = derivative(polynomial)
+    for _ in range(3):
+        step = evaluate(polynomial, roots) / evaluate(slope, roots)
+        gap = np.fmin(np.diff(roots, axis=-1, append=np.inf), np.diff(roots, axis=-1, prepend=0.0))
+        roots = np.where(np.abs(step) < 0.5 * gap, roots - step, roots)
+    return roots

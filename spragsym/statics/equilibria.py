@@ -49,7 +49,7 @@ def equilibria(
     Source: branch and prune over boxes of coordinates and of parameters, see :mod:`spragsym.numerics.boxes`, in a region with all
     equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.statics.regions`. A stiff spring
     is looked at in its angle and tension, see :mod:`spragsym.statics.polar`. What float64 does not decide is reduced to
-    one unknown and decided with many digits, see :mod:`spragsym.numerics.reduction`. Of the article's model: the quartic in
+    one unknown and decided with many digits, see :mod:`spragsym.numerics.precise_roots`. Of the article's model: the quartic in
     t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated, and stability by (27)–(28), see
     :mod:`spragsym.kang_nam.quartic.solver`.
 

@@ -42,11 +42,11 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..numerics import boxes, jets
-from ..numerics.ball_functions import XP as BALLS
+from ..numerics.balls import XP as BALLS
 from ..numerics.balls import ball
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, raised, stacked
-from ..numerics.interval_functions import length as interval_length
-from ..numerics.krawczyk import Digits
+from ..numerics.interval_arrays import length as interval_length
+from ..numerics.precise_roots import Digits
 from .mechanics.balance import Balance
 from .mechanics.directions import direction, quotients
 from .mechanics.forces import Values

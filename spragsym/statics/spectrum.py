@@ -12,12 +12,11 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix
-from ..numerics.ball_functions import XP as BALLS
+from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz
+from ..numerics.balls import XP as BALLS
 from ..numerics.balls import Undecided, ball
-from ..numerics.determinants import characteristic, determinant, hurwitz
 from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals, Shape, matrix, stacked
-from ..numerics.krawczyk import as_balls, narrowed
+from ..numerics.precise_roots import as_balls, narrowed
 from ..results.equilibria import Stability
 from .mechanics.balance import NOTHING, Balance
 from .mechanics.precise_balance import PreciseBalance

@@ -18,7 +18,7 @@ from spragsym.kang_nam.jumps.cells import Boxes
 from spragsym.kang_nam.jumps.claims import CLAIMS
 from spragsym.kang_nam.jumps.events import have_jumped
 from spragsym.numerics import bernstein
-from spragsym.numerics.rounded import Rounded
+from spragsym.numerics.affine import Rounded
 from tests.oracles import families
 from tests.support import few
 

@@ -11,7 +11,7 @@ from spragsym.kang_nam.folds import fold_proofs
 from spragsym.kang_nam.folds.fixed_parameters import Fixed
 from spragsym.kang_nam.folds.fold_events import directions, fold_polynomial
 from spragsym.numerics import balls
-from spragsym.numerics.half_angle import on_circle
+from spragsym.numerics.polynomials import on_circle
 from tests.support import few
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.

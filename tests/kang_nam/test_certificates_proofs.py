@@ -14,7 +14,7 @@ import spragsym as ss
 from spragsym.kang_nam.folds import cusp_proofs, fold_proofs
 from spragsym.kang_nam.folds.fold_enclosures import Angles, Point, SineRoot
 from spragsym.models.parameters import NAMES
-from spragsym.numerics import adaptive_bits, balls, polynomials
+from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
 from tests.oracles import reference
 from tests.support import as_mpf
@@ -30,7 +30,7 @@ def test_the_error_of_a_float_covers_its_rounding(middle: Fraction) -> None:
     for width in (Fraction(0), Fraction(1, 2**70), Fraction(9, 10**16)):
         with balls.precision(200):
             ends = balls.ends(balls.between(middle - width, middle + width))
-            (value,), error = adaptive_bits.as_floats([balls.between(*ends)])
+            (value,), error = balls.as_floats([balls.between(*ends)])
         assert max(abs(Fraction(value) - end) for end in ends) <= Fraction(error) * max(1, abs(Fraction(value)))
 
 

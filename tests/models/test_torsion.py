@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.numerics.interval_arrays import Intervals
-from spragsym.numerics.interval_functions import atan2
+from spragsym.numerics.interval_arrays import Intervals, atan2
 from tests.oracles.user_pages import model_of
 from tests.support import ROOT
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from spragsym.numerics import balls, descartes, polynomials
+from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
 
 # ----------------------------------------------------------------------------------------------- polynomials
@@ -40,7 +40,7 @@ def test_a_squarefree_part_has_the_same_roots_once() -> None:
         simple = polynomials.squarefree(polynomial)
         assert [root for root in roots if polynomials.evaluate(simple, root)] == []
         assert len(polynomials.common_divisor(simple, polynomials.derivative(simple))) == 1
-        assert len(descartes.real_roots(simple, Fraction(-99), Fraction(99), 30)) == len(roots)
+        assert len(polynomials.real_roots(simple, Fraction(-99), Fraction(99), 30)) == len(roots)
         assert (len(simple) - 1 - len(roots)) % 2 == 0
     part = polynomials.squarefree(_product(*[(Fraction(-1), Fraction(2))] * 3, *[(Fraction(1), Fraction(0), Fraction(1))] * 2))
     assert len(part) == 4
@@ -55,7 +55,7 @@ def test_roots_are_enclosed_to_the_bits_asked_for() -> None:
         simple = polynomials.squarefree(polynomial)
         inside = [root for root in roots if -1 < root <= 1]
         bits = rng.choice([5, 20, 60])
-        found = descartes.real_roots(simple, Fraction(-1), Fraction(1), bits)
+        found = polynomials.real_roots(simple, Fraction(-1), Fraction(1), bits)
         assert len(found) == len(inside)
         for (low, high), root in zip(found, inside, strict=True):
             assert low <= root <= high
@@ -96,7 +96,7 @@ def test_interval_coefficients_decide_or_say_that_they_cannot() -> None:
             for bits in (12, 60, 150):
                 try:
                     blurred = _blurred(polynomial, Fraction(1, 2**bits))
-                    found = descartes.real_roots(blurred, Fraction(-21, 8), Fraction(25, 8), 10)
+                    found = polynomials.real_roots(blurred, Fraction(-21, 8), Fraction(25, 8), 10)
                 except (Undecided, ZeroDivisionError):
                     continue
                 decided += 1
@@ -133,7 +133,7 @@ def test_descartes_finds_every_root_in_the_range(roots: list[Fraction]) -> None:
     ):  # fmt: skip
         polynomial = polynomials.primitive(_product(_with_roots(*roots), tuple(map(Fraction, extra))))
         inside = sorted(root for root in roots if low < root <= high)
-        found = descartes.real_roots(polynomial, Fraction(low), Fraction(high), bits)
+        found = polynomials.real_roots(polynomial, Fraction(low), Fraction(high), bits)
         assert len(found) == len(inside)
         for root, true in zip(found, inside, strict=True):
             assert root.low <= true <= root.high

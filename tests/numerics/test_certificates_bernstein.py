@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from spragsym.numerics import bernstein
+from spragsym.numerics.affine import UNIT, Rounded
 from spragsym.numerics.bernstein import Parts
-from spragsym.numerics.rounded import UNIT, Rounded
 from tests.support import fractions, with_roots
 
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from spragsym.numerics import boxes, certified_roots, contractors
+from spragsym.numerics.boxes import tree
 from spragsym.numerics.interval_arrays import Intervals, stacked
-from spragsym.numerics.parameter_tree import tree
 
 pytestmark = pytest.mark.usefixtures("silent")
 

@@ -9,8 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.numerics.interval_arrays import TINY, Intervals, stacked
-from spragsym.numerics.interval_functions import cos, length, sin, unit_vector
+from spragsym.numerics.interval_arrays import TINY, Intervals, cos, length, sin, stacked, unit_vector
 from tests.support import fractions
 
 NUMBERS = [

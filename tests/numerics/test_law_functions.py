@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from spragsym.numerics import balls
-from spragsym.numerics.ball_functions import XP as BALLS
+from spragsym.numerics.balls import XP as BALLS
 from spragsym.numerics.balls import Ball
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import Jet

@@ -9,7 +9,7 @@ import pytest
 from spragsym.numerics.balls import Ball
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import variables
-from spragsym.numerics.reduction import reduced_roots
+from spragsym.numerics.precise_roots import reduced_roots
 from spragsym.statics.mechanics.directions import direction
 from spragsym.statics.mechanics.laws import XP
 

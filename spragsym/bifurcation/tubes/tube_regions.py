@@ -13,10 +13,9 @@ from typing import Any, Self
 import numpy as np
 
 from ...numerics import contractors
-from ...numerics.affine import Affine
+from ...numerics.affine import UNIT, Affine
 from ...numerics.arithmetic import Matrix
 from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
-from ...numerics.rounded import UNIT
 
 Flags = BoolArray
 

@@ -8,7 +8,7 @@ import numpy as np
 from ...errors import ConvergenceError
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import FloatArray, Parameters, as_count
-from ...numerics.half_angle import on_circle
+from ...numerics.polynomials import on_circle
 from ...questions import NotInClosedForm
 from ...results.bifurcation_sets import BifurcationSet, Curve
 from ..quartic import kernel

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 
 from ...models.parameters import Parameters
-from ...numerics.adaptive_bits import with_enough_bits
+from ...numerics.balls import with_enough_bits
 from ...questions import NotInClosedForm
 from ...results.points import Points, in_closed_form
 from . import cusp_proofs

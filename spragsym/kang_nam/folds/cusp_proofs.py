@@ -6,10 +6,8 @@ from functools import lru_cache
 from typing import Any
 
 from ...generated import catastrophe as _catastrophe
-from ...numerics import balls, descartes, polynomials
-from ...numerics.adaptive_bits import decided
-from ...numerics.ball_functions import atan2
-from ...numerics.balls import Interval, sign
+from ...numerics import balls, polynomials
+from ...numerics.balls import Interval, atan2, decided, sign
 from ...numerics.polynomials import roots_on_the_line
 from .fold_enclosures import Angles, Point, SineRoot, in_contact
 
@@ -19,7 +17,7 @@ _DEGREE = 10
 
 def cusp_sines(
     kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
-) -> tuple[tuple[Fraction, ...], list[descartes.Root]]:
+) -> tuple[tuple[Fraction, ...], list[polynomials.Root]]:
     """The polynomial of the cusps, and an interval around each of its roots in [−1, 1]. α ≠ 1 + β.
 
     For α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
@@ -41,11 +39,11 @@ def _cusp_polynomial(kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fr
     return polynomial, polynomials.squarefree(polynomial)
 
 
-def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[descartes.Root]:
+def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[polynomials.Root]:
     """Intervals as of :func:`cusp_sines`."""
     _, simple = _cusp_polynomial(*exact)
-    roots = descartes.real_roots(simple, -_ONE, _ONE, bits)
-    return [descartes.Root(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
+    roots = polynomials.real_roots(simple, -_ONE, _ONE, bits)
+    return [polynomials.Root(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
 
 
 def cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
@@ -58,7 +56,7 @@ def cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     if not alpha:
         # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
         # −1 − κ/(1 + β).
-        roots.append(descartes.Root(_ONE, _ONE))
+        roots.append(polynomials.Root(_ONE, _ONE))
     for low, high in roots:
         yield from _cusps_at(exact, SineRoot(polynomial, low, high))
 

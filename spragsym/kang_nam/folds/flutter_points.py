@@ -14,9 +14,9 @@ from ...bifurcation.onsets import Onsets
 from ...generated import kernel as solver
 from ...generated import stability as _stability
 from ...models.parameters import FloatArray, Parameters, as_count
-from ...numerics.adaptive_bits import as_floats, with_enough_bits
-from ...numerics.half_angle import on_circle
+from ...numerics.balls import as_floats, with_enough_bits
 from ...numerics.interval_arrays import IntArray
+from ...numerics.polynomials import on_circle
 from ...questions import NotInClosedForm, of_article
 from ...results.points import in_closed_form
 from ...results.result import Result

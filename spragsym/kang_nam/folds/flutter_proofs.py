@@ -20,12 +20,8 @@ from typing import Any, NamedTuple
 
 from ...generated import stability as _stability
 from ...numerics import balls, polynomials
-from ...numerics.adaptive_bits import decided, sign_or_zero
-from ...numerics.ball_functions import atan2
-from ...numerics.balls import Interval, Undecided, sign
-from ...numerics.descartes import Root, real_roots
-from ...numerics.half_angle import in_t, on_circle
-from ...numerics.polynomials import roots_on_the_line
+from ...numerics.balls import Interval, Undecided, atan2, decided, sign, sign_or_zero
+from ...numerics.polynomials import Root, in_t, on_circle, real_roots, roots_on_the_line
 from ..quartic import kernel
 
 #: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.

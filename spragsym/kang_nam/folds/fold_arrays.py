@@ -15,9 +15,9 @@ import numpy as np
 
 from ...models.parameters import NAMES, FloatArray
 from ...numerics import bernstein
-from ...numerics.half_angle import on_circle
+from ...numerics.affine import Rounded, cosine_and_sine
 from ...numerics.interval_arrays import BoolArray, IndexArray, Int8Array
-from ...numerics.rounded import Rounded, cosine_and_sine
+from ...numerics.polynomials import on_circle
 from ..quartic import kernel
 
 

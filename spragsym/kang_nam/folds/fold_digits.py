@@ -10,7 +10,7 @@ from fractions import Fraction
 from ...models.parameters import NAMES
 from ...numerics import balls
 from ...numerics.balls import Interval
-from ...numerics.half_angle import on_circle
+from ...numerics.polynomials import on_circle
 from ..quartic import kernel
 
 #: Bits of the evaluation: enough for a value that loses half of the digits of float64, twice over.

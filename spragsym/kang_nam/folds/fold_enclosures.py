@@ -6,9 +6,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from ...numerics import polynomials
-from ...numerics.adaptive_bits import as_floats, decided, sign_or_zero
-from ...numerics.ball_functions import atan2
-from ...numerics.balls import Interval
+from ...numerics.balls import Interval, as_floats, atan2, decided, sign_or_zero
 from ..quartic import kernel
 
 

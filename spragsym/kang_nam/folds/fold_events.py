@@ -15,10 +15,8 @@ import numpy as np
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import FloatArray
 from ...numerics import polynomials
-from ...numerics.descartes import Root, real_roots
-from ...numerics.half_angle import of_sine_in_t, on_circle
 from ...numerics.interval_arrays import IntArray
-from ...numerics.polynomials import Polynomial
+from ...numerics.polynomials import Polynomial, Root, of_sine_in_t, on_circle, real_roots
 from .fixed_parameters import Fixed
 
 #: Degrees in sin θ of what is 0 at an event.

@@ -10,8 +10,7 @@ import numpy as np
 
 from ...models.parameters import NAMES, RANGES, Parameters
 from ...numerics import balls
-from ...numerics.adaptive_bits import as_floats, decided, with_enough_bits
-from ...numerics.balls import Interval, Undecided
+from ...numerics.balls import Interval, Undecided, as_floats, decided, with_enough_bits
 from ...questions import NotInClosedForm
 from ...results.points import Ended, Points, in_closed_form
 from . import fold_proofs

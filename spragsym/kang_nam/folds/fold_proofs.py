@@ -14,11 +14,8 @@ from ...errors import ConvergenceError
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES
 from ...numerics import balls, polynomials
-from ...numerics.adaptive_bits import decided, sign_or_zero
-from ...numerics.ball_functions import atan2
-from ...numerics.balls import Interval, Undecided, sign
-from ...numerics.half_angle import in_t, on_circle
-from ...numerics.polynomials import Root, roots_on_the_line
+from ...numerics.balls import Interval, Undecided, atan2, decided, sign, sign_or_zero
+from ...numerics.polynomials import ChartRoot, in_t, on_circle, roots_on_the_line
 from ..quartic import kernel
 from .fold_enclosures import Angles, Point, in_contact
 
@@ -51,7 +48,7 @@ class _Direction:
     multiplicity: int = 1
     flat: bool = False
     polynomial: polynomials.Polynomial = ()
-    root: Root | None = None  #: of the polynomial, which is exact
+    root: ChartRoot | None = None  #: of the polynomial, which is exact
 
     def sign_of(self, value: Interval, exactly: Callable[[Any, Any], Any], what: str) -> int:
         """The sign of an interval, and 0 where a function of cos θ and sin θ, of the degree of those eliminated, vanishes."""

@@ -9,11 +9,9 @@ import numpy as np
 
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import Parameters
-from ...numerics import balls, descartes, polynomials
-from ...numerics.adaptive_bits import as_floats, decided, sign_or_zero, with_enough_bits
-from ...numerics.balls import Interval
-from ...numerics.half_angle import on_circle
-from ...numerics.polynomials import roots_on_the_line
+from ...numerics import balls, polynomials
+from ...numerics.balls import Interval, as_floats, decided, sign_or_zero, with_enough_bits
+from ...numerics.polynomials import on_circle, roots_on_the_line
 from ...questions import NotInClosedForm
 from ...results.lowest_ends import LowestEnd
 from ..quartic import kernel
@@ -100,7 +98,7 @@ def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     if not exact[1]:
         return
     polynomial = polynomials.squarefree(_catastrophe.turning_polynomial(*exact))
-    for low, high in descartes.real_roots(polynomial, Fraction(0), Fraction(1), bits - 32):
+    for low, high in polynomials.real_roots(polynomial, Fraction(0), Fraction(1), bits - 32):
         yield from _turning_at(exact, SineRoot(polynomial, low, high))
 
 

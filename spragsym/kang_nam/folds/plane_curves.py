@@ -17,10 +17,8 @@ import numpy as np
 from ...bifurcation.tubes.tube_regions import ByColumn
 from ...models.parameters import FloatArray
 from ...numerics.chains import link, walked
-from ...numerics.companion_roots import by_power, eigenvalues, polished
-from ...numerics.half_angle import on_circle
 from ...numerics.interval_arrays import BoolArray, IntArray
-from ...numerics.polynomials import evaluate
+from ...numerics.polynomials import by_power, eigenvalues, evaluate, on_circle, polished
 from .fixed_parameters import Fixed
 
 #: A step in θ₀, radians, over which neighbours are not joined where their number changes.

@@ -13,8 +13,8 @@ import numpy as np
 from ...design.jumps import FROM_LOWER_END
 from ...models.parameters import NAMES, FloatArray, Parameters
 from ...numerics import bernstein
+from ...numerics.affine import UNIT
 from ...numerics.interval_arrays import IndexArray
-from ...numerics.rounded import UNIT
 from ...questions import NotInClosedForm
 from ...results.equilibria import Stability
 from ..folds.fold_arrays import friction_sextic

@@ -11,10 +11,8 @@ from typing import Any, NamedTuple
 
 from ...errors import ConvergenceError
 from ...numerics import balls
-from ...numerics.adaptive_bits import as_numbers
-from ...numerics.balls import Interval, Undecided, as_mpf
-from ...numerics.half_angle import on_circle
-from ...numerics.polynomials import derivative, evaluate, roots_on_the_line, squarefree
+from ...numerics.balls import Interval, Undecided, as_mpf, as_numbers
+from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
 from ...results.equilibria import Stability
 from ...results.precise_states import PreciseEquilibrium
 from . import kernel

@@ -15,7 +15,7 @@ from ...models.field import BEGIN, TURN
 from ...numerics.balls import Ball, Undecided
 from ...numerics.certified_roots import Roots
 from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
-from ...numerics.krawczyk import as_intervals, narrowed
+from ...numerics.precise_roots import as_intervals, narrowed
 from .balance import Balance
 from .precise_balance import ROOT_BITS
 

@@ -5,8 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics.interval_arrays import Intervals, Shape, stacked
-from ...numerics.interval_functions import atan2, length, unit_vector
+from ...numerics.interval_arrays import Intervals, Shape, atan2, length, stacked, unit_vector
 from ...numerics.jets import Jet, argument, binomial_series, change, constant, turned
 
 
@@ -40,7 +39,7 @@ def turning(value: tuple[Any, Any], vector: tuple[Any, Any], rest: tuple[Any, An
     """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes meet the ray φ = ±π.
 
     ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at rest; ``side`` says what is
-    given on the ray instead, see :func:`spragsym.numerics.interval_functions.atan2`. Its derivatives are those of the spring's
+    given on the ray instead, see :func:`spragsym.numerics.interval_arrays.atan2`. Its derivatives are those of the spring's
     angle less those of the angle at rest: algebra in sharp enclosures of direction and length. They hold at every point off the
     ray, and so on either side of it, but no mean value theorem holds across it.
     """

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics import interval_functions
+from ...numerics import interval_arrays
 from ...numerics.interval_arrays import Intervals
 from ...numerics.jets import Functions, Jet, constant
 
@@ -18,7 +18,7 @@ class LawFunctions(Functions):
     """
 
     #: π.
-    pi = interval_functions.PI
+    pi = interval_arrays.PI
 
     def of(self, name: str, value: Any) -> Any:
         """A function of one number or jet."""
@@ -56,6 +56,6 @@ class FreeWaves(LawFunctions):
 
 
 #: The one that is needed.
-XP = LawFunctions(interval_functions, _enclosed)
+XP = LawFunctions(interval_arrays, _enclosed)
 #: For bounds far away, where forces are linear but for what is bounded.
-FREE = FreeWaves(interval_functions, _enclosed)
+FREE = FreeWaves(interval_arrays, _enclosed)

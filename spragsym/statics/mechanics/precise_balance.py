@@ -11,13 +11,11 @@ import numpy as np
 
 from ...numerics import balls, contractors
 from ...numerics.arithmetic import Matrix
-from ...numerics.ball_functions import XP
-from ...numerics.balls import Undecided, ball
+from ...numerics.balls import XP, Undecided, ball
 from ...numerics.boxes import POLE, System
 from ...numerics.certified_roots import Roots, concatenated, different
 from ...numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
-from ...numerics.krawczyk import Digits, as_intervals, narrowed, outward
-from ...numerics.reduction import Reduced, reduced_roots
+from ...numerics.precise_roots import Digits, Reduced, as_intervals, narrowed, outward, reduced_roots
 from .balance import Balance
 from .state import State
 

@@ -12,13 +12,14 @@ from scipy.optimize import brentq, minimize_scalar
 
 from .. import precise
 from ..assumed import MU0_RANGE, D, V
-from ..bifurcation.bifurcation import bifurcation_set
+from ..bifurcation.bifurcation_sets import bifurcation_set
 from ..bifurcation.critical import critical_friction, critical_value, cusp_friction
 from ..bifurcation.flutter import flutter_onsets
 from ..bifurcation.folds import folds
 from ..bifurcation.paths import quasi_static_path
 from ..generated import equilibrium as _equilibrium
-from ..kang_nam import flutter_boundary, linear_critical_friction, linear_sprag
+from ..kang_nam.folds.flutter_points import flutter_boundary
+from ..kang_nam.folds.linear import linear_critical_friction, linear_sprag
 from ..models.load import USUAL, load
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..motion import simulate

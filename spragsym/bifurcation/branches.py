@@ -1,6 +1,6 @@
 """Branch matching: the equilibria of a model at two values of a parameter that lie on one branch, proved by tubes.
 
-A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes.tubes`. The two that meet at a
+A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes`. The two that meet at a
 fold nearby differ in the sign of det K, which no branch changes between folds; of the three at a pitchfork the outer two lie on
 different sides of the mirror, which none crosses. A step of which not all pairs are known so is halved.
 """
@@ -23,11 +23,10 @@ from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.search import columns
 from ..statics.stability import linearization
-from . import symmetry
-from .escapes import INFINITY
-from .families import Family, given_column
-from .tubes.tube_regions import Parts
-from .tubes.tubes import Tubes
+from .defining_systems import Family, given_column
+from .points import INFINITY
+from .singularities import turned as turned_by_mirror
+from .tubes import Parts, Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
@@ -109,7 +108,7 @@ def _turned(along: Along, stops: FloatArray) -> list[int]:
         return []
     columns_of = given_column(along.p, along.balance.parameters, (along.vary,))
     family = Family(along.p, along.balance, (along.vary,), columns_of, np.array([[stops.min(), stops.max()]]))
-    return symmetry.turned(family.balance, family.over)
+    return turned_by_mirror(family.balance, family.over)
 
 
 def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:

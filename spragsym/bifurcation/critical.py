@@ -21,16 +21,12 @@ from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import nearest_state, reference_state
 from ..statics.remarks import of_ranges
-from .bifurcation import extrema
-from .bifurcation_conditions import TOUCH, TOUCH_TURN
-from .cusps import cusps
-from .escapes import INFINITY, escapes
-from .families import Family, endless, given_column, ranges
-from .folds import folds
+from .bifurcation_sets import extrema
+from .defining_systems import TOUCH, TOUCH_TURN, Family, endless, given_column, ranges
+from .folds import cusps, folds
 from .paths import ModelEnd, first_end
-from .points import OVER_BORDER, isolated
-from .tubes.tube_regions import Parts
-from .tubes.tubes import Tubes
+from .points import INFINITY, OVER_BORDER, escapes, isolated
+from .tubes import Parts, Tubes
 
 #: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05

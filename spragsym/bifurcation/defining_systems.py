@@ -1,29 +1,139 @@
-"""Defining systems of folds, cusps and onsets: coordinates and parameters are unknowns together.
+"""Defining systems of folds, cusps and onsets over a family of equilibria: coordinates and parameters are unknowns together.
 
 The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
 with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals. Where two points
 lie so near to each other that float64 does not tell them apart, the same is evaluated in balls.
+
+K has no bound in a box around the anchor of a spring, and may be regular there. A spring of length l whose line has the direction
+n adds R/l to K, and R, −k r t t′ in its end with the undeformed length r and t across n, has rank one. So l det K = l det K∞ + Σ
+cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
+from ..errors import ParameterError, ParameterTypeError
+from ..models.parameters import as_numbers
+from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.balls import XP as BALLS
 from ..numerics.boxes import POLE, System
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
-from ..numerics.jets import constant, gradient, variables
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, raised, stacked
+from ..numerics.jets import Jet, constant, gradient, variables
+from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import Digits
+from ..statics.mechanics.balance import AWAY, Balance, taken
+from ..statics.mechanics.forces import Model, Values
 from ..statics.mechanics.laws import XP
 from ..statics.mechanics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.mechanics.state import State
-from .families import Family
-from .near_anchors import regular_at_anchors
+from ..statics.regions import by_hand
+
+#: End of the range of a parameter that has none, over its base value if that is larger than 1.
+FAR = 10.0
+#: A slope of the friction law that is as good as 0.
+FLAT = 1e-100
+#: Boxes beyond which they lie around no points.
+MANY = 400
+#: Clusters of boxes that are looked at.
+CLUSTERS = 12
+#: Arcs of directions that are looked at one by one.
+ARCS = 32
+#: Lengths of which nothing is left in K.
+ENDLESS = Intervals.between(np.array([1e290]), np.array([1e308]))
+
+
+@dataclass(frozen=True)
+class Family:
+    """What is searched: parameters that vary over ranges, at one point of the others or at many.
+
+    ``given`` are all parameters, shape (parameters, points), NaN for those that vary; ``spans`` the ranges of these, shape
+    (number, 2), and ``endless`` those of them whose range was cut; ``asked`` is a region of the coordinates by hand.
+    """
+
+    p: Any
+    balance: Balance
+    vary: tuple[str, ...]
+    given: FloatArray
+    spans: FloatArray
+    asked: FloatArray | None = None
+    endless: tuple[str, ...] = ()
+
+    @classmethod
+    def of(
+        cls, p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]] | None = None,
+        within: Mapping[str, tuple[float, float]] | None = None, *, room: float = 0.0,
+    ) -> Self:  # fmt: skip
+        """Of a set of parameters; ``room`` is how far beyond the border of the contact states count, too."""
+        balance, between = Balance(p.model, contact=True, room=room), between or {}
+        spans, asked = ranges(p.model, vary, between), by_hand(balance.coordinates, within)
+        given = given_column(p, balance.parameters, vary)
+        return cls(p, balance, tuple(vary), given, spans, asked, endless(p.model, vary, between))
+
+    def at(self, values: FloatArray) -> FloatArray:
+        """All parameters where those that vary have these values, shape (number, points)."""
+        points = np.broadcast_shapes(self.given.shape[1:], values.shape[1:])
+        out = np.array(np.broadcast_to(self.given, (len(self.given), *points)))
+        out[[self.balance.parameters.index(name) for name in self.vary]] = values
+        return out
+
+    @property
+    def begin(self) -> FloatArray:
+        """All parameters at the lower ends of the ranges."""
+        return self.at(self.spans[:, :1])
+
+    @property
+    def over(self) -> Intervals:
+        """All parameters over the ranges."""
+        return Intervals.between(self.begin, self.at(self.spans[:, 1:]))
+
+
+def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> FloatArray:
+    """Lower and upper ends of the parameters that vary, shape (number, 2)."""
+    if not isinstance(between, Mapping):
+        raise ParameterTypeError(f'between = {between!r:.60} is no mapping; give the ends by name, as {{"mu0": (0, 1)}}')
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    rows = []
+    for name in vary:
+        if not isinstance(name, str) or name not in entries:
+            raise ParameterError(f"vary = {name!r} is not a parameter of this model; choose one of {', '.join(entries)}")
+        entry = entries[name]
+        low, high = (entry[end] for end in ("low", "high"))
+        far = FAR * max(1.0, abs(entry["base"] or 0.0))
+        default = (-far if low is None else low, far if high is None else high)
+        ends = as_numbers(f"between[{name!r}]", between[name]) if name in between else np.array(default)
+        if ends.shape != (2,) or not ends[0] < ends[1]:
+            raise ParameterError(f"between[{name!r}] = {between[name]} is no range; give its lower and upper end")
+        if (ends[0] < default[0] and low is not None) or (ends[1] > default[1] and high is not None):
+            raise ParameterError(
+                f"between[{name!r}] = {between[name]} leaves the range of {name}, {entry['domain']}; stay within it"
+            )
+        rows.append(ends)
+    for name in between:
+        if name not in vary:
+            raise ParameterError(f"between has a range for {name!r}, which does not vary; {', '.join(vary)} does")
+    return np.array(rows, dtype=float).reshape(-1, 2)
+
+
+def endless(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
+    """Parameters without an end, of which nobody has said how far they are searched."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    return tuple(name for name in vary if name not in between and None in (entries[name]["low"], entries[name]["high"]))
+
+
+def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
+    """Scalar parameters as one column, NaN for those that vary."""
+    fixed = [name for name in names if name not in vary]
+    for name in fixed:
+        if getattr(p, name) is None:
+            raise ParameterError(f"{name} has no value while {' and '.join(vary)} varies; use p.replace({name}=...), or vary it")
+    values = dict(zip(fixed, p.scalars(*fixed), strict=True))
+    return np.array([[values.get(name, np.nan)] for name in names])
 
 
 @dataclass(frozen=True)
@@ -41,6 +151,150 @@ class Condition:
     touching: bool = False
     hopeless: Callable[[State], BoolArray] | None = None
     given_up: Callable[[State], BoolArray] | None = None
+
+
+#: det K = 0.
+FOLD = Condition(lambda at: (determinant(at.slopes()),), singular=True)
+#: The gap of the contact is 0.
+TOUCH = Condition(lambda at: (at.gap(),), touching=True)
+#: det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact.
+FOLD_ON_BORDER = Condition(lambda at: (determinant(at.slopes()), at.gap()), touching=True, singular=True)
+
+
+def cusp(column: int = 0) -> Condition:
+    """det K = 0, and K v = 0 for a direction v along which det K does not change.
+
+    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of them is taken: points where that
+    one is 0 are roots as well, which :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps.
+    """
+
+    def equations(at: State) -> Sequence[Any]:
+        K = at.slopes()
+        return determinant(K), change(K, column)
+
+    return Condition(equations, order=1, singular=True)
+
+
+def _turns(at: State) -> Sequence[Any]:
+    """det K, and the force along w that the first parameter v brings: w · ∂F/∂v with w K = 0.
+
+    A row of the adjugate stands for w: points where that row is 0 are roots as well.
+    """
+    K, rows = at.slopes(), at.forces()
+    pushed = [_slope(row, len(K)) * cofactor(K, i, 0) for i, row in enumerate(rows)]
+    return determinant(K), sum(pushed[1:], pushed[0])
+
+
+#: The curve of folds turns back in the second parameter.
+TURN = Condition(_turns, order=1, singular=True)
+
+
+def _touch_turns(at: State) -> Sequence[Any]:
+    """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first parameter."""
+    gap = at.gap()
+    rows, n = [*at.forces(), gap], len(at.q)
+    return gap, determinant([[_slope(row, k) for k in range(n + 1)] for row in rows])
+
+
+#: The gap is 0, and the curve on which it is turns back in the second parameter.
+TOUCH_TURN = Condition(_touch_turns, order=1, touching=True)
+
+
+def _discriminant(at: State) -> Sequence[Any]:
+    """The discriminant of det(K + κ M) in κ, but for a factor."""
+    coefficients = characteristic(at.stiffness(), at.mass())
+    if len(coefficients) == 3:
+        c, b, a = coefficients
+        return (b * b - 4 * a * c,)
+    return (resultant(coefficients, derivative(coefficients)),)
+
+
+#: Two roots κ = −λ² of det(K − κ M) meet: the discriminant of that polynomial is 0.
+FLUTTER = Condition(_discriminant)
+#: Two roots λ of det(λ² M + λ C + K) have the sum 0: the last but one of Hurwitz's determinants is 0.
+HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),))
+
+
+def _characteristic(along: int | None, at: State) -> list[Any]:
+    """Coefficients of det(λ² M + λ C + K), the lowest first.
+
+    Where C has one entry c, of the coordinate ``along``, the odd ones are c times what they are for c = 1, and the even ones do
+    not depend on it. Then 1 stands for c: else conditions on them hold where c is 0.
+    """
+    K = at.stiffness()
+    places = range(len(K))
+    C = at.damping() if along is None else [[int(i == j == along) for j in places] for i in places]
+    return characteristic(K, C, at.mass())
+
+
+def bogdanov_takens(along: int | None) -> Condition:
+    """Two roots λ are 0: the two lowest coefficients are; ``along`` as of :func:`_characteristic`."""
+    return Condition(lambda at: tuple(_characteristic(along, at)[:2]))
+
+
+def zero_hopf(along: int | None) -> Condition:
+    """One root λ is 0, and two others have the sum 0: the lowest coefficient is 0, and Hurwitz's determinant of the others."""
+
+    def equations(at: State) -> Sequence[Any]:
+        a = _characteristic(along, at)
+        return a[0], hurwitz(a[1:])
+
+    return Condition(equations)
+
+
+def double_hopf(along: int | None) -> Condition:
+    """All four roots λ of two coordinates come in pairs with the sum 0: the odd coefficients are 0."""
+    return Condition(lambda at: tuple(_characteristic(along, at)[1::2]))
+
+
+def undamped_mode(along: int) -> Condition:
+    """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it does not move.
+
+    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A
+    and B have a common root, however small c is; it is divided out.
+    """
+
+    def equations(at: State) -> Sequence[Any]:
+        """The resultant of B and A, less a multiple of B: it does not depend on the entry in row and column ``along``."""
+        rows = pencil(at.stiffness(), at.mass())
+        B = cofactor(rows, along, along)
+        rows[along][along] = Polynomial([0])
+        return (resultant(trimmed(B), trimmed(determinant(rows))),)
+
+    return Condition(equations)
+
+
+def no_damping(along: int, on_fold: bool = False) -> Condition:
+    """The damping of the coordinate ``along`` is 0, at a fold too: if nothing else damps, every pair of the state crosses."""
+    return Condition(lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along]))
+
+
+def _too_flat(at: State) -> BoolArray:
+    """Boxes where the slope is smaller all over than anything that floats tell from 0, and its sign unknown."""
+    if at.balance.slope_is_a_sum:
+        return np.zeros(at.shape, dtype=np.bool_)
+    return stacked([at.slope()], at.shape)[0].magnitude <= FLAT
+
+
+#: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however
+#: small it is, has no root.
+NO_SLOPE = Condition(
+    lambda at: (at.slope(),), hopeless=lambda at: at.balance.slope_has_a_sign(at.values, at.shape), given_up=_too_flat
+)
+#: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
+KINDS = {"BT": bogdanov_takens, "ZH": zero_hopf, "HH": double_hopf}
+
+
+def change(K: Matrix, column: int) -> Any:
+    """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
+    value = determinant(K)
+    moved = [_slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
+    return sum(moved[1:], moved[0])
+
+
+def _slope(value: Any, variable: int) -> Any:
+    """The derivative of what may be a number."""
+    return value.differentiated(variable) if isinstance(value, Jet) else 0
 
 
 class Augmented(System):
@@ -135,12 +389,6 @@ class Augmented(System):
         return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)
 
 
-#: Boxes beyond which they lie around no points.
-MANY = 400
-#: Clusters of boxes that are looked at.
-CLUSTERS = 12
-
-
 def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
     if not boxes_of(found)[1].size or system.condition.order or found.left.shape[2] > MANY:
@@ -170,3 +418,51 @@ class PreciseAugmented(Digits):
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at balls or jets of balls."""
         return self.system.evaluated(unknowns, self.arguments, (), BALLS)
+
+
+def regular_at_anchors(balance: Balance, q: Sequence[Intervals], values: Values, among: BoolArray) -> BoolArray:
+    """Boxes at an anchor in which det K is not 0, whatever the direction of the spring is."""
+    out = np.zeros(among.shape, dtype=np.bool_)
+    if balance.torsions:
+        return out
+    for spring, (dx, dy) in enumerate(balance.anchors(q, values, among.shape)):
+        near = np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)
+        rows = np.flatnonzero(among & ~out & near)
+        if rows.size:
+            out[rows] = _regular(balance, [part[rows] for part in q], taken(values, rows), rows.shape, spring)
+    return out
+
+
+def _regular(balance: Balance, q: Sequence[Intervals], values: Values, shape: Shape, spring: int) -> BoolArray:
+    every, place = np.tile(np.arange(shape[0]), ARCS), 3 * spring
+    q, values = [part[every] for part in q], taken(values, every)
+    directions = balance.directions(q, values, every.shape)
+    known, length = directions[place : place + 2], directions[place + 2]
+    arcs = [part[np.repeat(np.arange(ARCS), shape[0])] for part in _arcs()]
+    directions[place : place + 2] = arcs
+
+    def slopes(at: Any) -> list[Any]:
+        directions[place + 2] = at
+        return [list(row) for row in balance.call("forces_jacobian", q, directions, values)]
+
+    K = slopes(ENDLESS[np.zeros_like(every)])
+    R = slopes(Jet.variable(Intervals.point(np.ones(every.shape)), 0, 1))
+    pushed = stacked(
+        [-sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K)))], every.shape
+    )[0]
+    whole = stacked([determinant(K)], every.shape)[0]
+    ends = [pushed + whole * Intervals.point(end) for end in (length.low, length.high)]
+    nonzero = np.logical_and.reduce([end.low > 0 for end in ends]) | np.logical_and.reduce([end.high < 0 for end in ends])
+    elsewhere = np.logical_or.reduce(
+        [(arc.low > part.high) | (arc.high < part.low) for arc, part in zip(arcs, known, strict=True)]
+    )
+    return np.logical_and.reduce((nonzero | elsewhere).reshape(ARCS, -1))
+
+
+def _arcs() -> list[Intervals]:
+    """Cosines and sines over arcs that cover the circle."""
+    angles = np.linspace(0.0, 2 * np.pi, ARCS + 1)
+    return [
+        Intervals(raised(np.stack([-np.minimum(a[:-1], a[1:]), np.maximum(a[:-1], a[1:])]), 8))
+        for a in (np.cos(angles), np.sin(angles))
+    ]

@@ -24,10 +24,8 @@ from ..statics.mechanics.precise_balance import PreciseBalance
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.spectrum import type_at
-from .bifurcation_conditions import cusp
-from .cusp_search import isolated
-from .defining_systems import Augmented, PreciseAugmented
-from .families import Family, endless, ranges
+from .defining_systems import Augmented, Family, PreciseAugmented, cusp, endless, ranges
+from .singularities import isolated
 
 #: Bits that may be lost where forces are summed.
 ROOM = 96

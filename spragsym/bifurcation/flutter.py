@@ -3,33 +3,75 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, fields, replace
+from functools import cached_property, partial
 from itertools import chain
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
 
 from ..models.parameters import ParameterSet
-from ..numerics.certified_roots import concatenated
-from ..numerics.interval_arrays import ComplexArray, FloatArray, Intervals
+from ..numerics import certified_roots
+from ..numerics.balls import Undecided
+from ..numerics.certified_roots import Roots, concatenated
+from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
+from ..numerics.precise_roots import as_intervals, narrowed
 from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.points import Points
 from ..statics import stability
 from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
 from ..statics.mechanics.balance import NOTHING
-from .bifurcation_conditions import FLAT, FLUTTER, HOPF, NO_SLOPE, no_damping, undamped_mode
-from .defining_systems import Augmented, Condition
-from .families import Family
-from .onsets import Onsets, onsets_of
+from ..statics.mechanics.border import on_its_side
+from ..statics.mechanics.precise_balance import ROOT_BITS
+from ..statics.search import seen
+from .defining_systems import (
+    FLAT,
+    FLUTTER,
+    HOPF,
+    NO_SLOPE,
+    Augmented,
+    Condition,
+    Family,
+    PreciseAugmented,
+    no_damping,
+    undamped_mode,
+)
 from .points import Found, arranged, matrices, nothing, search
-from .seen import VALUES, with_seen
 
+#: Why an onset of (27) has no coefficient.
+NO_DAMPING = (
+    "without damping two frequencies meet there, and all eigenvalues stay on the imaginary axis up to it: no generic Hopf point; "
+    "ask for the onsets of the damped model, damping=True"
+)
+#: Why one has that is not told from 0, and one that is smaller than what its law can mean.
+NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
+BELOW_THE_LAW = (
+    "the first Lyapunov coefficient is below the smoothing of the friction law: up to amplitudes at which sliding stops it "
+    "changes the growth rate by less than {:.0e} ω; what happens there decides"
+)
+#: Change of the growth rate over ω below which a coefficient is the tail of a smoothed law.
+MEANT = 1e-9
+#: Values of the parameter that are looked at.
+VALUES = 61
+#: Half-width of the box in which an onset is proved with many digits, over its size.
+ROOM = 1e-6
+#: Imaginary part of a λ that oscillates, over its size.
+OSCILLATES = 1e-6
+#: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than that.
+GROWS = 1e-11
+#: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over their sizes.
+SMALL = 1e-6
+#: Times that the range between two values is halved.
+HALVINGS = 40
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
 _Part: TypeAlias = tuple[Found, list[str], list[float]]
+#: An onset that floats see: coordinates and parameter, shape (n + 1,), and the frequency, NaN where none was followed.
+Sighting: TypeAlias = tuple[FloatArray, float]
 
 
 @question
@@ -215,3 +257,218 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
     most = f"{size[flat].max(initial=0.0):.0e}"
     text = f"the slope of the friction law, and with it its damping, is at most {most}: too little for floats"
     return (f"in {int(flat.sum())} of {flat.size} undecided boxes {text}",) if flat.any() else ()
+
+
+def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
+    """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
+    fixed, (low, high) = system.family.begin, system.family.spans[0]
+    sightings = [(z, omega) for z, omega in _sightings(system) if low <= z[-1] <= high]
+    candidates = np.array([z for z, _ in sightings]).reshape(-1, system.n).T
+    room = ROOM * np.maximum(1.0, np.abs(candidates))
+    wide = np.stack([room - candidates, room + candidates])
+    precise = PreciseAugmented(system, fixed[:, 0], ROOT_BITS)
+    known = [narrowed(precise, box, box) for box in np.moveaxis(wide, 2, 0)]
+    sure = np.array([root is not None for root in known], dtype=np.bool_)
+    ends = np.concatenate([wide[:, :, :0], *(as_intervals(root).ends for root in known if root is not None)], axis=2)
+    omega = np.array([omega for _, omega in sightings])[~sure]
+    proved, open_ = (
+        on_its_side(system, fixed, Roots.at(part), partial(PreciseAugmented, system)) for part in (ends, wide[:, :, ~sure])
+    )
+    apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
+    omega = omega[linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
+    every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
+    return replace(found, roots=certified_roots.distinct(every)), open_, omega
+
+
+def _sightings(system: Augmented) -> list[Sighting]:
+    """Onsets between values of the parameter."""
+    low, high = system.family.spans[0]
+    values = low + (high - low) * (np.arange(VALUES) + 0.5) / VALUES
+    q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
+    neighbours = []
+    for one in range(point.size):
+        following = np.flatnonzero(point == point[one] + 1)
+        if following.size:
+            neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
+    z = np.concatenate([q, values[point][None]])
+    every, out = _signals(system, z), list[Sighting]()
+    for one, other in neighbours:
+        if _crossing_pairs(every[one], every[other]).size:
+            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
+    if system.condition is HOPF:
+        return out
+    # Not where the condition changes its sign at a pole.
+    most = SMALL * max(np.abs(np.concatenate(every)), default=0.0)
+    return [(state, omega) for state, omega in out if (np.abs(_signals(system, state[:, None])[0]) <= most).any()]
+
+
+def _states(found: Roots) -> tuple[FloatArray, IntArray]:
+    """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
+    boxes = Intervals(found.left)
+    small = (boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0)
+    q = np.concatenate([found.middle, boxes.middle[:, small]], axis=1)
+    point = np.concatenate([found.point, found.left_point[small]])
+    order = np.lexsort((q[0], point))
+    q, point = q[:, order], point[order]
+    again = (np.diff(point) == 0) & (np.abs(np.diff(q)) <= SMALL * np.maximum(1.0, np.abs(q[:, 1:]))).all(axis=0)
+    first = np.concatenate([np.ones(min(1, point.size), dtype=np.bool_), ~again])
+    return q[:, first], point[first]
+
+
+def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
+    """Eigenvalues above the real axis whose real part changes sign to the next state; each is followed."""
+    i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
+    size = max(np.abs([*a, *b]), default=0.0)
+    before, after = a[i], b[j]
+    passes = (before.real * after.real < 0) & (np.minimum(np.abs(before.real), np.abs(after.real)) > GROWS * size)
+    return np.asarray(before[passes])
+
+
+def _bisected(
+    system: Augmented,
+    low: tuple[FloatArray, ComplexArray],
+    high: tuple[FloatArray, ComplexArray],
+    halvings: int,
+) -> list[Sighting]:
+    """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
+    state = _state(system, 0.5 * (low[0] + high[0]))
+    (roots,) = _signals(system, state[:, None])
+    middle = state, roots
+    halves = [(one, other) for one, other in ((low, middle), (middle, high)) if _crossing_pairs(one[1], other[1]).size]
+    if halvings and halves:
+        # Where more than one onset lies between, the halvings are shared.
+        share = (halvings - 1) // len(halves)
+        return [sighting for one, other in halves for sighting in _bisected(system, one, other, share)]
+    # Else the ends do not lie on one branch.
+    crossing = _crossing_pairs(low[1], high[1])
+    if system.condition is not HOPF:
+        return [(state, np.nan) for _ in crossing]
+    nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
+    return [(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
+
+
+def _state(system: Augmented, z: FloatArray) -> FloatArray:
+    """The state of the value z[−1] that Newton's method finds near by."""
+    parameters = Intervals.point(system.family.at(z[-1:, None]))
+    with np.errstate(all="ignore"):
+        q = system.balance.guessed(z[:-1, None], system.balance.prepared(parameters))
+    return np.append(q[:, 0], z[-1])
+
+
+def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
+    """Numbers whose real part changes its sign at an onset, of each state z, shape (n + 1, N).
+
+    The λ above the real axis; where friction alone damps, or nothing, the condition's own value.
+    """
+    if system.condition is HOPF:
+        every = stability.roots(*matrices(system.family, z))
+        return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
+    with np.errstate(all="ignore"):
+        tested = system.residuals(Intervals.point(z), system.fixed(z.shape[1])).middle[-1:].T.astype(complex)
+    return [row[np.isfinite(row)] for row in tested]
+
+
+def _of_forms(name: str, missing: float) -> cached_property[FloatArray]:
+    """A column of normal forms, of onsets that have one."""
+    return cached_property(
+        lambda found: np.array([missing if isinstance(form, str) else getattr(form, name) for form in found.normal_forms])
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Onsets(Points):
+    """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their normal forms.
+
+    What follows is computed when it is first asked for; with all that :class:`Points` has, ``omega`` the frequency.
+
+    Attributes
+    ----------
+    criticality : ndarray of str
+        ``"gentle"`` where l₁ < 0 is proved (supercritical: the cycle that is born attracts within the plane of the pair, and
+        grows from nothing), ``"dangerous"`` where l₁ > 0 is (subcritical: an unstable cycle shrinks onto the state, and beyond
+        the onset motions go far), else ``"undecided"``, also where l₁ comes from the tail of a law smoothed at rest alone.
+    lyapunov, lyapunov_error : ndarray
+        The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where ``why`` says that there is
+        none. The state is coordinates, then rates, in the model's units, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
+    crossing, crossing_error : ndarray
+        d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger values.
+    when : ndarray of str
+        What the sign of that says, where its bound leaves it: as the parameter goes ``"up"`` or ``"down"``, this pair makes the
+        state unstable; else empty.
+    why : tuple of str
+        Why an onset is undecided; empty for the others.
+    """
+
+    @property
+    def table_columns(self) -> dict[str, NDArray[Any]]:
+        """The frequency, what closed forms know, and the criticality of each."""
+        more = {name: getattr(self, name) for name in ("omega", "branch", "count", "side") if hasattr(self, name)}
+        return {**more, "kind": self.kind, "criticality": self.criticality}
+
+    @cached_property
+    def normal_forms(self) -> tuple[Any, ...]:
+        """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has none."""
+        return tuple(self._normal_form(row) for row in range(len(self)))
+
+    lyapunov = _of_forms("lyapunov", np.nan)
+    lyapunov_error = _of_forms("lyapunov_error", np.inf)
+    crossing = _of_forms("crossing", np.nan)
+    crossing_error = _of_forms("crossing_error", np.inf)
+
+    @cached_property
+    def when(self) -> NDArray[np.str_]:
+        """Direction of the parameter, ``"up"`` or ``"down"``, in which the state loses its stability to this pair; else empty."""
+        known = np.abs(self.crossing) > self.crossing_error
+        return np.where(known, np.where(self.crossing > 0, "up", "down"), "")
+
+    @cached_property
+    def criticality(self) -> NDArray[np.str_]:
+        """gentle, dangerous or undecided."""
+        return np.array([told(form)[0] for form in self.normal_forms], dtype=np.str_)
+
+    @cached_property
+    def why(self) -> tuple[str, ...]:
+        """Why an onset is undecided."""
+        return tuple(told(form)[1] for form in self.normal_forms)
+
+    def _normal_form(self, row: int) -> Any:
+        if self.kind[row] != "hopf":
+            return NO_DAMPING
+        state, vary = self.state(row), self.vary[0]
+        # The error is relative to max(1, |value|), and its product with that is rounded.
+        radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
+        return form_or_why(self.parameters.model, self.given(row), state, vary, radii)
+
+    def given(self, row: int) -> FloatArray:
+        """Parameters of one of them, in the order of the model."""
+        return np.array([getattr(self, name)[row] for name in self.parameters.model.parameters])
+
+    def state(self, row: int) -> FloatArray:
+        """Coordinates of one of them."""
+        return np.array([getattr(self, name)[row] for name in self.parameters.model.coordinates])
+
+
+def form_or_why(*point: Any) -> Any:
+    """The normal form of a point, arguments as of :func:`.normal_forms.normal_form`, or why it has none."""
+    from .normal_forms import normal_form  # many who ask for onsets never ask for this
+
+    try:
+        return normal_form(*point)
+    except Undecided as reason:
+        return str(reason)
+
+
+def told(form: Any) -> tuple[str, str]:
+    """What the sign of the coefficient says, and why nothing where it does not; of a normal form, or of why there is none."""
+    if isinstance(form, str):
+        return "undecided", form
+    if not abs(form.lyapunov) > form.lyapunov_error:
+        return "undecided", NEAR_ZERO
+    if abs(form.lyapunov) * form.reach**2 < MEANT:
+        return "undecided", BELOW_THE_LAW.format(MEANT)
+    return "gentle" if form.lyapunov < 0 else "dangerous", ""
+
+
+def onsets_of(found: Points) -> Onsets:
+    """Points as onsets."""
+    return Onsets(**{each.name: getattr(found, each.name) for each in fields(Points)})

@@ -1,21 +1,12 @@
-"""Folds of a model along one parameter, each proved, and whether these are all."""
+"""Folds of a model along one parameter, and cusps in the plane of two, each proved, and whether these are all."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
-from typing import TYPE_CHECKING
-
-import numpy as np
+from collections.abc import Mapping, Sequence
 
 from ..models.parameters import ParameterSet
 from ..questions import Method, question
-from ..remarks import At, Remark
 from ..results.points import Points
-
-if TYPE_CHECKING:
-    from .families import Family
-    from .points import Found
 
 
 @question
@@ -61,7 +52,7 @@ def folds(
     -----
     Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the parameter moves the state across the
     fold and the fold is quadratic: otherwise their Jacobian would be singular. Pitchforks:
-    :mod:`spragsym.bifurcation.symmetry`. Of the article's model: f = f′ = 0, see
+    :mod:`spragsym.bifurcation.singularities`. Of the article's model: f = f′ = 0, see
     :mod:`spragsym.kang_nam.folds.fold_points`.
 
     Examples
@@ -76,31 +67,54 @@ def folds(
     >>> np.degrees(found.theta0).round(2).tolist(), found.complete
     ([44.59], True)
     """
-    from .bifurcation_conditions import FOLD  # where a closed form answers nothing of it is loaded
-    from .families import Family
-    from .points import arranged, search
-    from .symmetry import with_pitchforks
+    from .singularities import folds_of  # where a closed form answers nothing of it is loaded
 
-    family = Family.of(p, (p.model.one(vary),), between, within)
-    found, pitchforks = with_pitchforks(family, search(family, FOLD))
-    kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
-    if family.vary[0] in family.balance.balanced:
-        return arranged(family, found, kind, remarks=_remarks(family, found))
-    return arranged(replace(family, endless=()), found, kind, remarks=(f"{family.vary[0]} moves no equilibrium",))
+    return folds_of(p, p.model.one(vary), between, within)
 
 
-def _remarks(family: Family, found: Found) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range where det K is 0 for every state."""
-    from .bifurcation_conditions import FOLD
-    from .defining_systems import Augmented
-    from .degenerate_ends import vanishes
+@question
+def cusps(
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> Points:
+    """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether these are all.
 
-    left, system, (vary,) = found.roots.left, Augmented(family, FOLD), family.vary
-    remarks = []
-    for end in family.spans[0] if left.shape[2] else ():
-        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
-        if here.shape[2] and vanishes(system, float(end), here).any():
-            why = "det K is 0 in every state: equilibria there form curves, or there are none"
-            cure = f"for folds beside it give between with another end for {vary}"
-            remarks.append(Remark(f"at {{}} {why}; {cure}", At(vary, (float(end),), "g")))
-    return tuple(remarks)
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars; those that vary are not used.
+    vary : pair of str, optional
+        Two parameters; without it ``theta0`` and ``mu0``.
+    between, within, method
+        As for :func:`spragsym.folds`.
+
+    Returns
+    -------
+    Points
+        Of the kind ``"cusp"``. Closed forms of the article's model, in the plane of θ₀ and μ₀, know all cusps with L > 0, θ₀ in
+        (−π, π] and μ₀ of either sign, sorted by ``mu0``.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For parameters that are missing or no scalars.
+
+    Notes
+    -----
+    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K. Of the article's model: f = f′ =
+    f″ = 0, one polynomial of degree 9 in sin θ, see :mod:`spragsym.kang_nam.folds.cusp_points`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.cusps(ss.Parameters.article())
+    >>> print(np.degrees(found.theta0[2]), found.mu0[2])
+    68.02095850774431 0.20093178180509003
+    """
+    from .singularities import cusps_of
+
+    return cusps_of(p, p.model.two(vary), between, within)

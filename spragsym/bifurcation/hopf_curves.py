@@ -21,14 +21,10 @@ from ..results.points import Points
 from ..results.result import Result
 from ..statics import stability
 from ..statics.damping import is_conservative, is_damped, only_damped, slope_over
-from .bifurcation import on_lines, rows_of
-from .bifurcation_conditions import FLUTTER, HOPF, KINDS, no_damping, undamped_mode
-from .defining_systems import Condition
-from .families import Family
-from .flutter import meeting
-from .fold_curves import FoldCurves
+from .bifurcation_sets import FoldCurves, on_lines, rows_of
+from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, undamped_mode
+from .flutter import form_or_why, meeting, told
 from .normal_forms import NormalForm
-from .onsets import form_or_why, told
 from .points import arranged, matrices, nothing, search
 
 #: Points of the plane that are nearer than this share of its scales are one.

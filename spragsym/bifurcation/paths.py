@@ -29,15 +29,12 @@ from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, one_each, with_state
 from ..statics.tie_breaking import least_slot
-from .bifurcation_conditions import TOUCH
 from .branches import HALVINGS, clearly_nearest, linked
-from .escapes import INFINITY, escapes
-from .families import Family, given_column
+from .defining_systems import TOUCH, Family, given_column
 from .folds import folds
-from .points import OVER_BORDER, isolated, what_ends
-from .tubes.tube_regions import Parts, Place
-from .tubes.tubes import Tubes
-from .tubes.turning_points import turned
+from .points import INFINITY, OVER_BORDER, escapes, isolated, what_ends
+from .tubes import Parts, Place, Tubes
+from .turning_points import turned
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
 BESIDE = 1e-3

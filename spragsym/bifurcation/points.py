@@ -1,28 +1,44 @@
-"""Search for points at which equilibria change, along one or two parameters of a model: one driver for all kinds, one result."""
+"""Search for points at which equilibria change, along one or two parameters of a model: one driver for all kinds, one result.
+
+An end of a range is left undecided where all states are degenerate there, or a law has no value. Without the inclined spring,
+σ = 0, the two directions of the article's model do not feel each other, and the one across the belt is not damped. So all states
+at that end are on the border of stability, and none of them is an onset that a parameter passes. In a box that reaches down to
+such an end at 0 no search decides anything: in the logarithm of a parameter that is larger than 0 all of its sizes are alike, and
+each is decided on its own, down to :data:`LEAST`.
+
+A state runs to infinity at a root of the balance in a chart at infinity. With q = u/w and one |u_i| = 1, the rows of the balance
+are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.mechanics.infinity`. At a regular root of G = 0 with w = 0 in the
+other u and λ one curve of states begins, λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that
+λ' says.
+"""
 
 import itertools
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics import certified_roots
-from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals
-from ..numerics.jets import Jet, variables
+from ..numerics import boxes, certified_roots, contractors
+from ..numerics.arithmetic import determinant
+from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, stacked
+from ..numerics.jets import Jet, constant, gradient, variables
 from ..progress import doing
 from ..results.points import Ended, Points
 from ..statics import stability
-from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.mechanics.border import on_its_side, once_around
+from ..statics.mechanics.forces import TURN
+from ..statics.mechanics.infinity import SCALED, NoChart, Scaled
+from ..statics.mechanics.laws import XP
+from ..statics.mechanics.state import State
 from ..statics.regions import region
 from ..statics.remarks import kinds_of, of_ranges, of_region, summed
 from ..statics.tie_breaking import in_order
-from . import degenerate_ends
-from .defining_systems import Augmented, Condition, PreciseAugmented, settled
-from .families import Family
+from .defining_systems import Augmented, Condition, Family, PreciseAugmented, settled
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
 BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
@@ -30,6 +46,20 @@ BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
 MANY = 200
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
+#: How much wider than a box the one is in which a root is proved to be the only one, relatively and absolutely.
+WIDER, ROOM = 0.25, 1e-11
+#: Where the range of a parameter begins that is larger than 0.
+LEAST = 2.0**-300
+#: Up to which value the logarithm is taken, and from which on the parameter itself; between them both are.
+HIGH, LOW = 2.0**-9, 2.0**-10
+#: Boxes looked at there.
+LOGARITHMIC_BUDGET = 100_000
+#: Directions at infinity that are searched, beyond those of 45 degrees; boxes of one chart.
+BESIDE, CHART_BUDGET = 1.0 + 2.0**-6, 4000
+#: Two directions nearer than this are the same one, found in two charts.
+SAME = 1e-6
+#: What kinds of points begin with at which a state runs to infinity.
+INFINITY = "infinity"
 
 
 @dataclass(frozen=True)
@@ -39,6 +69,13 @@ class Found:
     roots: Roots
     region: FloatArray
     whole: BoolArray
+
+
+def isolated(family: Family, condition: Condition, kind: str) -> Points:
+    """Points of one condition along one parameter or in the plane of two."""
+    with doing("points of the kind {} over {}", kind, " and ".join(family.vary)):
+        found = search(family, condition)
+    return arranged(family, found, np.full(found.roots.point.size, kind))
 
 
 def search(family: Family, condition: Condition, budget: int | None = None) -> Found:
@@ -54,18 +91,18 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     system, fixed = Augmented(family, condition), family.begin
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET
-    from_least = alone and degenerate_ends.begins(system, around)
-    searched = np.concatenate([around[:, :-1], [[[-degenerate_ends.LOW]], around[1:, -1]]], axis=1) if from_least else around
-    roots = certified_roots.search(system, searched, fixed, fixed, limits=limits, budget=budget)
+    from_least = alone and begins(system, around)
+    wide = np.concatenate([around[:, :-1], [[[-LOW]], around[1:, -1]]], axis=1) if from_least else around
+    roots = certified_roots.search(system, wide, fixed, fixed, limits=limits, budget=budget)
     if from_least:
-        roots = degenerate_ends.joined(degenerate_ends.searched(system, around, limits), roots)
-        around = np.concatenate([around[:, :-1], [[[-degenerate_ends.LEAST]], around[1:, -1]]], axis=1)
+        roots = _joined(_by_logarithm(system, around, limits), roots)
+        around = np.concatenate([around[:, :-1], [[[-LEAST]], around[1:, -1]]], axis=1)
     if alone:
         roots = settled(system, around, roots)
     roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system))
     roots = once_around(balance, roots)
     if alone:
-        roots = roots.kept(left=~degenerate_ends.shared(system, roots.left))
+        roots = roots.kept(left=~shared(system, roots.left))
     return Found(roots, around, whole)
 
 
@@ -106,15 +143,6 @@ def is_affine(family: Family) -> bool:
     return all(isinstance(row.derivative(*pair), int) for row in rows if isinstance(row, Jet) for pair in pairs)
 
 
-def _merged(left: FloatArray) -> FloatArray:
-    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands cover a line of equilibria."""
-    if left.shape[2] <= MANY:
-        return left
-    left = left[:, :, np.argsort(-left[0, -1])]
-    low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
-    return np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
-
-
 def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
     """M, C and K, each of shape (N, n, n), at coordinates and the parameters that vary, z of shape (n + number, N)."""
     n = family.balance.n
@@ -147,15 +175,203 @@ def arranged(
     )  # fmt: skip
 
 
+def _merged(left: FloatArray) -> FloatArray:
+    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands cover a line of equilibria."""
+    if left.shape[2] <= MANY:
+        return left
+    left = left[:, :, np.argsort(-left[0, -1])]
+    low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
+    return np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
+
+
 def what_ends(points: Points) -> Ended:
     """What ends at folds among points that a search found."""
-    from .fold_outcomes import ended  # many who ask for points never ask for this
+    from .singularities import ended  # many who ask for points never ask for this
 
     return ended(points)
 
 
-def isolated(family: Family, condition: Condition, kind: str) -> Points:
-    """Points of one condition along one parameter or in the plane of two."""
-    with doing("points of the kind {} over {}", kind, " and ".join(family.vary)):
-        found = search(family, condition)
-    return arranged(family, found, np.full(found.roots.point.size, kind))
+def shared(system: Augmented, left: FloatArray) -> BoolArray:
+    """Boxes of coordinates and parameter whose only root is proved to be at an end of the range where all states are roots.
+
+    ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n + 1, N).
+    """
+    out = np.zeros(left.shape[2], dtype=np.bool_)
+    if system.condition.order or not out.size:
+        return out
+    wide = left + (WIDER * (left[0] + left[1]) + ROOM * np.maximum(1.0, np.abs(left).max(axis=0)))
+    with np.errstate(all="ignore"):
+        alone = _one_root(system, system.fixed(out.size), wide)
+        for end in system.family.spans[0]:
+            here = (-left[0, -1] <= end) & (end <= left[1, -1])
+            states = _one_root(system.balance, _at_end(system, end, out.size), wide[:, :-1])
+            out |= here & alone & states & vanishes(system, end, wide)
+    return out
+
+
+def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
+    """Boxes over whose coordinates the condition is 0 everywhere at this value of the parameter."""
+    count, (vary,) = ends.shape[2], system.family.vary
+    # 0 as the number, unless it is an angle.
+    exactly = end == 0 and vary not in system.balance.angles
+    value: Any = 0 if exactly else Intervals.point(np.full(count, end))
+    try:
+        with np.errstate(all="ignore"):
+            at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count), (count,))
+            values = stacked(system.condition.equations(at), (count,))
+    except ZeroDivisionError:  # a law that has no value there
+        return np.zeros(count, dtype=np.bool_)
+    return np.logical_and.reduce(values.magnitude <= NOTHING)
+
+
+def _at_end(system: Augmented, end: float, count: int) -> Intervals:
+    """Prepared parameters with this value of the one that varies."""
+    return system.prepared(Intervals.point(system.family.at(np.full((1, count), end))))
+
+
+def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> BoolArray:
+    """Boxes with exactly one root."""
+    return contractors.inside(stepped(system, wide, parameters).ends, wide)
+
+
+class Logarithmic(Augmented):
+    """A defining system with the logarithm of its parameter as unknown."""
+
+    def evaluated(self, unknowns: Sequence[Any], *given: Any, **more: Any) -> State:
+        """The evaluation at coordinates and logarithm."""
+        return super().evaluated([*unknowns[:-1], XP.exp(unknowns[-1])], *given, **more)
+
+
+def begins(system: Augmented, around: FloatArray) -> bool:
+    """Whether the range of the parameter in the region ``around`` begins at 0, which it never is, and nothing is known there."""
+    (vary,) = system.family.vary
+    (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == vary]
+    if entry["low"] != 0 or not entry["low_open"] or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
+        return False
+    return vary not in system.balance.angles and (bool(vanishes(system, 0.0, around)[0]) or not _bounded(system, around))
+
+
+def _bounded(system: Augmented, around: FloatArray) -> bool:
+    """Whether the condition has bounds in the whole region but for large values of the parameter."""
+    low = np.concatenate([around[:, :-1], np.array([[[0.0]], [[LOW]]])], axis=1)
+    with np.errstate(all="ignore"):
+        fixed = system.prepared(Intervals.point(system.family.at(np.array([[LOW]]))))
+        return bool(np.isfinite(system.residuals(Intervals(low), fixed).ends[:, -1]).all())
+
+
+def _by_logarithm(system: Augmented, around: FloatArray, limits: FloatArray) -> Roots:
+    """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter itself."""
+    by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
+    ends = np.concatenate([around[:, :-1], [[[-np.log(LEAST)]], [[np.log(HIGH)]]]], axis=1)
+    found = certified_roots.search(by_logarithm, ends, given, given, limits=limits, budget=LOGARITHMIC_BUDGET)
+    return replace(found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left))
+
+
+def _joined(one: Roots, other: Roots) -> Roots:
+    """Roots of the search near 0 and of that from :data:`LOW` on, each once.
+
+    What the one leaves in the range of the other is decided there.
+    """
+    parts = [one.kept(left=-one.left[0, -1] <= LOW), other.kept(left=other.left[1, -1] >= HIGH)]
+    return distinct(concatenated(parts, one.ends.shape[1]))
+
+
+def _raised(ends: FloatArray) -> FloatArray:
+    """Boxes of the parameter from boxes of its logarithm."""
+    with np.errstate(all="ignore"):
+        return np.concatenate([ends[:, :-1], Intervals(ends[:, -1:]).exp().ends], axis=1)
+
+
+def escapes(family: Family) -> Points:
+    """Values of a parameter at which a state in contact runs to infinity; of two, those at which they are extreme in the second.
+
+    The kind is ``"infinity up"`` where the state is there above the value, else ``"infinity down"``; coordinates are infinite,
+    NaN those that stay. What is not proved is missing: a state runs to infinity there, others may elsewhere.
+    """
+    balance = family.balance
+    found, known = list[list[float]](), list[FloatArray]()
+    for pivot in (i for i in range(balance.n) if i not in balance.around):
+        for sign in (1, -1):
+            for middle, error, side in _of_chart(_Chart(family, pivot, sign), family):
+                z = np.concatenate([np.insert(middle[: balance.n - 1], pivot, float(sign)), middle[balance.n - 1 :]])
+                z[: balance.n] /= np.abs(np.delete(z[: balance.n], balance.around)).max()
+                if any(np.abs(z - other).max() < SAME for other in known):
+                    continue
+                known.append(z)
+                away = np.where(np.abs(z[: balance.n]) < SAME, np.nan, np.copysign(np.inf, z[: balance.n]))
+                away[balance.around] = np.nan
+                found.append([*z[balance.n :], *away, error, side])
+    names = (*family.vary, *balance.coordinates)
+    *places, errors, sides = np.array(found).reshape(-1, len(names) + 2).T
+    columns = dict(zip(names, places, strict=True))
+    kind = np.select([sides > 0, sides < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
+    return Points(family.p, family.vary, kind, errors, family.spans, True, (), np.empty((0, len(names), 2)), (), columns)
+
+
+class _Chart(boxes.System):
+    """G at w = 0 with u_pivot = ±1; unknowns are the other u, angles that come around, and one parameter or two.
+
+    With two the curve of values at infinity turns back in the last one: ∂G/∂(u, first) is singular.
+    """
+
+    def __init__(self, family: Family, pivot: int, sign: int) -> None:
+        self.balance, self.vary, self.pivot, self.sign = family.balance, family.vary, pivot, sign
+        self.others = [i for i in range(self.balance.n) if i != pivot]
+        self.n, self.order = len(self.others) + len(self.vary), len(self.vary) - 1
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Prepared parameters of the balance."""
+        return self.balance.prepared(bounds)
+
+    def rows(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[list[Any], Any]:
+        """G and the gap but for powers of w, of intervals, or jets of them in which w is one more variable."""
+        order = max((part.order for part in unknowns if isinstance(part, Jet)), default=0)
+        w = Jet.variable(0, self.n, order)
+        arguments = self.balance.arguments(parameters, dict(zip(self.vary, unknowns[len(self.others) :], strict=True)))
+        values = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
+        q: list[Any] = [Scaled(self.sign, 1, w)] * self.balance.n
+        for i, part in zip(self.others, unknowns, strict=False):
+            q[i] = part if i in self.balance.around else Scaled(part, 1, w)
+        directions = self.balance.plain_directions(q, values, SCALED)
+        rows = [*self.balance.by_coordinate("forces", q, directions, values, SCALED), self.balance.gap(q, values, SCALED)]
+        *forces, gap = (row.value if isinstance(row, Scaled) else row for row in rows)
+        return forces, gap
+
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """G, and with two parameters the determinant."""
+        forces, _ = self.rows(unknowns, parameters)
+        if not self.order:
+            return forces
+        slopes = [[row.differentiated(k) if isinstance(row, Jet) else 0 for k in range(self.n - 1)] for row in forces]
+        return [*forces, determinant(slopes)]
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes of directions in which the contact opens."""
+        if not self.balance.opens:
+            return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+        _, gap = self.rows(list(unknowns), parameters)
+        return self.balance.sides(stacked([constant(gap)], unknowns.shape[1:])[0])[1]
+
+    def exists(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
+        """On which side of the value the state is, 1 or −1; 0 where that is not known."""
+        slopes = [gradient(row, self.n + 1) for row in self.rows(variables(list(unknowns), 1), parameters)[0]]
+        moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
+        ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
+        sign = (ratio.low > 0).astype(np.int64) - (ratio.high < 0)
+        return sign[0] * sign[1]
+
+
+def _of_chart(chart: _Chart, family: Family) -> list[tuple[FloatArray, float, int]]:
+    """Roots in one chart, bounds on their errors, and sides."""
+    balance = chart.balance
+    sides = [[TURN, TURN] if i in balance.around else [BESIDE, BESIDE] for i in chart.others]
+    around, fixed = np.array([*sides, *([-low, high] for low, high in family.spans)]).T[:, :, None], family.begin
+    try:
+        with np.errstate(all="ignore"):
+            roots = certified_roots.search(chart, around, fixed, fixed, budget=CHART_BUDGET)
+            unknowns = Intervals(roots.ends)
+            prepared = chart.prepared(Intervals.point(np.repeat(fixed, roots.point.size, axis=1)))
+            side = chart.exists(unknowns, prepared) if len(chart.vary) == 1 and roots.point.size else np.zeros(roots.point.size)
+    except NoChart:
+        return []
+    return [(roots.middle[:, k], float(roots.error[k]), int(side[k])) for k in range(roots.point.size)]

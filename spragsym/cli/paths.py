@@ -9,7 +9,7 @@ import numpy as np
 
 import spragsym as ss
 
-from ..bifurcation.families import ranges
+from ..bifurcation.defining_systems import ranges
 from ..bifurcation.paths import first_end
 from ..design.jumps import first_ends
 from ..errors import ParameterError, SpragsymError

@@ -16,12 +16,12 @@ from typing import Any, Self, TypeAlias
 
 import numpy as np
 
-from ..bifurcation.tubes.tube_regions import ByColumn, Flags, halves
+from ..bifurcation.tubes import ByColumn, halves
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import FloatArray, IntArray, Intervals, raised
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
 from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from ..results.result import Result
@@ -81,7 +81,7 @@ class Boxes(ByColumn, ABC):
         width = self.high - self.low
         return width.prod(axis=0, where=width > 0)
 
-    def divisible(self) -> Flags:
+    def divisible(self) -> BoolArray:
         """Sides that have floats between their ends."""
         return np.nextafter(self.low, np.inf) < self.high
 
@@ -95,7 +95,7 @@ class Boxes(ByColumn, ABC):
 class Held(Boxes):
     """Parts of which it is known for some that a claim holds."""
 
-    holds: Flags
+    holds: BoolArray
 
     @property
     def outcome(self) -> IntArray:
@@ -124,13 +124,13 @@ class Claim(ABC):
     def refuted(self, points: FloatArray) -> ParameterSet | None:
         """The parameters at the first of some points, shape (sides, N), at which the claim is proved to be false, or None."""
 
-    def suspects(self, parts: Boxes, last: Flags) -> FloatArray:
+    def suspects(self, parts: Boxes, last: BoolArray) -> FloatArray:
         """Points of open parts at which a counterexample is looked for; ``last`` are parts that are not halved any more."""
         return np.asarray(0.5 * (parts.low + parts.high)[:, parts.outcome == OPEN][:, : self.batch])
 
     def run(
         self, share: Callable[[Any], FloatArray], most: int, sharp: bool = False, kept: Callable[[Any], Any] | None = None
-    ) -> Iterator[tuple[Any, Flags, int]]:
+    ) -> Iterator[tuple[Any, BoolArray, int]]:
         """Parts in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
 
         ``share`` is how much of a part is open, ``kept`` what of parts matters. What is open is halved, unless it is as thin as
@@ -216,18 +216,18 @@ class Found:
 
     bounds: Intervals
     roots: Roots
-    open: Flags
+    open: BoolArray
 
 
-Test: TypeAlias = Callable[[Balance, Found], Flags]
+Test: TypeAlias = Callable[[Balance, Found], BoolArray]
 
 
-def _one(balance: Balance, found: Found) -> Flags:
+def _one(balance: Balance, found: Found) -> BoolArray:
     """Parts with one state at each point."""
     return np.asarray((np.bincount(found.roots.point, minlength=found.open.size) == 1) & ~found.open)
 
 
-def _none_flutters(balance: Balance, found: Found) -> Flags:
+def _none_flutters(balance: Balance, found: Found) -> BoolArray:
     """Parts all of whose states have real κ only, those in boxes that are left included."""
     roots = found.roots
     every = np.concatenate([roots.ends, roots.left], axis=2)
@@ -236,18 +236,18 @@ def _none_flutters(balance: Balance, found: Found) -> Flags:
     return np.asarray(np.bincount(point[~real], minlength=found.open.size) == 0)
 
 
-def _not_one(eq: Equilibria) -> Flags:
+def _not_one(eq: Equilibria) -> BoolArray:
     """Points at which there are several, or proved to be none."""
     return np.asarray((eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole))
 
 
-def _flutters(eq: Equilibria) -> Flags:
+def _flutters(eq: Equilibria) -> BoolArray:
     """Points at which a state is proved to flutter."""
     return np.asarray(((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1))
 
 
 #: For each claim where it holds, and at which points it is refuted.
-STATES: dict[str, tuple[Test, Callable[[Equilibria], Flags]]] = {
+STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
     "one equilibrium": (_one, _not_one),
     "no flutter": (_none_flutters, _flutters),
 }

@@ -15,9 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes.tube_regions import Parts
-from ..bifurcation.tubes.tubes import SMALL
-from ..bifurcation.tubes.turning_points import secants
+from ..bifurcation.tubes import Parts
+from ..bifurcation.turning_points import SMALL, secants
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, PhysicalParameters, Range, as_number
 from ..numerics.interval_arrays import BoolArray, FloatArray

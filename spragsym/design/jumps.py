@@ -9,11 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.families import FAR
+from ..bifurcation.defining_systems import FAR
 from ..bifurcation.paths import first_end
-from ..bifurcation.tubes.tube_regions import Parts, Place
-from ..bifurcation.tubes.tubes import Tubes
-from ..bifurcation.tubes.turning_points import SEGMENTS, past, turned
+from ..bifurcation.tubes import Parts, Place, Tubes
+from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, Range, as_numbers
@@ -81,7 +80,7 @@ def jump_value(
 
     Notes
     -----
-    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.bifurcation.tubes.turning_points`,
+    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.bifurcation.turning_points`,
     from the reference state at the first value, see :mod:`spragsym.statics.reference_state`. What tubes don't decide is
     followed between all folds that are found by search, see :func:`spragsym.bifurcation.paths.first_end`; an end there
     may also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
@@ -241,7 +240,7 @@ class Followed:
         found, out = np.full(self.begin.size, np.nan), self._nothing()
         for rows in self._blocks():
             parts, start, goal = self._start(rows)
-            safe, top, _ = self.tubes.passed(parts, start, goal)
+            safe, top, _ = passed(self.tubes, parts, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
             ended[left[self._none(rows[left])]] = 1.0

@@ -279,7 +279,7 @@ def jump_probability(
     -----
     Source: an event is an end of the state up to the value of the loading parameter; interval by Student's distribution over the
     replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't. Proved bounds: tubes around curves of states
-    about parts of the box, whose probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes.tubes`.
+    about parts of the box, whose probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes`.
 
     Examples
     --------

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes.tube_regions import Flags, Parts, Place, halves
-from ..bifurcation.tubes.tubes import SMALL, Tubes
+from ..bifurcation.tubes import Parts, Place, Tubes, halves
+from ..bifurcation.turning_points import SMALL, passed
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, as_count
 from ..models.parameters.units import Unit, checked_units
@@ -145,7 +145,7 @@ class Splitting(Claim):
         weight += np.where(np.isfinite(moves), moves, 0.0) * width
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.z[last]))
         if rows.size:
-            safe[rows], top[rows], moves = self.tubes.passed(parts[rows], reached[rows], goal[rows], sharp)
+            safe[rows], top[rows], moves = passed(self.tubes, parts[rows], reached[rows], goal[rows], sharp)
             weight[:, rows] = width[:, rows] * moves
         own = np.flatnonzero(start.sure)
         base, of = pieces.base[np.arange(len(pieces))], pieces.of.copy()
@@ -167,7 +167,7 @@ class Splitting(Claim):
         same[rows] = self._linked(middle[:, rows], pieces.base[rows], parts.centre[:, rows], here[rows])
         return parts, replace(here, sure=same)
 
-    def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> Flags:
+    def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> BoolArray:
         """Whether the states of a place become those of another, as one parameter after the other moves between their middles."""
         n, last = self.balance.n, before
         at = np.repeat(self.fixed, one.shape[1], axis=1)
@@ -186,7 +186,7 @@ class Splitting(Claim):
         ends = np.flatnonzero(self.settled(self.points(points))[0].outcome == ENDS)
         return self.point(points[:, ends[0]]) if ends.size else None
 
-    def suspects(self, parts: Boxes, last: Flags) -> FloatArray:
+    def suspects(self, parts: Boxes, last: BoolArray) -> FloatArray:
         return super().suspects(parts[last], last)
 
 
@@ -254,7 +254,7 @@ def certify(
 
     Notes
     -----
-    Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes.tubes`. A part is proved where the tube of all its
+    Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes`. A part is proved where the tube of all its
     points comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold
     crosses is halved; a box that touches the border of the claim can't be decided there. The other claims:
     :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine

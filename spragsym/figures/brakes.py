@@ -12,7 +12,7 @@ from matplotlib.patches import Rectangle
 
 import spragsym as ss
 
-from ..bifurcation.families import ranges
+from ..bifurcation.defining_systems import ranges
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
 from ..motion.pictures import symbol

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
-from ..bifurcation.onsets import Onsets
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number

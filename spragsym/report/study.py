@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bifurcation.families import ranges
+from ..bifurcation.defining_systems import ranges
 from ..design.jumps import first_ends, jump_value
 from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError

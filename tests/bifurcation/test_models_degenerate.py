@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation import degenerate_ends
+from spragsym.bifurcation import points
 
 
 @pytest.mark.thorough
@@ -53,7 +53,7 @@ def test_beside_a_line_of_equilibria_all_is_decided(name):
 @pytest.fixture
 def with_a_line(monkeypatch):
     """A model whose sigma is searched down to 0, where nothing holds the mass along the belt."""
-    monkeypatch.setattr(degenerate_ends, "begins", lambda *_: False)
+    monkeypatch.setattr(points, "begins", lambda *_: False)
     return ss.load("kang_nam")
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.tubes.tube_regions import Parts, Region
+from spragsym.bifurcation.tubes import Parts, Region
 from spragsym.design.tube_certificates import Splitting
 from spragsym.models.parameters.units import Unit
 from spragsym.numerics import contractors

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation import cusp_search, points
-from spragsym.bifurcation.bifurcation_conditions import cusp
-from spragsym.bifurcation.families import Family
+from spragsym.bifurcation import points, singularities
+from spragsym.bifurcation.defining_systems import Family, cusp
 from spragsym.statics.mechanics.balance import Balance
 from tests.oracles import by_hand, families
 from tests.oracles.forces_by_hand import DRAWN
@@ -149,7 +148,7 @@ def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
     family = Family.of(model("kang_nam").Parameters(), ("theta0", "mu0"), {"theta0": (0.0, np.pi), "mu0": (0.0, 2.0)})
     found = points.search(family, cusp(column=1))
     assert found.roots.point.size == 2
-    proved, unclear = cusp_search.told_apart(family, found, column=1)
+    proved, unclear = singularities.told_apart(family, found, column=1)
     assert np.allclose(found.roots.middle[-1, proved], 0.200931781805090, atol=1e-12)
     assert not unclear.any()
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...bifurcation.onsets import Onsets
+from ...bifurcation.flutter import Onsets
 from ...generated import kernel as solver
 from ...generated import stability as _stability
 from ...models.parameters import FloatArray, Parameters, as_count

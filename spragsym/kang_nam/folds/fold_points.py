@@ -54,7 +54,7 @@ def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None)
     """Points in the ranges of what varies, if ranges are given."""
     if between is None:
         return found
-    from ...bifurcation.families import ranges  # which loads the search
+    from ...bifurcation.defining_systems import ranges
 
     return found.between(ranges(found.parameters.model, found.vary, between))
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...bifurcation.tubes.tube_regions import ByColumn
+from ...bifurcation.tubes import ByColumn
 from ...models.parameters import FloatArray
 from ...numerics.chains import link, walked
 from ...numerics.interval_arrays import BoolArray, IntArray

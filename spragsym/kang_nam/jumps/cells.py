@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...bifurcation.tubes.tube_regions import ByColumn
+from ...bifurcation.tubes import ByColumn
 from ...design.certificates import Held
 from ...models.parameters import NAMES, FloatArray
 from ...numerics.affine import Affine, cosine_and_sine, sides

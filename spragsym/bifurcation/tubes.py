@@ -8,20 +8,26 @@ follow: v itself, or a coordinate where a fold is to be passed. About a middle m
 by the mean value theorem with slopes over the whole box. Where d and D are near the curve's own slopes, little is left of the
 two terms in the middle, and interval Newton in u proves that each s and each p have one state in the box, and only one.
 Segments hold together where the set of states at the end of one lies in the box of the next.
+
+The state moves with the parameters, and slopes depend on both. Affine arithmetic keeps that to first order, so that over a box
+little more is left than slopes really vary by; intervals would take each entry of the matrix for its own.
 """
 
-from collections.abc import Iterator
-from typing import Any
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
 
 import numpy as np
 
-from ...numerics import contractors
-from ...numerics.affine import AFFINE, Affine
-from ...numerics.interval_arrays import FloatArray, IntArray, Intervals, matrix, stacked
-from ...statics.mechanics.balance import Balance
-from ...statics.mechanics.border import on_side
-from ...statics.mechanics.laws import XP
-from .tube_regions import UP, Flags, Parts, Place, Region, Slopes, beside_tube, of_affine
+from ..numerics import contractors
+from ..numerics.affine import AFFINE, UNIT, Affine
+from ..numerics.arithmetic import Matrix
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
+from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.border import on_side
+from ..statics.mechanics.laws import XP
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
@@ -29,14 +35,188 @@ FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
 NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
 #: Steps of Newton's method at the end of a step.
 STEPS = 6
-#: Steps through a fold, the first one as a share of the straight way, and what counts as no size of a coordinate.
-TURNS, TURN, SMALL = 60, 0.25, 1e-3
-#: A step towards a fold that is this share of what is left to the goal is near enough to go over it.
-NEAR = 0.1
-#: For a sharp answer: a step that is this share of how far apart the folds of a part lie, and this one of the whole.
-CLOSE, SHARP = 0.05, 2.0**-12
 #: A slope that is not nothing.
 TINY = 1e-12
+#: A sum of a few products of floats, rounded up.
+UP = 1 + 2.0**-40
+
+
+@dataclass(frozen=True)
+class ByColumn:
+    """Arrays of which each column, along the last axis, is of one box; what is no array is of all."""
+
+    def __getitem__(self, rows: Any) -> Self:
+        return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
+
+    def then(self, others: Self) -> Self:
+        """These, and others."""
+
+        def joined(one: Any, other: Any) -> Any:
+            return one.then(other) if isinstance(one, ByColumn) else np.concatenate([one, other], axis=-1)
+
+        return self._made(joined, others)
+
+    def _made(self, of: Callable[..., Any], *others: Self) -> Self:
+        parts = {field.name: [getattr(each, field.name) for each in (self, *others)] for field in fields(self)}
+        return replace(self, **{name: of(*each) for name, each in parts.items() if not isinstance(each[0], Mapping)})
+
+
+def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+    """Boxes, one a column, cut in the middle of their side of most weight: its number, and the
+    upper ends of one half and the lower ones of the other.
+
+    A side between whose ends there is no float is cut last.
+    """
+    column = np.arange(low.shape[1])
+    some = slice(len(weight))
+    side = np.where(np.nextafter(low[some], np.inf) < high[some], weight, -1.0).argmax(axis=0)
+    middle = 0.5 * (low[side, column] + high[side, column])
+    top, bottom = high.copy(), low.copy()
+    top[side, column], bottom[side, column] = middle, middle
+    return side, top, bottom
+
+
+@dataclass(frozen=True)
+class Parts(ByColumn):
+    """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
+
+    ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
+    """
+
+    fixed: FloatArray
+    centre: FloatArray
+    half: FloatArray
+
+    @classmethod
+    def points(cls, fixed: FloatArray) -> Parts:
+        """Parameters of which none has a width."""
+        nothing = np.zeros((0, fixed.shape[1]))
+        return cls(fixed, nothing, nothing)
+
+    def middles(self) -> Parts:
+        """Regions of zero width: their midpoints."""
+        return replace(self, half=np.zeros_like(self.half))
+
+
+@dataclass(frozen=True)
+class Place(ByColumn):
+    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
+
+    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
+    within ``held`` of the middle. ``z``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N);
+    ``sure`` where it is proved.
+    """
+
+    z: FloatArray
+    held: FloatArray
+    off: FloatArray
+    room: FloatArray
+    by_p: FloatArray
+    sure: BoolArray
+
+    def put(self, rows: Any, other: Place) -> None:
+        """Take the places of some rows over."""
+        for field in fields(self):
+            getattr(self, field.name)[..., rows] = getattr(other, field.name)
+
+    def box(self) -> Intervals:
+        """All states there."""
+        return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
+
+    def region(self) -> Region:
+        """The region over which slopes are evaluated."""
+        return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
+
+    def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
+        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates.
+
+        ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
+        two differ by over the box.
+        """
+        apart = np.abs(self.z - other.z - shift) + turned
+        within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
+        return self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
+
+
+@dataclass(frozen=True)
+class Region(ByColumn):
+    """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.
+
+    ``middle``, ``along`` and ``off`` have the shape (n + 1, N), ``moved`` (N,), ``by_p`` (n + 1, free, N).
+    """
+
+    box: Intervals
+    middle: FloatArray
+    along: FloatArray
+    moved: FloatArray
+    by_p: FloatArray
+    off: FloatArray
+
+    def numbers(self, apart: FloatArray) -> list[Affine]:
+        """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
+        size, free, count = self.by_p.shape
+        found = []
+        for i in range(size):
+            terms = np.zeros((1 + free + size, count))
+            terms[0], terms[1 : 1 + free], terms[1 + free + i] = self.along[i] * self.moved, self.by_p[i] * apart, self.off[i]
+            found.append(Affine(self.middle[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
+        return found
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Rows of slopes by q, v and the free parameters: intervals, or affine numbers that ``Y`` has multiplied.
+
+    ``zero`` is the 0 of their type; what belongs to the rows beside slopes ``Y`` multiplies as well.
+    """
+
+    rows: Matrix
+    zero: Any
+    Y: FloatArray | None = None
+
+    def taken(self, value: Any) -> Intervals:
+        """A number of the type as an interval."""
+        return value if self.Y is None else value.interval()
+
+    def forces(self, found: Intervals) -> Intervals:
+        """Forces, shape (n, N), as these rows have them."""
+        return found if self.Y is None else Intervals(contractors.product(self.Y, found.ends[:, :, None])[:, :, 0])
+
+    def image(self, row: int, direction: FloatArray, start: Any = None) -> Any:
+        """A row times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left out."""
+        terms = (self.rows[row][j] * part for j, part in enumerate(direction) if part.any())
+        return sum(terms, self.zero if start is None else start)
+
+    def newton(self, left: Sequence[Intervals], others: Sequence[int], reach: FloatArray) -> FloatArray:
+        """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the forces."""
+        shape = reach.shape[1:]
+        entries = matrix([[self.taken(row[j]) for j in others] for row in self.rows], shape)
+        given = stacked(left, shape), entries, np.zeros_like(reach), reach
+        return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
+
+
+def of_affine(rows: Matrix, others: Sequence[int], shape: Shape) -> Slopes:
+    """Slopes from rows of affine numbers, multiplied by the inverse of their midpoints before they become intervals."""
+    middles = np.array([[_middle(row[j], shape) for j in others] for row in rows])
+    Y, zero = contractors.inverse(middles), Affine(np.zeros(shape), np.zeros((1, *shape)))
+    n = range(len(rows))
+    return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
+
+
+def _middle(entry: Any, shape: Shape) -> FloatArray:
+    return np.broadcast_to(entry.value if isinstance(entry, Affine) else float(entry), shape)
+
+
+def beside_tube(
+    place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray, apart: FloatArray, pivot: int
+) -> FloatArray:  # fmt: skip
+    """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
+    off = np.abs(place.z - middle - along * (place.z[pivot] - middle[pivot]))
+    turned = np.abs(place.by_p - by_p - along[:, None] * (place.by_p[pivot] - by_p[pivot]))
+    size = np.abs(place.z) + np.abs(middle) + place.held
+    out = (off + (turned * apart).sum(axis=1) + place.off + np.abs(along) * place.off[pivot]) * UP + 4 * np.spacing(size)
+    out[pivot] = 0.0
+    return np.where(np.isfinite(out), out, np.inf)
 
 
 class Tubes:
@@ -184,7 +364,7 @@ class Tubes:
         sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, beside)
         return Place(z, held, off, room, by_p, sure)
 
-    def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Region]:
+    def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[BoolArray, Place, Region]:
         """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
         end = self.place(parts, z, pivot, start)
         z = end.z
@@ -214,7 +394,7 @@ class Tubes:
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
         beside: FloatArray,
-    ) -> tuple[Flags, FloatArray, FloatArray, FloatArray]:  # fmt: skip
+    ) -> tuple[BoolArray, FloatArray, FloatArray, FloatArray]:  # fmt: skip
         """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
 
         They hold what lies within ``beside`` of where their middles move. Beside it how far from there a state is alone, and how
@@ -307,78 +487,3 @@ class Tubes:
             here.put(rows[good], end[good])
             step[rows] = np.where(good, 2 * step[rows], 0.25 * (to - at.z[self.n]))
         return here
-
-    def passed(
-        self, parts: Parts, start: Place, goal: FloatArray, sharp: bool = False
-    ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """How far all states of a place are proved to go on as ``vary`` rises, and above which value to have ended.
-
-        The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before, falls. The first is
-        ``start.z`` or more, and at least the goal where all come to it; the second is below the goal, else infinite. Beside
-        them how far each free parameter moves v, shape (free, N). A ``sharp`` answer is as near to the fold as the width of
-        the parts allows; else it only tells the two apart from the goal.
-        """
-        safe, top = start.z[self.n].copy(), np.full(goal.size, np.inf)
-        moves = np.zeros(parts.half.shape)
-        for pivot, rows, by_v in self.pivots(parts, start):
-            safe[rows], top[rows], moves[:, rows] = self._passed(parts[rows], start[rows], goal[rows], pivot, by_v, sharp)
-            left = np.flatnonzero((safe[rows] < goal[rows]) & np.isinf(top[rows]))
-            if left.size and not sharp:
-                # The fold lies just above the goal, or a tube over it does.
-                some, v = rows[left], by_v[left]
-                safe[some], _, moves[:, some] = self._passed(parts[some], start[some], goal[some], pivot, v, sharp, over=False)
-        return safe, top, moves
-
-    def pivots(self, parts: Parts, start: Place) -> Iterator[tuple[int, Any, FloatArray]]:
-        """The coordinate that moves most, over its size, where it does; the points for which it is that, and its slope by v."""
-        by_v, _ = self.tangents(parts, start.z, self.n)
-        with np.errstate(all="ignore"):
-            pivots = np.argmax(np.abs(by_v[: self.n]) / np.maximum(np.abs(start.z[: self.n]), SMALL), axis=0)
-        for pivot in range(self.n):
-            rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
-            if rows.size:
-                yield pivot, rows, by_v[pivot, rows]
-
-    def _passed(
-        self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, sharp: bool, over: bool = True
-    ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """:meth:`passed` for one pivot; ``over`` says whether the tube goes over the fold, or up to it only."""
-        towards, straight = np.sign(by_v), np.abs(by_v * (goal - start.z[self.n]))
-        by_s, by_p = self.tangents(parts, start.z, pivot)
-        safe, top, highest = start.z[self.n].copy(), np.full(goal.size, np.inf), np.full(goal.size, -np.inf)
-        moves = np.abs(by_p[self.n])
-        open_ = self.rises(parts, start.region(), by_s, pivot) == towards
-        rising = open_.copy()
-        # All states of the place lie within the first segment.
-        here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[pivot])
-        for _ in range(TURNS):
-            rows = np.flatnonzero(open_ & (step > LEAST * straight))
-            if not rows.size:
-                break
-            at, some = here[rows], parts[rows]
-            good, end, tube = self.segment(some, at, at.z + by_s[:, rows] * (towards * step)[rows], pivot)
-            up = np.zeros(rows.size, dtype=np.bool_)
-            up[good] = self.rises(some[good], tube[good], by_s[:, rows[good]], pivot) == towards[rows[good]]
-            good &= np.where(rising[rows], up, tube.box.high[self.n] < goal[rows])
-            # Near its fold v is as wide as the parts make it: there is no nearer.
-            near = NEAR * (goal[rows] - at.z[self.n])
-            if sharp:
-                wide = (moves[:, rows] * some.half).sum(axis=0)
-                near = np.minimum(near, CLOSE * wide + SHARP * (goal - start.z[self.n])[rows])
-            turns = over & rising[rows] & ~good & (np.abs(by_s[self.n, rows]) * step[rows] < near)
-            rising[rows[turns]] = False
-            step[rows] *= np.where(good, 1.5, np.where(turns, 0.5, 0.25))
-            rows, end, some, tube = rows[good], end[good], some[good], tube[good]
-            if not rows.size:
-                continue
-            here.put(rows, end)
-            by_s[:, rows], by_p = self.tangents(some, end.z, pivot)
-            moves[:, rows] = np.abs(by_p[self.n])
-            safe[rows] = np.where(rising[rows], end.box().low[self.n], safe[rows])
-            # While v rises it is highest at the end.
-            reached = np.where(rising[rows], end.box().high[self.n], tube.box.high[self.n])
-            highest[rows] = np.maximum(highest[rows], reached)
-            falls = self.rises(some, end.region(), by_s[:, rows], pivot) == -towards[rows]
-            top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
-            open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
-        return safe, top, moves

@@ -1,0 +1,474 @@
+"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on them.
+
+In coordinates and both parameters a curve of folds is smooth at its cusps, too: only its image in the plane of the two
+has a point there. So it is followed there: between two neighbours a cubic with their tangents says where another point is looked
+for, as often as makes the curve smooth, and behind its last point it is followed to where it leaves a parameter's range.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..models.parameters import ParameterSet, as_count
+from ..numerics import contractors
+from ..numerics.certified_roots import concatenated
+from ..numerics.chains import link, walked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
+from ..progress import doing
+from ..questions import Method, question
+from ..remarks import Remark
+from ..results.bifurcation_sets import BifurcationSet, Curve
+from ..results.points import Points
+from ..statics.mechanics.border import on_side
+from ..statics.remarks import kinds_of, of_ranges, summed
+from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family
+from .folds import cusps, folds
+from .points import OVER_BORDER, Found, isolated, search
+
+#: Rounds in which points are joined to those next to them.
+ROUNDS = 4
+#: Boxes looked at for one line of the plane.
+BUDGET = 20_000
+#: Extrema and ends of curves, as remarks call them.
+_WHERE = {
+    "cusp": "of cusps",
+    "turn": "where curves turn back",
+    "end": "where curves end",
+    "border": "where curves leave the contact",
+}
+#: Lines one after the other that stay undecided alone, after which no other is searched alone.
+ENOUGH = 4
+#: How near a line counts as on it, over the range of the parameter.
+ON_LINE = 1e-9
+#: How far a curve may be from the straight line between two neighbours, over the ranges of the parameters.
+SMOOTH = 2e-4
+#: Times that points are put between all neighbours.
+HALVINGS = 7
+#: Steps of Newton's method, and how far it may lead away over the distance of the neighbours.
+STEPS, NEAR = 6, 0.5
+#: First pace behind the end of a chain, over the scales, the least one, and paces that are tried.
+PACE, LEAST, PACES = 0.02, 1e-6, 60
+#: Cosine of the turn within a pace, and distance of a point from its chord, over its length.
+STRAIGHT, BESIDE = 0.9, 0.05
+#: Half-width of the box in which a point is proved, over the size of what it is made of.
+ROOM = 1e-9
+
+
+@question
+def bifurcation_set(
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
+    n: int | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> BifurcationSet:
+    """Where the number of equilibria in contact changes in the plane of two parameters: every curve of folds, and the cusps.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars; those that vary are not used.
+    vary : pair of str, optional
+        Two parameters, θ₀ and μ₀ unless told otherwise.
+    n : int, optional
+        Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes between two extrema of
+        curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000, 600 at
+        least.
+    between, within, method
+        As for :func:`spragsym.folds`, ranges of the two.
+
+    Returns
+    -------
+    BifurcationSet
+
+    Raises
+    ------
+    ParameterError
+        For parameters that the model has not, or ranges that leave theirs.
+    ConvergenceError
+        Of the article's model with hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64 can't tell folds apart.
+
+    Notes
+    -----
+    Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the second parameter, cusps among
+    them, and ends of curves by :func:`spragsym.bifurcation.bifurcation_sets.extrema`: where all of these are known, no curve
+    is missed, however small it is. Points between by :class:`FoldCurves`. Two points are neighbours
+    only if no line separates them on which all folds are known.
+    Of the article's model: :mod:`spragsym.kang_nam.folds.bifurcation_sets`.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> found = ss.bifurcation_set(ss.Parameters.article())
+    >>> len(found), round(float(found.cusps.mu0[0]), 12)
+    (2, 0.200931781805)
+    """
+    n = 60 if n is None else n
+    vary = p.model.two(vary)
+    as_count("n", n, 2)
+    family = Family.of(p, vary, between, within)
+    known = list(extrema(p, vary, between or {}, within))
+    more = np.concatenate([rows_of(family, points) for _, points in known], axis=1)
+    found = on_lines(family, FOLD, n, more, more[-1])
+    names, states = (*vary, *family.balance.coordinates), family.balance.n
+    curves = [Curve(dict(zip(names, [*chain[states:], *chain[:states]], strict=True))) for chain in found.chains]
+    complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
+    cut = of_ranges(family.endless, family.spans[[family.vary.index(name) for name in family.endless]])
+    remarks = (*found.remarks, *_said(known, cut))
+    return BifurcationSet(family.vary, tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
+
+
+def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
+    """Remarks: ranges that are ``cut``, and each other remark on extrema and ends of curves once, with the points it concerns."""
+    yield from cut
+    said: dict[str, dict[str, None]] = {}
+    for kind, points in known:
+        for text in points.remarks:
+            said.setdefault(text, {})[_WHERE[kind]] = None
+    yield from (Remark("{}: {}", ", ".join(kinds), text) for text, kinds in said.items() if text not in cut)
+
+
+def extrema(
+    p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]],
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> Iterator[tuple[str, Points]]:  # fmt: skip
+    """Where curves of folds have extreme values of the second parameter or end, by kind, each proved; arguments as of ``folds``.
+
+    Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0; ``"end"``, at
+    either end of the range of v; and ``"border"``, where folds leave a contact that opens.
+    """
+    over, along = vary
+    family, rest = Family.of(p, vary, between, within), {name: ends for name, ends in between.items() if name != over}
+    with doing("cusps over {} and {}", *vary):
+        found = cusps(p, vary, between=between, within=within)
+    yield "cusp", found
+    # Where no state depends on one of the two, curves are straight along it.
+    bends = set(vary) <= set(family.balance.balanced)
+    if bends:
+        yield "turn", isolated(family, TURN, "turn")
+    low, high = family.spans[0].tolist()
+    for end in (low, high):
+        value = p.ranges[over].reached(end, high - low)
+        yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
+    if family.balance.opens and bends:
+        yield "border", isolated(Family.of(p, vary, between, within, room=OVER_BORDER), FOLD_ON_BORDER, "border")
+
+
+def rows_of(family: Family, found: Points) -> FloatArray:
+    """Coordinates and both parameters of points, shape (n + 2, points)."""
+    names = (*family.balance.coordinates, *family.vary)
+    return np.array([getattr(found, name) for name in names]).reshape(len(names), -1)
+
+
+@dataclass(frozen=True)
+class OnLines:
+    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and what is known of them."""
+
+    curves: FoldCurves
+    chains: list[FloatArray]
+    lines: dict[str, FloatArray]
+    undecided: FloatArray
+    whole: bool
+    remarks: tuple[str, ...]
+
+
+def on_lines(
+    family: Family, condition: Condition, n: int, more: FloatArray, apart: FloatArray | None = None
+) -> OnLines:  # fmt: skip
+    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
+
+    Between any two of the values ``apart`` of the second parameter there is a line of the first one.
+    """
+    rows, left, lines, decided, whole = [], [], {}, {}, True
+    balance, vary, spans = family.balance, family.vary, family.spans
+    for along, across in ((0, 1), (1, 0)):
+        # Inside of the range: its ends are often degenerate.
+        values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
+        if across == 1 and apart is not None:
+            values = np.sort(np.append(values, _between(apart, spans[across], values)))
+        lines[vary[across]] = values
+        column = np.repeat(family.given, values.size, axis=1)
+        column[balance.parameters.index(vary[across])] = values
+        with doing("{} lines along {}", values.size, vary[along]):
+            found = _on_each(replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1]), condition)
+        whole &= bool(found.whole.all())
+        decided[across] = np.delete(values, found.roots.left_point)
+        rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
+        ends = np.stack([-found.roots.left[0], found.roots.left[1]])
+        left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
+    states = np.concatenate([*rows, more], axis=1)
+    undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
+    boxes = np.moveaxis(undecided, 0, -1)
+    boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
+    varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
+    remarks = summed(kinds_of(balance, np.repeat(family.given, boxes.shape[2], axis=1), boxes, varied))
+    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
+    curves = FoldCurves(Augmented(family, condition), np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]]))
+    near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
+    joined = curves.joined([states[:, places] for places in _chains(curves, states, near)], [lines[name] for name in vary])
+    chains = [curves.smooth(chain) for chain in joined]
+    return OnLines(curves, chains, lines, undecided, whole, tuple(Remark("on lines: {}", text) for text in remarks))
+
+
+def _on_each(lines: Family, condition: Condition) -> Found:
+    """All points on lines, searched at once; each line of which boxes are left again alone, with all that decides one line."""
+    found = search(lines, condition, BUDGET)
+    open_ = np.unique(found.roots.left_point)
+    parts, undecided = [], 0
+    for line in open_:
+        if undecided == ENOUGH:
+            break
+        alone = search(replace(lines, given=lines.given[:, [line]]), condition, BUDGET).roots
+        undecided = undecided + 1 if alone.left_point.size else 0
+        parts.append(replace(alone, point=np.full_like(alone.point, line), left_point=np.full_like(alone.left_point, line)))
+    again = open_[: len(parts)]
+    return replace(found, roots=concatenated([found.roots.of(again, others=True), *parts], lines.balance.n + 1))
+
+
+def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:
+    """Middles of the intervals between values next to each other, in a range, in which no line is; none where two are alike."""
+    ends = np.unique([*span, *values])
+    empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
+    return 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
+
+
+def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
+    """Coordinates and both parameters in their order, from coordinates, the one that varied and the line's."""
+    pair = [middle[-1:], line[None]]
+    return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
+
+
+# ------------------------------------------------------------------------------------------------------- order of points
+
+
+def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> BoolArray:
+    """Whether no line separates two points, for every pair: where a curve crosses a line, there is a point of its own."""
+    room = ON_LINE * (span[1] - span[0])
+    first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
+    return np.maximum.outer(first, first) <= np.minimum.outer(last, last)
+
+
+def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntArray]:
+    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree.
+
+    ``near`` says which two may be neighbours, shape (points, points).
+    """
+    count = states.shape[1]
+    if count < 2:
+        return [np.arange(count)] if count else []
+    place, tangent = states / folds.scale[:, None], folds.tangents(states)
+    gap = place[:, None, :] - place[:, :, None]
+    distance = np.linalg.norm(gap, axis=0)
+    ahead = (gap * tangent[:, :, None]).sum(axis=0)
+    with np.errstate(all="ignore"):
+        straight = np.abs(ahead) / distance
+        cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
+    cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
+    links: list[set[int]] = [set() for _ in range(count)]
+    free = np.ones((2, count), dtype=np.bool_)
+    for _ in range(ROUNDS):
+        _link(cost, free, links)
+    return walked(links)
+
+
+def _link(cost: FloatArray, free: BoolArray, links: list[set[int]]) -> None:
+    """Join points that are each other's nearest on sides that are free."""
+    count = free.shape[1]
+    # The side of the other point on which this one lies.
+    back = np.isfinite(cost[1]).T.astype(np.int64)
+    open_there = np.where(back == 1, free[1][None], free[0][None])
+    near = np.where(free[:, :, None] & open_there[None], cost, np.inf)
+    nearest = near.argmin(axis=2)
+    for side in (0, 1):
+        for one in range(count):
+            other = int(nearest[side, one])
+            if not np.isfinite(near[side, one, other]) or not free[side, one]:
+                continue
+            there = int(back[one, other])
+            if free[there, other] and nearest[there, other] == one:
+                link(links, [(one, other)])
+                free[side, one] = free[there, other] = False
+
+
+@dataclass(frozen=True)
+class FoldCurves:
+    """Folds along two parameters: the system in coordinates and both, and scales of the unknowns."""
+
+    system: Augmented
+    scale: FloatArray
+
+    @property
+    def spans(self) -> FloatArray:
+        """Ranges of both parameters, shape (2, 2)."""
+        return self.system.family.spans
+
+    def smooth(self, states: FloatArray) -> FloatArray:
+        """A chain of folds, shape (n + 2, number), with further ones between its neighbours."""
+        out = states
+        for _ in range(HALVINGS):
+            before = out.shape[1]
+            out = self._halved(out)
+            if out.shape[1] == before:
+                break
+        return out
+
+    def joined(self, chains: Sequence[FloatArray], lines: Sequence[FloatArray]) -> list[FloatArray]:
+        """Chains followed beyond both ends: to the end of a range, or to the end of another chain, with which it then is one.
+
+        ``lines`` are the values of either parameter at which all points are known, so that none is passed unseen.
+        """
+        left, out = list(chains), []
+        while left:
+            chain = left.pop(0)
+            for side in (1, -1):
+                while not _is_closed(chain):
+                    path, met = self._beyond(chain, left, lines, side)
+                    chain = np.concatenate([chain, path], axis=1)
+                    if met is None:
+                        break
+                    if met[0] >= 0:
+                        chain = np.concatenate([chain, left.pop(met[0])[:, :: met[1]]], axis=1)
+                chain = chain[:, ::-1]
+            out.append(chain)
+        return out
+
+    def _beyond(
+        self, chain: FloatArray, others: Sequence[FloatArray], lines: Sequence[FloatArray], side: int
+    ) -> tuple[FloatArray, tuple[int, int] | None]:
+        """Points behind the last by pseudo-arclength, and which chain they lead to, from which end; −1 is its own begin."""
+        known = [(k, way, other[:, 0 if way > 0 else -1]) for k, other in enumerate(others) for way in (1, -1)]
+        known += [(-1, 1, chain[:, 0])] if chain.shape[1] > 2 else []
+        path = [chain[:, -1]]
+        before, pace = chain[:, -2] if chain.shape[1] > 1 else None, PACE
+        for _ in range(PACES):
+            if pace < LEAST:
+                break
+            end = path[-1]
+            along = self.tangents(end[:, None])[:, 0]
+            along = along * (side if before is None else np.sign(along @ ((end - before) / self.scale)))
+            start, fixed = self._stopped(end, end + pace * along * self.scale, self.spans)
+            found, good = self._at(start, along, fixed, pace)
+            if good and fixed is None:
+                start, fixed = self._stopped(end, found, lines)
+                found, good = self._at(start, along, fixed, pace) if fixed is not None else (found, good)
+            if not good or abs(self.tangents(found[:, None])[:, 0] @ along) < STRAIGHT:
+                pace *= 0.5
+                continue
+            for k, way, there in known:
+                if self._lies_between(there, end, found):
+                    return np.array([*path[1:], *([there] if k < 0 else [])]).reshape(-1, len(end)).T, (k, way)
+            path.append(found)
+            if fixed is not None:
+                # A line on which the point belongs to the inside of a chain is no end: what leads there is drawn already.
+                return (np.array(path[1:]).T if found[fixed] in self.spans[fixed - len(end)] else chain[:, :0]), None
+            before, pace = end, 1.5 * pace
+        return np.array(path[1:]).reshape(-1, len(end)).T, None
+
+    def _at(self, start: FloatArray, along: FloatArray, fixed: int | None, near: float) -> tuple[FloatArray, bool]:
+        """The point in the plane across ``along``, or where an unknown is as in ``start``; and whether it is proved."""
+        normal = along if fixed is None else (np.arange(len(start)) == fixed).astype(float)
+        found, good = self.on_curve(start[:, None], normal[:, None], np.array([near]))
+        if fixed is not None:
+            found[fixed] = start[fixed]
+        return found[:, 0], bool(good[0])
+
+    def _stopped(
+        self, end: FloatArray, to: FloatArray, lines: Sequence[FloatArray] | FloatArray
+    ) -> tuple[FloatArray, int | None]:
+        """Where the way from one point to another first passes a line, and the number of the parameter that stands there."""
+        share, place, there = 1.0, None, 0.0
+        for number in (-2, -1):
+            low, high = sorted((end[number], to[number]))
+            room = 1e-12 * self.scale[number]
+            passed = [value for value in lines[number] if low - room <= value <= high + room and abs(value - end[number]) > room]
+            for value in passed:
+                at = (value - end[number]) / (to[number] - end[number])
+                if place is None or at < share:
+                    share, place, there = at, len(end) + number, value
+        start = end + min(share, 1.0) * (to - end)
+        if place is not None:
+            start[place] = there
+        return start, place
+
+    def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:
+        """Whether a point of the curve lies between two others near to each other, or is the second one."""
+        chord, away = (two - one) / self.scale, (point - one) / self.scale
+        length = float(np.linalg.norm(chord))
+        share = float(away @ chord) / length**2
+        return bool(1e-9 < share <= 1 + 1e-6 and np.linalg.norm(away - share * chord) <= BESIDE * length)
+
+    def tangents(self, states: FloatArray) -> FloatArray:
+        """Unit vectors along the curve, over the scales; 0 where there is none."""
+        slopes = np.moveaxis(self._slopes(Intervals.point(states)).middle * self.scale[None, :, None], -1, 0)
+        known: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
+        vectors: FloatArray = np.linalg.svd(np.where(known[:, None, None], slopes, 0.0))[2][:, -1, :].T
+        return vectors * known
+
+    def _halved(self, states: FloatArray) -> FloatArray:
+        """With a point between all neighbours between which the curve is not straight."""
+        if states.shape[1] < 2:
+            return states
+        place, along = states / self.scale[:, None], self.tangents(states)
+        chord = np.diff(place, axis=1)
+        length = np.linalg.norm(chord, axis=0)
+        one, two = (part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:]))
+        middle = 0.5 * (place[:, :-1] + place[:, 1:]) + 0.125 * length * (one - two)
+        bent = np.linalg.norm((middle - 0.5 * (place[:, :-1] + place[:, 1:]))[-2:], axis=0) > SMOOTH
+        rows = np.flatnonzero(bent & (length > 0))
+        normal = chord[:, rows] / length[rows]
+        found, good = self.on_curve(middle[:, rows] * self.scale[:, None], normal, length[rows])
+        return np.insert(states, rows[good] + 1, found[:, good], axis=1)
+
+    def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, BoolArray]:
+        """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
+        states, scale = start, self.scale[:, None]
+        with np.errstate(all="ignore"):
+            for _ in range(STEPS):
+                values = self._values(states).middle
+                slopes = self._slopes(Intervals.point(states)).middle * self.scale[None, :, None]
+                matrix = np.moveaxis(np.concatenate([slopes, normal[None]]), -1, 0)
+                off = np.concatenate([values, (normal * (states - start) / scale).sum(axis=0)[None]]).T
+                regular = np.isfinite(matrix).all(axis=(1, 2)) & (np.abs(np.linalg.det(np.nan_to_num(matrix))) > 0)
+                matrix = np.where(regular[:, None, None], matrix, np.eye(len(scale)))
+                states = states - np.linalg.solve(matrix, off[:, :, None])[:, :, 0].T * scale
+            good = regular & (np.linalg.norm((states - start) / scale, axis=0) <= NEAR * near)
+            good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(axis=0)
+            # A fold in contact is next to each state, with the same value of what the normal points along most.
+            good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
+        return states, good
+
+    def enclosed(self, states: FloatArray, fixed: IntArray) -> tuple[FloatArray, BoolArray]:
+        """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved to hold one.
+
+        ``fixed`` is the number of the unknown whose value is that of the state.
+        """
+        count, columns = len(self.scale), np.arange(states.shape[1])
+        free = np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64).reshape(-1, count - 1).T
+        room = ROOM * np.maximum(1.0, np.abs(states))
+        room[fixed, columns] = 0.0
+        wide = np.stack([-states, states]) + room
+        slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
+        reach = contractors.distance(wide, states)[free, columns]
+        step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)
+        closed = on_side(self.system, self.system.fixed(states.shape[1]), wide)[0]
+        good = closed & contractors.inside(step.ends, wide[:, free, columns])
+        wide[:, free, columns] = np.fmin(step.ends, wide[:, free, columns])
+        return wide, good
+
+    def _values(self, states: FloatArray) -> Intervals:
+        return self.system.residuals(Intervals.point(states), self.system.fixed(states.shape[1]))
+
+    def _slopes(self, states: Intervals) -> Intervals:
+        with np.errstate(all="ignore"):
+            return self.system.jacobian(states, self.system.fixed(states.shape[1]))
+
+
+def _is_closed(chain: FloatArray) -> bool:
+    return chain.shape[1] > 2 and bool((chain[:, 0] == chain[:, -1]).all())

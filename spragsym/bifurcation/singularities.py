@@ -1,0 +1,376 @@
+"""Folds, pitchforks and cusps of any model, proved and told apart, and what ends at a fold.
+
+At a pitchfork of a model that is its own mirror image three equilibria become one, all of them in one point. Without friction and
+without a spring along the belt the article's model is one, and its equilibria meet at pitchforks. There the forces and det K have
+no regular root, so that a search over boxes stays undecided around it. The mirror decides it:
+
+- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the turned coordinates. The
+  pitchfork is a regular root of the even rows of the balance and of the determinant of the turned block, in the even coordinates
+  and the parameter;
+- near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose third derivative is not 0 all
+  over a box that is its own image. Then the box holds no other fold: g would have a double root on either side and one on the
+  mirror, five in all, and so its third derivative two;
+- over two parameters pitchforks form curves, on which the equations of a cusp hold as well. Of one turned coordinate the change
+  of det K along that column of the adjugate is odd in it: where its slope is not 0 in a box and its image, that holds no cusp.
+
+What ends at a fold follows from its normal form: with K v = 0 and w K = 0 the states near it are q + s v, where
+w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and det K changes by s ∇(det K) · v. At a regular fold none of these
+numbers is 0, and each is enclosed over the fold's box.
+"""
+
+import itertools
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..numerics import balls, boxes, certified_roots, contractors
+from ..numerics.arithmetic import cofactor, determinant
+from ..numerics.balls import Undecided
+from ..numerics.certified_roots import Roots, concatenated, different
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
+from ..numerics.jets import constant, gradient, variables
+from ..numerics.precise_roots import third_derivative
+from ..remarks import At, Remark
+from ..results.equilibria import Stability
+from ..results.points import Ended, Points, nothing_ends, nowhere
+from ..statics.equilibria import equilibria
+from ..statics.mechanics.balance import NOTHING, Balance
+from ..statics.mechanics.border import on_side
+from ..statics.mechanics.forces import Values
+from ..statics.mechanics.parity import follows
+from ..statics.mechanics.precise_balance import PreciseBalance, clusters
+from ..statics.mechanics.state import State
+from ..statics.reference_state import nearest_state
+from ..statics.regions import region
+from ..statics.stability import with_a_zero
+from .defining_systems import FOLD, Augmented, Condition, Family, change, cusp
+from .points import Found, arranged, search, vanishes
+
+#: Undecided boxes beyond which they lie around no points.
+MANY = 500
+#: Bits of the forces around a pitchfork.
+BITS = 120
+#: Relative width of boxes on a mirror in which a pitchfork may be degenerate: halving decides what is beside it too slowly.
+NEAR = 2.0**-12
+#: Where two states meet and nothing more is known.
+UNDECIDED = "undecided"
+#: Errors of a fold beyond it where its two states are gone for certain.
+BEYOND = 4.0
+#: Ranges of parameters or coordinates by name.
+Ranges: TypeAlias = Mapping[str, tuple[float, float]] | None
+
+
+def folds_of(p: Any, vary: str, between: Ranges, within: Ranges) -> Points:
+    """All folds and pitchforks along one parameter; arguments as of :func:`spragsym.folds`."""
+    family = Family.of(p, (vary,), between, within)
+    found, pitchforks = with_pitchforks(family, search(family, FOLD))
+    kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
+    if vary in family.balance.balanced:
+        return arranged(family, found, kind, remarks=_of_ends(family, found))
+    return arranged(replace(family, endless=()), found, kind, remarks=(f"{vary} moves no equilibrium",))
+
+
+def _of_ends(family: Family, found: Found) -> tuple[str, ...]:
+    """Remarks on undecided boxes at an end of the range where det K is 0 for every state."""
+    left, system, (vary,) = found.roots.left, Augmented(family, FOLD), family.vary
+    remarks = []
+    for end in family.spans[0] if left.shape[2] else ():
+        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
+        if here.shape[2] and vanishes(system, float(end), here).any():
+            why = "det K is 0 in every state: equilibria there form curves, or there are none"
+            cure = f"for folds beside it give between with another end for {vary}"
+            remarks.append(Remark(f"at {{}} {why}; {cure}", At(vary, (float(end),), "g")))
+    return tuple(remarks)
+
+
+def cusps_of(p: Any, vary: Sequence[str], between: Ranges, within: Ranges) -> Points:
+    """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
+    family = Family.of(p, vary, between, within)
+    found = isolated(family)
+    return arranged(family, found, np.full(found.roots.point.size, "cusp"))
+
+
+@dataclass(frozen=True)
+class _Mirror:
+    """Coordinates that a mirror turns, the image of a state, and lines that are upright on the mirror."""
+
+    odd: list[int]
+    image: Callable[[Sequence[Any], Mapping[str, Any]], Sequence[Any]]
+    upright: Sequence[int] = ()
+
+
+def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
+    """What a search for folds has found, with the pitchforks behind it in place of the boxes that are undecided around them.
+
+    Also their number.
+    """
+    number, system = 0, Augmented(family, FOLD)
+    for mirror in _mirrors(family) if found.roots.left.shape[2] <= MANY else ():
+        left = found.roots.left
+        if not left.shape[2]:
+            break
+        known = pitchforks(family, mirror)
+        inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
+        open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
+        for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
+            here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
+            alone = contractors.apart(known.left, hull[:, :, None]).all()
+            sure = alone and here.size == 1 and (inside | beyond)[here[0]]
+            if sure and only_fold(family, hull, mirror):
+                decided += [int(here[0])] if inside[here[0]] else []
+                open_boxes &= ~contractors.within(left, hull[:, :, None])
+        parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
+        found = replace(found, roots=certified_roots.concatenated(parts, left.shape[1]))
+        number += len(decided)
+    return found, number
+
+
+def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
+    """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
+    balance, (vary,), low, high = family.balance, family.vary, -box[0], box[1]
+    with np.errstate(all="ignore"):
+        parameters = balance.prepared(Intervals.between(*(family.at(end[-1:, None]) for end in (low, high))))
+        sides = Intervals(box[:, :-1, None])
+        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
+        wide = np.maximum(box[:, :-1], image)
+        wide = wide + 0.25 * (wide[0] + wide[1]) + 1e-9
+        slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
+    if not np.isfinite(slopes).all():
+        return False
+    precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: (Fraction(float(low[-1])), Fraction(float(high[-1])))})
+    whole = [(Fraction(-float(least)), Fraction(float(most))) for least, most in wide.T]
+    try:
+        return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
+    except Undecided:
+        return False
+
+
+def pitchforks(family: Family, mirror: _Mirror) -> Roots:
+    """All pitchforks on the mirror along one parameter: boxes of coordinates and parameter."""
+    system, fixed, limits = _OnMirror(family, mirror), family.begin, family.balance.limits
+    around, _ = region(family.balance, family.over)
+    side = np.array([[-family.spans[:, 0]], [family.spans[:, 1]]])
+    around = np.concatenate([around[:, system.even], side], axis=1)
+    limits = np.concatenate([limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
+    found = certified_roots.search(system, around, fixed, fixed, limits=limits)
+
+    def whole(ends: FloatArray) -> FloatArray:
+        parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
+        with np.errstate(all="ignore"):
+            q = stacked(system.completed(list(Intervals(ends)), parameters).q, ends.shape[2:])
+        return np.concatenate([q.ends, ends[:, -1:]], axis=1)
+
+    return replace(found, ends=whole(found.ends), alone=whole(found.alone), left=whole(found.left))
+
+
+class _OnMirror(boxes.System):
+    """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
+
+    def __init__(self, family: Family, mirror: _Mirror) -> None:
+        self.balance, (self.vary,), self.mirror, self.odd = family.balance, family.vary, mirror, mirror.odd
+        self.even = [i for i in range(self.balance.n) if i not in self.odd]
+        self.n = len(self.even) + 1
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Prepared parameters of the balance."""
+        return self.balance.prepared(bounds)
+
+    def completed(self, unknowns: Sequence[Any], parameters: Intervals) -> State:
+        """The state on the mirror with these even coordinates and this parameter."""
+        values = self.balance.arguments(parameters, {self.vary: unknowns[-1]})
+        q: list[Any] = [0] * self.balance.n
+        for place, i in enumerate(self.even):
+            q[i] = unknowns[place]
+        image = self.mirror.image(q, values)
+        for i in self.odd:
+            q[i] = image[i] * 0.5 if not isinstance(image[i], int) else image[i] / 2
+        return State(self.balance, q, values, parameters.shape[1:], self.mirror.upright)
+
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """Even rows of the balance, and the determinant of the turned block."""
+        at = self.completed(unknowns, parameters)
+        forces, K = at.forces(), at.slopes()
+        return [*(forces[i] for i in self.even), determinant([[K[i][j] for j in self.odd] for i in self.odd])]
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes beyond the contact's border."""
+        at = self.completed(list(unknowns), parameters)
+        return self.balance.beyond_border(at.q, at.values, at.shape)
+
+
+def _mirrors(family: Family) -> list[_Mirror]:
+    """The page's mirror, and those that change signs of coordinates only, as of two springs that do not feel each other."""
+    balance, over = family.balance, family.over
+    odd = turned(balance, over)
+    found = [_Mirror(odd, balance.mirrored, balance.model.about["mirror"]["upright"])] if odd else []
+    values = balance.over(over)
+    for size in range(1, balance.n + 1):
+        for some in itertools.combinations(range(balance.n), size):
+            if list(some) != odd and follows(balance, values, some):
+                found.append(_Mirror(list(some), partial(_with_signs, some)))
+    return found
+
+
+def turned(balance: Balance, over: Intervals) -> list[int]:
+    """Numbers of the coordinates that the mirror turns, if the model is its own image for these parameters, shape (P, 1)."""
+    about = balance.model.about["mirror"]
+    with np.errstate(all="ignore"):
+        mu = stacked([balance.friction(balance.over(over))], (1,)).magnitude.max()
+    zero = {name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()}
+    zero |= {"mu"} if mu <= NOTHING else set()
+    if not any(zero.issuperset(names) for names in about["zero"]):
+        return []
+    return [balance.coordinates.index(name) for name in about["turned"]]
+
+
+def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Values) -> list[Any]:
+    return [-part if i in odd else part for i, part in enumerate(q)]
+
+
+def isolated(family: Family) -> Found:
+    """A box for each cusp, and what is left."""
+    balance, found = family.balance, search(family, cusp_off_mirrors(family))
+    roots = _cusps(family, found, 0)
+    for column in range(1, balance.n):
+        # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it, and regular with another one.
+        hulls = clusters(roots.left, roots.left_point)[0] if roots.left_point.size <= MANY else roots.left[:, :, :0]
+        for hull in np.moveaxis(hulls, 2, 0):
+            spans = np.stack([-hull[0], hull[1]], axis=-1)[balance.n :]
+            near = replace(family, spans=spans, asked=hull[:, : balance.n])
+            more = _cusps(near, search(near, cusp_off_mirrors(near, column)), column)
+            if not more.left_point.size:
+                open_ = ~contractors.within(roots.left, hull[:, :, None])
+                roots = different(concatenated([roots.kept(left=open_), more], roots.ends.shape[1]), found.region)
+    return replace(found, roots=roots)
+
+
+def _cusps(family: Family, found: Found, column: int) -> Roots:
+    """The roots that are cusps, and those of which that is not known among what is left."""
+    proved, unclear = told_apart(family, found, column)
+    return found.roots.kept(proved).besides(found.roots.ends[:, :, unclear], found.roots.point[unclear])
+
+
+def told_apart(family: Family, found: Found, column: int) -> tuple[BoolArray, BoolArray]:
+    """Which roots are cusps, and of which that is not known.
+
+    A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.
+    """
+    ends, n = found.roots.ends, family.balance.n
+    shape = ends.shape[2:]
+    nonzero, none = np.zeros((2, *shape), dtype=np.bool_)
+    if not shape[0]:
+        return nonzero, none
+    system = Augmented(family, cusp(column))
+    with np.errstate(all="ignore"):
+        K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0]), shape).slopes()
+        for i in range(n):
+            value = constant(cofactor(K, column, i))
+            nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
+        for other in set(range(n)) - {column}:
+            none |= ~change(K, other).value.holds_zero()
+    return nonzero & ~none, ~nonzero & ~none
+
+
+def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
+    """What is asked of a cusp: beside a mirror that turns one coordinate there are none but where pitchforks are degenerate."""
+    mirrors, n = [mirror for mirror in _mirrors(family) if len(mirror.odd) == 1], family.balance.n
+
+    def images(at: State) -> list[Intervals]:
+        return [stacked(mirror.image(at.q, at.values), at.shape) for mirror in mirrors]
+
+    def changes(at: State, q: Iterable[Any], order: int) -> list[Any]:
+        K = replace(at, q=variables(list(q), order)).slopes()
+        return [change(K, number) for number in range(n)]
+
+    def hopeless(at: State) -> BoolArray:
+        q, along = stacked(at.q, at.shape).ends, [constant(value) for value in changes(at, at.q, 1)]
+        for mirror, image in zip(mirrors, images(at), strict=True):
+            (odd,) = mirror.odd
+            along.append(gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd])
+        return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
+
+    def given_up(at: State) -> BoolArray:
+        q = stacked(at.q, at.shape)
+        on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
+        small = np.logical_and.reduce(q.width <= NEAR * np.maximum(1.0, q.magnitude))
+        return small & np.logical_or.reduce(on)
+
+    return replace(cusp(column), hopeless=hopeless, given_up=given_up) if mirrors else cusp(column)
+
+
+def ended(points: Points) -> Ended:
+    """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one parameter."""
+    found = replace(nothing_ends(points), after=_afterwards)
+    for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
+        try:
+            found.ends[row], found.when[row] = _at(points, int(row))
+        except ConvergenceError:
+            found.ends[row] = found.when[row] = UNDECIDED
+    return found
+
+
+def _at(points: Points, row: int) -> tuple[str, str]:
+    """Outcome of one fold: which of the two states is stable, and in which direction they vanish."""
+    family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
+    z = np.array([float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)])
+    size = points.error[row] * np.maximum(1.0, np.abs(z))
+    side, lower = _normal_form(family, Intervals(np.stack([size - z, size + z])[:, :, None]))
+    when = "up" if side < 0 else "down"
+    if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != Stability.STABLE:
+        return "", when
+    return "lower" if lower else "upper", when
+
+
+def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
+    """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
+    system, balance = Augmented(family, FOLD), family.balance
+    with np.errstate(all="ignore"):
+        at = system.state(variables(list(box), 1), system.fixed(1), (1,))
+        K, n = at.stiffness(), balance.n
+        rows = balance.by_coordinate("forces", at.q, at.directions, at.values)
+        adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
+        sizes = np.abs([[stacked([entry], (1,))[0].middle[0] for entry in line] for line in adjugate])
+        r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)
+        pushed = sum(gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True))
+        curved = constant(change(K, int(c)))
+        bent = curved * adjugate[r][c]
+        side = -_sign(pushed) * _sign(bent)
+        first = next((sign for sign in (_sign(line[c]) for line in adjugate) if sign), 0)
+    if not side or not first:
+        raise ConvergenceError("the normal form at the fold is not known well enough")
+    return side, first * _sign(curved) < 0
+
+
+def _sign(value: Any) -> int:
+    """1 or −1 where it is known, else 0."""
+    number = stacked([value], (1,))[0]
+    return int(number.low[0] > 0) - int(number.high[0] < 0)
+
+
+def _afterwards(points: Points) -> dict[str, FloatArray]:
+    """Column ``after``, a search at each fold at which a stable state ends."""
+    found = nowhere(points)
+    for row in np.flatnonzero(np.isin(points.ends, ("lower", "upper"))):
+        for name, value in _after(points, int(row), 1 if points.when[row] == "up" else -1).items():
+            found[name][row] = value
+    return found
+
+
+def _after(points: Points, row: int, forward: int) -> dict[str, float]:
+    """The nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain."""
+    vary = points.vary[0]
+    value, allowed = float(getattr(points, vary)[row]), points.parameters.ranges[vary]
+    beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
+    beyond = beyond if allowed.low < beyond < allowed.high else value
+    here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
+    stable = here.stability == Stability.STABLE
+    if not (here.decided and stable.any()):
+        return {}
+    before = {name: float(getattr(points, name)[row]) for name in points.parameters.model.coordinates}
+    slot = nearest_state(here, before, stable, here.error + points.error[row])
+    return {name: float(getattr(here, name)[slot]) for name in points.columns}

@@ -10,7 +10,7 @@ that all rays miss. The border is one of floats: predictions for searches that v
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -33,7 +33,7 @@ class Design:
 
     ``parameters`` gives the model's own from the quantities, of any number type; ``made`` another design, of the caller's kind,
     from those that changed; ``of_model`` is the class of the model's sets. ``begins``, from the quantities, is where what rises
-    begins in the model's units, if that differs among designs.
+    begins in the model's units, if that differs among designs; ``rises`` names parameters that are told as a quantity.
     """
 
     given: Mapping[str, Any]
@@ -43,6 +43,7 @@ class Design:
     of_model: type[ParameterSet]
     begins: Callable[[Mapping[str, Any]], Any] | None = None
     followed: Mapping[str, float] | None = None  #: coordinates near which the followed state begins
+    rises: Mapping[str, str] = field(default_factory=dict)
 
     def of(self, model: Any) -> Design:
         """The same design for the model without closed forms, or for the one that has them."""
@@ -90,6 +91,13 @@ class Space:
         """The same as a set of the model, of the shape of z without its last axis."""
         p = self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
         return p if self.followed is None else p.following(**self.followed)
+
+    def at(self, name: str, value: float) -> Space:
+        """The same designs with a parameter at a value, that of its quantity where it is told as one."""
+        design, quantity = self.design, self.design.rises.get(name)
+        if quantity is not None:
+            return replace(self, design=replace(design, given={**design.given, quantity: value}))
+        return replace(self, design=replace(design, parameters=lambda given: {**design.parameters(given), name: value}))
 
     def begin(self, z: FloatArray, usual: float) -> Any:
         """Where what rises begins in designs z: as the design says, or as usual."""
@@ -196,22 +204,26 @@ class MovedFold:
         return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {})
 
 
-def on_border(designs: Space, z: FloatArray, gradient: MovedFold, limit: float | None = None) -> FloatArray | None:
-    """The z of smallest size near a given one where the state ends at a limit, or at the design's own value, if there is one.
+def beyond(designs: Space, z: FloatArray, gradient: Callable[[Any], JumpGradient]) -> tuple[float, FloatArray]:
+    """How far beyond the design's own value the state ends, and the slopes of that by z."""
+    p, slopes = designs.sets(z), designs.slopes(z)
+    found = gradient(p)
+    # What is not among them the jump does not depend on, as the belt's speed.
+    by_z = sum((float(found.slopes[name]) * slopes[name] for name in found.slopes if name in slopes), np.zeros(z.size))
+    return float(found.value) - float(getattr(p, found.vary)), by_z - slopes[found.vary]
 
-    Source: g(z) = 0, how far beyond the limit the state ends. Each step goes to the point of smallest size of the plane
+
+def on_border(designs: Space, z: FloatArray, gradient: MovedFold) -> FloatArray | None:
+    """The z of smallest size near a given one where the state ends at the design's own value, if there is one.
+
+    Source: g(z) = 0, how far beyond that the state ends. Each step goes to the point of smallest size of the plane
     g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller.
     """
-    limits, vary = designs.limits(), gradient.vary
+    limits = designs.limits()
 
     def step(z: FloatArray) -> tuple[FloatArray, float]:
         """The point of smallest size of the plane at z, and how far z is from the plane, over the slopes."""
-        p, slopes = designs.sets(z), designs.slopes(z)
-        found = gradient(p)
-        # What is not among them the jump does not depend on, as the belt's speed.
-        by_z = sum((float(found.slopes[name]) * slopes[name] for name in found.slopes if name in slopes), np.zeros(z.size))
-        ahead = float(found.value) - (float(getattr(p, vary)) if limit is None else limit)
-        by_z = by_z - slopes[vary] if limit is None else by_z
+        ahead, by_z = beyond(designs, z, gradient)
         square = float(by_z @ by_z)
         if not 0 < square < np.inf:
             raise ConvergenceError("the state does not end, or no slope is known where it does")

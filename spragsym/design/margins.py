@@ -227,33 +227,31 @@ def redesign(
     """
     model = model_of(p)
     ranges = model.Parameters.ranges
-    wanted = {name: as_number(f"target[{name!r}]", value, ranges[name]) for name, value in target.items() if name in ranges}
-    if len(wanted) != len(target) or not wanted:
+    if not target or not set(target) <= set(ranges):
         raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
-
     designs = space(p, scale, change, "change")
-    for name in wanted:
+    own, first, at = designs.parameters(np.zeros(len(designs.names))), dict[str, float](), dict[str, Space]()
+    for name, value in target.items():
         if name in designs.names:
             raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
-    lowest = {name: ranges[name].reached(ranges[name].low) for name in wanted if np.isfinite(ranges[name].low)}
-    first = {name: lowest.get(name) if begin is None else begin for name in wanted}
-    along = {name: MovedFold(name, first[name]) for name in wanted}
+        at[name] = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name]))
+        lowest = ranges[name].reached(ranges[name].low)
+        first[name] = begin if begin is not None else lowest if np.isfinite(lowest) else float(own[name])
+    along = {name: MovedFold(name, first[name]) for name in at}
 
     def keeps(z: FloatArray) -> BoolArray:
         result = np.ones(z.shape[:-1], dtype=np.bool_)
-        for name, limit in wanted.items():
+        for name, some in at.items():
             left = np.flatnonzero(result)
             if left.size:
-                some = designs.sets(z[left])
-                begins = getattr(some, name) if first[name] is None else first[name]
-                result[left] = have_jumped(some.replace(**{name: np.full(some.shape, limit)}), name, begins) == 0
+                result[left] = have_jumped(some.sets(z[left]), name, some.begin(z[left], first[name])) == 0
         return result
 
     def on_target(z: FloatArray) -> FloatArray | None:
         """The nearest design on a fold at one of the targets, verified."""
         candidates = []
-        for name, limit in wanted.items():
-            better = on_border(designs, z, along[name], limit)
+        for name, some in at.items():
+            better = on_border(some, z, along[name])
             if better is not None:
                 outward = better * (1 + _OUTWARD)[:, None]
                 candidates += list(outward[keeps(outward)][:1])
@@ -263,5 +261,5 @@ def redesign(
     if best is None:
         return Redesign(np.inf, {}, None, {})
     changed = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
-    jump = {name: float(jump_value(designs.sets(best), name, begin=first[name])) for name in wanted}
+    jump = {name: float(jump_value(designs.sets(best), name, begin=first[name])) for name in at}
     return Redesign(float(np.linalg.norm(best)), changed, designs.made(best), jump)

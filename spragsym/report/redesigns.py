@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..design.design_space import Design, space
+from ..design.design_space import Design, beyond, space
 from ..design.jumps import jump_gradient
 from ..design.margins import jump_margin, redesign
 from ..errors import SpragsymError
@@ -85,7 +85,7 @@ def design(study: Study) -> Design:
     begin = None if study.of_friction else study.begins
     return Design(
         {**study.values, **works}, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, begin,
-        study.dimensionless.followed,
+        study.dimensionless.followed, {} if study.rise is None else {study.rise.name: study.rise.quantity},
     )  # fmt: skip
 
 
@@ -140,23 +140,19 @@ class _Search:
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
-        study, rise = self.study, self.study.rises
-        # Where a unit of the loading parameter changes, the target is another one of its parameter.
-        free = [name for name in self.names if not study.kind.powers(study.kind.units[rise.quantity]).get(name)]
-        names = tuple(name for name in free if name in study.tolerances)
+        names = tuple(name for name in self.names if name in self.study.tolerances)
         try:
-            names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
+            names = names if len(names) > 1 else self._movers()[:3]
         except SpragsymError:
             return None
         return self._first_proved(self._least(names))
 
     def _least(self, names: tuple[str, ...]) -> dict[str, float] | None:
         """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
-        study, rise = self.study, self.study.rises
-        target, start = {rise.name: self.target / study.rise_scale}, None if study.of_friction else study.begins()
+        study = self.study
         try:
-            scale = {name: self.scale[name] for name in names}
-            after: Any = redesign(self.within, names, target, scale, begin=start).parameters
+            scale, start = {name: self.scale[name] for name in names}, None if study.of_friction else study.begins()
+            after: Any = redesign(self.within, names, {study.rises.name: self.target}, scale, begin=start).parameters
         except SpragsymError:
             return None
         return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
@@ -184,10 +180,8 @@ class _Search:
 
     def _movers(self) -> tuple[str, ...]:
         designs = space(design(self.study), self.scale, None)
-        z = np.zeros(len(designs.names))
-        found, slopes = jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
-        moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
-        return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
+        _, moved = beyond(designs, np.zeros(len(designs.names)), lambda p: jump_gradient(p, **self.study.along()))
+        return tuple(designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable"))
 
     def _first_proved(self, least: Mapping[str, float] | None) -> Change | None:
         """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""

@@ -23,8 +23,8 @@ from ..questions import Method, question
 from ..remarks import Remark
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
-from ..statics.mechanics.border import on_side
-from ..statics.remarks import kinds_of, of_ranges, summed
+from ..statics.precise_balance import on_side
+from ..statics.search import kinds_of, of_ranges, summed
 from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family
 from .folds import cusps, folds
 from .points import OVER_BORDER, Found, isolated, search

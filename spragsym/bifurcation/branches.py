@@ -19,8 +19,8 @@ from ..numerics.interval_arrays import FloatArray, IntArray
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
 from ..results.points import Points
+from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import Balance
 from ..statics.search import columns
 from ..statics.stability import linearization
 from .defining_systems import Family, given_column

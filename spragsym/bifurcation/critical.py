@@ -17,10 +17,10 @@ from ..remarks import At, Remark
 from ..results.equilibria import Stability
 from ..results.lowest_ends import LowestEnd
 from ..results.points import Points
+from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import nearest_state, reference_state
-from ..statics.remarks import of_ranges
+from ..statics.search import of_ranges
 from .bifurcation_sets import extrema
 from .defining_systems import TOUCH, TOUCH_TURN, Family, endless, given_column, ranges
 from .folds import cusps, folds

@@ -27,11 +27,10 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interval
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import Digits
-from ..statics.mechanics.balance import AWAY, Balance, taken
-from ..statics.mechanics.forces import Model, Values
-from ..statics.mechanics.laws import XP
-from ..statics.mechanics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
-from ..statics.mechanics.state import State
+from ..statics.balance import AWAY, Balance, State, taken
+from ..statics.forces import Model, Values
+from ..statics.namespaces import XP
+from ..statics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.regions import by_hand
 
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.

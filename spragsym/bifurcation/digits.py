@@ -18,12 +18,11 @@ from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.precise_roots import narrowed
 from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
-from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.border import once_around
-from ..statics.mechanics.precise_balance import PreciseBalance
+from ..statics.balance import Balance
+from ..statics.precise_balance import PreciseBalance, once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
-from ..statics.spectrum import type_at
+from ..statics.stability import type_at
 from .defining_systems import Augmented, Family, PreciseAugmented, cusp, endless, ranges
 from .singularities import isolated
 

@@ -22,11 +22,10 @@ from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.points import Points
 from ..statics import stability
-from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
-from ..statics.mechanics.balance import NOTHING
-from ..statics.mechanics.border import on_its_side
-from ..statics.mechanics.precise_balance import ROOT_BITS
+from ..statics.balance import NOTHING
+from ..statics.precise_balance import ROOT_BITS, on_its_side
 from ..statics.search import seen
+from ..statics.stability import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
 from .defining_systems import (
     FLAT,
     FLUTTER,

@@ -20,7 +20,7 @@ from ..results.bifurcation_sets import Curve
 from ..results.points import Points
 from ..results.result import Result
 from ..statics import stability
-from ..statics.damping import is_conservative, is_damped, only_damped, slope_over
+from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
 from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, undamped_mode
 from .flutter import form_or_why, meeting, told

@@ -27,9 +27,9 @@ from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
 from ..numerics.balls import XP, Ball, Undecided, ball
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant
-from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.forces import Values
-from ..statics.mechanics.precise_balance import PreciseBalance
+from ..statics.balance import Balance
+from ..statics.forces import Values
+from ..statics.precise_balance import PreciseBalance
 
 if TYPE_CHECKING:
     from ..models.model import Model

@@ -22,13 +22,12 @@ from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Jump, Path, followed
 from ..results.points import Points
 from ..results.result import Result
+from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import Balance
-from ..statics.reference_state import chosen_state, nearest_state
+from ..statics.reference_state import chosen_state, least_slot, nearest_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, one_each, with_state
-from ..statics.tie_breaking import least_slot
 from .branches import HALVINGS, clearly_nearest, linked
 from .defining_systems import TOUCH, Family, given_column
 from .folds import folds

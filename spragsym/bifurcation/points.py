@@ -7,7 +7,7 @@ such an end at 0 no search decides anything: in the logarithm of a parameter tha
 each is decided on its own, down to :data:`LEAST`.
 
 A state runs to infinity at a root of the balance in a chart at infinity. With q = u/w and one |u_i| = 1, the rows of the balance
-are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.mechanics.infinity`. At a regular root of G = 0 with w = 0 in the
+are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular root of G = 0 with w = 0 in the
 other u and λ one curve of states begins, λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that
 λ' says.
 """
@@ -29,15 +29,13 @@ from ..numerics.jets import Jet, constant, gradient, variables
 from ..progress import doing
 from ..results.points import Ended, Points
 from ..statics import stability
-from ..statics.mechanics.balance import NOTHING, Balance
-from ..statics.mechanics.border import on_its_side, once_around
-from ..statics.mechanics.forces import TURN
-from ..statics.mechanics.infinity import SCALED, NoChart, Scaled
-from ..statics.mechanics.laws import XP
-from ..statics.mechanics.state import State
+from ..statics.balance import NOTHING, Balance, State
+from ..statics.forces import TURN
+from ..statics.namespaces import SCALED, XP, NoChart, Scaled
+from ..statics.precise_balance import on_its_side, once_around
+from ..statics.reference_state import in_order
 from ..statics.regions import region
-from ..statics.remarks import kinds_of, of_ranges, of_region, summed
-from ..statics.tie_breaking import in_order
+from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, PreciseAugmented, settled
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.

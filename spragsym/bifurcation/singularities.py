@@ -38,13 +38,11 @@ from ..numerics.precise_roots import third_derivative
 from ..remarks import At, Remark
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
+from ..statics.balance import NOTHING, Balance, State
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import NOTHING, Balance
-from ..statics.mechanics.border import on_side
-from ..statics.mechanics.forces import Values
-from ..statics.mechanics.parity import follows
-from ..statics.mechanics.precise_balance import PreciseBalance, clusters
-from ..statics.mechanics.state import State
+from ..statics.forces import Values
+from ..statics.namespaces import follows
+from ..statics.precise_balance import PreciseBalance, clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.regions import region
 from ..statics.stability import with_a_zero

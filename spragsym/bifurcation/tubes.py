@@ -25,9 +25,9 @@ from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
-from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.border import on_side
-from ..statics.mechanics.laws import XP
+from ..statics.balance import Balance
+from ..statics.namespaces import XP
+from ..statics.precise_balance import on_side
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400

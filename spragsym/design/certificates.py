@@ -25,10 +25,10 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interval
 from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from ..results.result import Result
-from ..statics import spectrum
+from ..statics import stability
+from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.border import on_side, once_around
+from ..statics.precise_balance import on_side, once_around
 from ..statics.regions import region
 
 #: Outcomes of a part.
@@ -232,7 +232,7 @@ def _none_flutters(balance: Balance, found: Found) -> BoolArray:
     roots = found.roots
     every = np.concatenate([roots.ends, roots.left], axis=2)
     point = np.concatenate([roots.point, roots.left_point])
-    real = spectrum.real(balance, balance.prepared(found.bounds[:, point]), every)
+    real = stability.real(balance, balance.prepared(found.bounds[:, point]), every)
     return np.asarray(np.bincount(point[~real], minlength=found.open.size) == 0)
 
 
@@ -276,7 +276,7 @@ class ClaimOfStates(Claim):
     def _without_flutter(self, low: FloatArray, high: FloatArray) -> bool:
         """Whether no state of the box can flutter, wherever it is."""
         bounds = self.balance.prepared(Intervals.between(low[:, None], high[:, None]))
-        return bool(spectrum.without_flutter(self.balance, bounds).all())
+        return bool(stability.without_flutter(self.balance, bounds).all())
 
     def point(self, values: FloatArray) -> ParameterSet:
         return self.model.Parameters(**dict(zip(self.sides, values, strict=True)))

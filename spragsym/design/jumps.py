@@ -19,8 +19,8 @@ from ..models.parameters import ParameterSet, Range, as_numbers
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
 from ..results.named_columns import Columns
+from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import reference_state
 from ..statics.stability import filled
 

@@ -16,8 +16,8 @@ from ..models.parameters.units import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
 from ..results import Stability
+from ..statics.balance import BalanceInUnits
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.varying_units import BalanceInUnits
 from ..statics.reference_state import reference_state
 from .certificates import ENDS, OPEN, SAFE, STATES, Boxes, Certificate, Claim, ClaimOfStates, corner_values
 

@@ -43,12 +43,8 @@ class Undecided(ArithmeticError):
 
 
 T = TypeVar("T")
-
-
 #: Bits of the first try and of the last.
 FIRST_BITS, MAXIMUM_BITS = 192, 6144
-
-
 #: Digits that an interval must have to become a float.
 FLOAT_DIGITS = 15
 

@@ -33,36 +33,20 @@ from .polynomials import derivative, evaluate, shifted
 STEPS = 40
 #: Step of it after which there is no further one.
 ENOUGH = Fraction(1, 2**160)
-
-
 #: F of balls or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
-
-
 #: Lower and upper end of each unknown.
 Box: TypeAlias = list[tuple[Fraction, Fraction]]
-
-
 #: Times a piece of u is halved before the expansion is made anew for its halves.
 HALVINGS = 60
-
-
 #: Pieces of one expansion after which it counts as too wide.
 PIECES = 300
-
-
 #: Steps of interval Newton on one root of g.
 POLISHING = 12
-
-
 #: Times the other unknowns are given more room.
 WIDENINGS = 8
-
-
 #: Times the box itself is halved.
 DEPTH = 26
-
-
 #: Parts of the box that are looked at: both halves at each depth around two roots. A box whose halves never get simpler, as
 #: along a line of roots or around a pole, costs no more than these.
 PARTS = 120

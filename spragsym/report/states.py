@@ -17,7 +17,7 @@ from ..motion import simulate
 from ..motion.regimes import Regime
 from ..orbits import cycle
 from ..results import Columns, Equilibria, Result, Stability
-from ..statics.mechanics.balance import Balance
+from ..statics.balance import Balance
 from ..statics.stability import NEUTRAL, linearization, roots
 from .study import Study
 

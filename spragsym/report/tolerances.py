@@ -18,8 +18,7 @@ from ..models.parameters.units import Unit
 from ..numerics.interval_arrays import Intervals, stacked
 from ..numerics.jets import gradient, variables
 from ..results.result import Result
-from ..statics.mechanics.balance import NOTHING
-from ..statics.mechanics.varying_units import BalanceInUnits
+from ..statics.balance import NOTHING, BalanceInUnits
 from .study import Study
 from .units import Measured
 

@@ -2,6 +2,6 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "damping", "equilibria", "mechanics", "reference_state", "regions", "remarks", "search", "spectrum", "stability",
-    "states", "tie_breaking",
+    "balance", "equilibria", "forces", "namespaces", "polar", "precise_balance", "reference_state", "regions", "search",
+    "stability", "states",
 ]  # fmt: skip

@@ -1,4 +1,8 @@
-"""The reference state, that of small deformation, from which a state is followed unless another one is chosen."""
+"""The reference state, that of small deformation, from which a state is followed unless another one is chosen; the states' order.
+
+Which is "the smallest" or "the nearest" state, and which the first, does not depend on rounding where two are alike to within
+their errors.
+"""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -6,16 +10,19 @@ from typing import Any
 import numpy as np
 
 from ..models.model_field import undecorated
-from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals
 from ..numerics.jets import variables
 from ..results.equilibria import Equilibria, Stability
-from .mechanics.laws import XP
-from .tie_breaking import least_slot
+from .namespaces import XP
 
 #: Strain energies that differ by less than this, relative to the largest, are equal: those of mirror images differ by rounding.
-EQUAL = 1e-9
+EQUAL_ENERGIES = 1e-9
 #: Least eigenvalue of a stiffness, over the largest, that counts as positive.
 POSITIVE = 1e-6
+#: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes and distances are rounded, too.
+ALIKE = 8.0
+#: Numbers that differ by less than this, over 1 and their size, are equal.
+EQUAL = 1e-12
 
 
 def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
@@ -78,5 +85,45 @@ def chosen_state(
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.where(np.isfinite(strain), np.abs(strain), 0.0).max(axis=-1, keepdims=True, initial=0.0)
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
-    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL * largest
+    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL_ENERGIES * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
+
+
+def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> IndexArray:
+    """The slot of the least measure, and of those that are alike the one of larger coordinates, the first one first.
+
+    ``measure`` and ``error``, bounds over max(1, |coordinate|), have the shape (..., slots), the coordinates ``states`` have
+    (n, ..., slots); slots that are not asked for have an infinite measure.
+
+    Examples
+    --------
+    >>> h = np.array([-0.2, 0.5, 0.2])
+    >>> x = np.array([-6e-19, 0.0, 1e-17])
+    >>> int(least_slot(np.abs(x), np.array([x, h]), np.full(3, 1e-16)))
+    1
+    """
+    sizes = np.maximum(1.0, np.abs(states).max(axis=0))
+    room = ALIKE * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
+    left = np.isfinite(measure)
+    for one in (measure, *(-row for row in states)):
+        here = np.where(left, one, np.inf)
+        least = here.min(axis=-1, keepdims=True, initial=np.inf)
+        left &= here <= least + room
+    return left.argmax(axis=-1)
+
+
+def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray:
+    """Numbers of states of some points in their order: by the rows from the first on, of which those that agree decide nothing.
+
+    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second. ``rows`` are
+    coordinates, shape (n, states), ``error`` bounds over max(1, |coordinate|); states of one ``point`` are compared.
+    """
+    keys = []
+    for row in rows:
+        order = np.lexsort((row, point))
+        near = EQUAL * (1 + np.abs(row[order])) + error[order] * np.maximum(1.0, np.abs(row[order]))
+        begins = np.diff(row[order], prepend=-np.inf) > near + np.roll(near, 1)
+        ranks = np.empty(order.size, dtype=np.intp)
+        ranks[order] = np.cumsum(begins | (np.diff(point[order], prepend=-1) != 0))
+        keys.append(ranks)
+    return np.lexsort((*reversed(keys), point))

@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.branches import Along, _by_tubes, _states
-from spragsym.statics.mechanics.balance import Balance
+from spragsym.statics.balance import Balance
 
 
 @pytest.mark.thorough

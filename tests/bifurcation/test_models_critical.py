@@ -9,7 +9,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation.critical import carried
 from spragsym.bifurcation.paths import first_end
-from spragsym.statics.mechanics.balance import Balance
+from spragsym.statics.balance import Balance
 
 SEARCH = ss.load("kang_nam").search
 #: A set whose lowest fold lies 1 % below the cusp that its curve leaves.

@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.statics import stability
-from spragsym.statics.mechanics.balance import Balance
+from spragsym.statics.balance import Balance
 from tests.oracles.user_pages import model_of, shipped_page
 from tests.support import few
 

@@ -7,7 +7,7 @@ import pytest
 from scipy import optimize
 
 import spragsym as ss
-from spragsym.statics.mechanics.balance import Balance
+from spragsym.statics.balance import Balance
 from spragsym.statics.stability import linearization
 from tests.oracles.hopf_points import accelerations
 from tests.oracles.user_pages import model_of, shipped_page

@@ -14,7 +14,7 @@ from spragsym.numerics.balls import XP as BALLS
 from spragsym.numerics.balls import Ball
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import Jet
-from spragsym.statics.mechanics.laws import XP as BOXES
+from spragsym.statics.namespaces import XP as BOXES
 
 #: Each function, and arguments: about 0 and far from it, and where it is 1 or 0.
 ARGUMENTS = {

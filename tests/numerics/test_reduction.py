@@ -10,8 +10,8 @@ from spragsym.numerics.balls import Ball
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import variables
 from spragsym.numerics.precise_roots import reduced_roots
-from spragsym.statics.mechanics.directions import direction
-from spragsym.statics.mechanics.laws import XP
+from spragsym.statics.forces import direction
+from spragsym.statics.namespaces import XP
 
 
 def bent(roots):

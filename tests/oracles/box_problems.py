@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from spragsym.numerics import boxes
 from spragsym.numerics.interval_arrays import Intervals
-from spragsym.statics.mechanics.laws import XP
+from spragsym.statics.namespaces import XP
 
 
 def interval(low: float, high: float) -> Intervals:

@@ -12,7 +12,7 @@ import mpmath as mp
 import numpy as np
 
 from spragsym.numerics.interval_arrays import Intervals
-from spragsym.statics.mechanics.laws import XP
+from spragsym.statics.namespaces import XP
 from tests.oracles.by_hand import load
 
 DIGITS = 50

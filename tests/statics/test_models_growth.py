@@ -17,7 +17,7 @@ from tests.oracles.user_pages import model_of
 
 def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:
     """λ with 40 digits, from the matrices of floats."""
-    from spragsym.statics.mechanics.balance import Balance
+    from spragsym.statics.balance import Balance
     from spragsym.statics.stability import linearization
 
     given = np.array([[float(value)] for value in p.scalars(*model.parameters)])

@@ -8,7 +8,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation import points, singularities
 from spragsym.bifurcation.defining_systems import Family, cusp
-from spragsym.statics.mechanics.balance import Balance
+from spragsym.statics.balance import Balance
 from tests.oracles import by_hand, families
 from tests.oracles.forces_by_hand import DRAWN
 from tests.support import few

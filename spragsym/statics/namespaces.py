@@ -1,0 +1,215 @@
+"""Namespaces ``xp`` of a model's functions: over boxes, at states that run to infinity, and of mirror symmetries.
+
+At infinity coordinates are q = u/w with w → 0. A number a w^−k is a pair of a, regular at w = 0, and the integer k. Sums,
+products, quotients, even roots and lengths of springs are such numbers again; so the algebra that is generated for the balance
+gives each row as w^−k G(u, w) with G regular at w = 0, where it is the part of highest degree. An exponential or a cosine of what
+runs away is none: :class:`NoChart`.
+
+Of a mirror symmetry, by which coordinates may change sign with all forces following, parity is a number type of the algebra.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..numerics import interval_arrays
+from ..numerics.arithmetic import Arithmetic
+from ..numerics.interval_arrays import Intervals
+from ..numerics.jets import Functions, Jet, constant
+
+if TYPE_CHECKING:
+    from .balance import Balance
+    from .forces import Values
+
+
+class LawFunctions(Functions):
+    """Interval functions in which roots and logarithms are taken of what is not negative.
+
+    A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``), and what else has
+    roots or logarithms has them of what is seen to be positive when its page is read. So their arguments are not negative, and
+    where an enclosure reaches below 0 that is rounding, or an enclosure that is not sharp.
+    """
+
+    #: π.
+    pi = interval_arrays.PI
+
+    def of(self, name: str, value: Any) -> Any:
+        """A function of one number or jet."""
+        if name in ("sqrt", "log"):
+            value = _not_negative(value)
+        return super().of(name, value)
+
+    def exp(self, value: Any) -> Any:
+        """Exponential: 1 of the number 0."""
+        return 1 if isinstance(value, int | float) and value == 0 else self.of("exp", value)
+
+    @staticmethod
+    def sign(value: Any) -> Any:
+        """−1, 0, 1."""
+        return _enclosed(value).sign()
+
+
+def _enclosed(value: Any) -> Any:
+    """A number as an interval, so that a function of it is one that is rounded outward."""
+    return Intervals.point([float(value)]) if isinstance(value, int | float) else value
+
+
+def _not_negative(value: Any) -> Any:
+    if isinstance(value, Jet):
+        return Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
+    return Intervals(np.stack([np.minimum(value.ends[0], 0.0), value.ends[1]])) if isinstance(value, Intervals) else value
+
+
+class FreeWaves(LawFunctions):
+    """Functions with cosines and sines as free numbers from −1 to 1, the same for every value."""
+
+    def of(self, name: str, value: Any) -> Any:
+        """A function of one number or jet."""
+        return Intervals(np.ones_like(self.taken(constant(value)).ends)) if name in ("cos", "sin") else super().of(name, value)
+
+
+#: ``xp`` over boxes.
+XP = LawFunctions(interval_arrays, _enclosed)
+#: For bounds far away, where forces are linear but for what is bounded.
+FREE = FreeWaves(interval_arrays, _enclosed)
+
+
+class NoChart(Exception):
+    """A function of what runs to infinity that has no expansion there."""
+
+
+class Scaled(Arithmetic):
+    """A number value · w^−order, with one w for all."""
+
+    __slots__ = ("order", "value", "w")
+    __array_ufunc__ = None
+
+    def __init__(self, value: Any, order: int, w: Any) -> None:
+        self.value, self.order, self.w = value, order, w
+
+    def _of(self, other: Any) -> Scaled:
+        return other if isinstance(other, Scaled) else Scaled(other, 0, self.w)
+
+    def finite(self) -> Any:
+        """The number itself, where it does not run away."""
+        if self.order > 0:
+            raise NoChart
+        return self.value * self.w**-self.order if self.order else self.value
+
+    def __neg__(self) -> Scaled:
+        return Scaled(-self.value, self.order, self.w)
+
+    def __add__(self, other: Any) -> Scaled:
+        other = self._of(other)
+        if isinstance(other.value, int) and other.value == 0:
+            return self
+        small, large = sorted((self, other), key=lambda one: one.order)
+        shift = large.order - small.order
+        return Scaled(large.value + (small.value * self.w**shift if shift else small.value), large.order, self.w)
+
+    def __mul__(self, other: Any) -> Any:
+        other = self._of(other)
+        if isinstance(other.value, int) and other.value == 0:
+            return 0
+        return Scaled(self.value * other.value, self.order + other.order, self.w)
+
+    def __truediv__(self, other: Any) -> Any:
+        other = self._of(other)
+        return Scaled(self.value / other.value, self.order - other.order, self.w)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self._of(other) / self
+
+    def __pow__(self, power: int) -> Any:
+        return Scaled(self.value**power, self.order * power, self.w)
+
+
+class _ScaledFunctions:
+    """The namespace ``xp`` of generated functions of such numbers."""
+
+    pi = XP.pi
+
+    @staticmethod
+    def sqrt(value: Any) -> Any:
+        """Square root of an even order: half of it."""
+        if not isinstance(value, Scaled):
+            return XP.sqrt(value)
+        if value.order % 2:
+            raise NoChart
+        return Scaled(XP.sqrt(value.value), value.order // 2, value.w)
+
+    @staticmethod
+    def atan2(sine: Any, cosine: Any) -> Any:
+        """Angle; of no number that runs to infinity."""
+        raise NoChart
+
+    def __getattr__(self, name: str) -> Callable[[Any], Any]:
+        function: Callable[[Any], Any] = getattr(XP, name)
+        return lambda value: function(value.finite() if isinstance(value, Scaled) else value)
+
+
+#: ``xp`` at infinity.
+SCALED: Any = _ScaledFunctions()
+#: Functions that are even, and functions that are odd.
+EVEN, ODD = ("cos", "cosh"), ("sin", "sinh", "tanh", "atan")
+
+
+class Parity:
+    """A number that changes its sign (``odd``), does not, or does neither (None); numbers beside it are even, and 0 is both."""
+
+    __slots__ = ("odd",)
+    __array_ufunc__ = None
+
+    def __init__(self, odd: bool | None) -> None:
+        self.odd = odd
+
+    def _with(self, other: Any) -> Parity:
+        if not isinstance(other, Parity):
+            return self if other == 0 or self.odd is False else Parity(None)
+        return self if self.odd == other.odd else Parity(None)
+
+    __add__ = __radd__ = __sub__ = __rsub__ = _with
+
+    def __neg__(self) -> Parity:
+        return self
+
+    def __mul__(self, other: Any) -> Any:
+        if not isinstance(other, Parity):
+            return self if other != 0 else 0
+        return Parity(None if None in (self.odd, other.odd) else self.odd != other.odd)
+
+    __rmul__ = __mul__
+    __truediv__ = __mul__
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self * other
+
+    def __pow__(self, power: int) -> Parity:
+        return Parity(self.odd and power % 2 == 1) if self.odd is not None else self
+
+
+class _ParityFunctions:
+    pi = 3
+
+    def __getattr__(self, name: str) -> Callable[..., Parity]:
+        def parity(*values: Any) -> Parity:
+            known = [value.odd if isinstance(value, Parity) else False for value in values]
+            if None in known or len(known) > 1 or (known[0] and name not in EVEN + ODD):
+                return Parity(False if not any(odd is not False for odd in known) else None)
+            return Parity(known[0] and name in ODD)
+
+        return parity
+
+
+def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
+    """Whether the rows of these coordinates, and no others, change their signs with them; the gap does not."""
+    xp: Any = _ParityFunctions()
+    q = [Parity(i in odd) for i in range(balance.n)]
+    given = {name: 0 if isinstance(value, int) and value == 0 else Parity(False) for name, value in values.items()}
+    rows = balance.by_coordinate("forces", q, balance.plain_directions(q, given, xp), given, xp)
+    gap = balance.gap(q, given, xp) if balance.opens else 0
+    wanted = [*((row, i in odd) for i, row in enumerate(rows)), (gap, False)]
+    return all((row.odd is side) if isinstance(row, Parity) else (row == 0 or not side) for row, side in wanted)

@@ -13,8 +13,8 @@ from spragsym.figures.files import picture
 from spragsym.figures.planes import bifurcation_figure, stability_figure
 from spragsym.figures.style import Sheet, house_style, styled
 from spragsym.models import Model
-from spragsym.models.describe import title_and_words
 from spragsym.models.load import USUAL, shipped
+from spragsym.models.model import title_and_words
 
 HERE = Path(__file__).parent
 #: What is shown of a model: the plane and its ranges; curves of onsets with damping ("hopf") and without ("flutter").

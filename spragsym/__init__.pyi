@@ -82,14 +82,14 @@ from .orbits.diagram import diagram as diagram
 from .progress import show_progress as show_progress
 from .report import Report as Report
 from .report import Study as Study
-from .results.bifurcation_sets import BifurcationSet as BifurcationSet
-from .results.bifurcation_sets import Curve as Curve
 from .results.equilibria import Equilibria as Equilibria
 from .results.equilibria import Stability as Stability
 from .results.files import open as open
-from .results.lowest_ends import LowestEnd as LowestEnd
 from .results.paths import Jump as Jump
+from .results.paths import LowestEnd as LowestEnd
 from .results.paths import Path as Path
+from .results.points import BifurcationSet as BifurcationSet
+from .results.points import Curve as Curve
 from .results.points import Points as Points
 from .statics.equilibria import count as count
 from .statics.equilibria import equilibria as equilibria

@@ -20,10 +20,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import mpmath
 
-from .errors import ParameterError, ParameterTypeError
+from .errors import ParameterError, ParameterTypeError, hint
 from .models.load import USUAL, load
 from .models.parameters import ParameterSet, Range
-from .names import hint
 from .numerics import balls
 from .numerics.balls import Interval
 from .numerics.decimals import exactly

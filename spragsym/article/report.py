@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Mapping
 
 from ..assumed import D, V
-from ..files.templates import filled
+from ..files.text import filled
 from .ledger import package_text, recorded
 
 #: Growth of the states at 30°, for the friction's own slope at V and d: μ₀, what (27) says, largest real part of λ.

@@ -21,8 +21,7 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interval
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
-from ..results.bifurcation_sets import BifurcationSet, Curve
-from ..results.points import Points
+from ..results.points import BifurcationSet, Curve, Points
 from ..statics.precise_balance import on_side
 from ..statics.search import kinds_of, of_ranges, summed
 from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family

@@ -15,7 +15,7 @@ from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.equilibria import Stability
-from ..results.lowest_ends import LowestEnd
+from ..results.paths import LowestEnd
 from ..results.points import Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria

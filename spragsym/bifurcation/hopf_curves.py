@@ -16,8 +16,7 @@ from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..questions import model_of
 from ..remarks import Remark
-from ..results.bifurcation_sets import Curve
-from ..results.points import Points
+from ..results.points import Curve, Points
 from ..results.result import Result
 from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over

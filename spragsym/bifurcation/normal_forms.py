@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..models.model_field import undecorated
+from ..models.field import undecorated
 from ..numerics import balls
 from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
 from ..numerics.balls import XP, Ball, Undecided, ball

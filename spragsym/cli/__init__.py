@@ -15,9 +15,8 @@ from typing import IO, Any, NoReturn
 import click
 
 from .._version import __version__
-from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
+from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError, closest, latin
 from ..interrupts import ending
-from ..names import closest, latin
 
 __all__ = ["COMMANDS", "cli", "main"]
 

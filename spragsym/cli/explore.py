@@ -15,7 +15,7 @@ import spragsym as ss
 
 from ..errors import ModelError, ParameterError
 from ..explorer import Preset, Units, explorer_page
-from ..files.writing import probe
+from ..files.storage import probe
 from ..models.load import USUAL, load, shipped
 from ..progress import show_progress
 from . import options as o

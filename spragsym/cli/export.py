@@ -7,7 +7,7 @@ import click
 from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
 from ..errors import ParameterError, StoreError
-from ..files.writing import probe
+from ..files.storage import probe
 from ..models import load
 from ..models.load import USUAL, page_of
 from . import options as o

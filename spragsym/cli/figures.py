@@ -10,9 +10,8 @@ from typing import Any
 
 import click
 
-from ..errors import ParameterError
+from ..errors import ParameterError, hint
 from ..motion.sweeps.workers import pool
-from ..names import hint
 from ..progress import advance
 from . import options as o
 from .output import refuse

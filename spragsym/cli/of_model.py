@@ -17,7 +17,7 @@ from click.core import ParameterSource
 from ..errors import ParameterError
 from ..models import load
 from ..models.load import USUAL
-from ..models.parameter_class import options_of
+from ..models.model import options_of
 from ..models.parameters import FloatArray, Range, degrees
 from ..questions import has_closed_form
 from . import options as o

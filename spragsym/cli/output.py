@@ -17,8 +17,7 @@ import click
 
 from ..display import aligned
 from ..errors import ParameterError, TargetError
-from ..files.storage import overwriting
-from ..files.writing import probe, put
+from ..files.storage import overwriting, probe, put
 from ..numerics.decimals import upward
 from ..progress import show_progress
 

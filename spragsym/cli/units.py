@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from ..errors import ParameterError
-from ..names import hint
+from ..errors import ParameterError, hint
 from ..remarks import Remark
 
 if TYPE_CHECKING:

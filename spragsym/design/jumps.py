@@ -18,7 +18,7 @@ from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, Range, as_numbers
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
-from ..results.named_columns import Columns
+from ..results.result import Columns
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import reference_state

@@ -12,7 +12,7 @@ from ..bifurcation.tubes import Parts, Place, Tubes, halves
 from ..bifurcation.turning_points import SMALL, passed
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, as_count
-from ..models.parameters.units import Unit, checked_units
+from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
 from ..results import Stability

@@ -18,9 +18,8 @@ from .._version import __version__
 from ..derive.kang_nam.library import exported
 from ..errors import MissingExtraError, ParameterError
 from ..models import Model, load
-from ..models.describe import title_and_words
 from ..models.load import USUAL, page_of
-from ..models.parameter_class import options_of
+from ..models.model import options_of, title_and_words
 from ..models.parameters import ParameterSet
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..files.writing import put
+from ..files.storage import put
 from .style import Sheet, Table, house_style
 
 #: Format → metadata that leaves out the date and the version of what drew it.

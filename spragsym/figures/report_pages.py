@@ -16,7 +16,7 @@ from matplotlib import rc_context
 import spragsym as ss
 
 from ..errors import SpragsymError
-from ..files.templates import filled
+from ..files.text import filled
 from ..questions import has_closed_form
 from ..report.states import unit_of
 from ..report.texts import sections

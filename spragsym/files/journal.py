@@ -4,6 +4,7 @@ A line is a checksum and JSON. The checksum of a point takes in the fingerprint 
 is cut, changed, or that belongs to another sweep, is never taken for a result.
 """
 
+import errno
 import hashlib
 import json
 import os
@@ -16,12 +17,16 @@ from io import FileIO
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from filelock import lock_descriptor
+
 from ..errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
-from .locks import HeldError, exclusive, write_all
-from .storage import provenance
+from .storage import provenance, write_all
 
 #: One point of a sweep: its measured values and, if it failed, why.
 Record: TypeAlias = tuple[list[float], str]
+
+#: The file system has no locks: some network and cluster file systems, as they are mounted.
+_NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL)
 
 
 def path_of(target: Path) -> Path:
@@ -64,15 +69,46 @@ def clear(target: Path, fingerprint: str, total: int) -> None:
 
 
 def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
-    """The journal, for this process alone until the stack is left, and what it holds."""
+    """The journal, for this process alone until the stack is left, and what it holds.
+
+    The file itself is locked, so that no other one is left beside it. The system lets go of the lock when the process ends,
+    whatever ends it; on a network file system it holds between machines as far as the file system's own locks do.
+    """
     try:
-        file = stack.enter_context(exclusive(path))
-        file.seek(0)
-        return file, file.readall() or b""
-    except HeldError:
-        raise StoreError(f"{path} is being written by {_holder(path)}; wait for it to end, or give another path") from None
+        while True:
+            file = stack.enter_context(FileIO(path, "a+"))
+            if not _locked(file, path) or _is_at(file, path):
+                file.seek(0)
+                return file, file.readall() or b""
+            file.close()  # it was renamed or removed between opening and locking
+    except StoreError:
+        raise
     except OSError as error:
         raise StoreError(f"{path} cannot be read and written: {error.strerror}; give another path") from error
+
+
+def _locked(file: FileIO, path: Path) -> bool:
+    """Lock the file, and return whether the file system supports locks; where it does not, a warning says so."""
+    try:
+        if not lock_descriptor(file.fileno(), blocking=False):
+            raise StoreError(f"{path} is being written by {_holder(path)}; wait for it to end, or give another path")
+    except OSError as error:
+        if error.errno not in _NO_LOCKS:
+            raise
+        warnings.warn(
+            f"{path} lies on a file system without locks ({error.strerror}): nothing keeps a second process from "
+            "writing there; start one only, or give a path on a local disk",
+            stacklevel=2,
+        )
+        return False
+    return True
+
+
+def _is_at(file: FileIO, path: Path) -> bool:
+    try:
+        return os.path.samestat(os.fstat(file.fileno()), path.stat())
+    except FileNotFoundError:
+        return False
 
 
 @contextmanager

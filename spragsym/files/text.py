@@ -1,9 +1,11 @@
-"""Reading of users' files on any system: bytes up to a bound, and text."""
+"""Texts: of users' files, read on any system and up to a bound, and of templates that come with the package."""
 
 import codecs
 import os
+from importlib import resources
+from typing import Any
 
-from ..errors import ParameterError
+from ..errors import MissingExtraError, ParameterError
 
 #: Bytes of a file that a user writes by hand, and of a table that an instrument writes.
 BY_HAND, MEASURED = 1 << 20, 8 << 20
@@ -57,3 +59,14 @@ def text_of(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "a
         return decoded(data)
     except UnicodeDecodeError as error:
         raise ParameterError(f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}") from error
+
+
+def filled(package: str, name: str, what: str, **values: Any) -> str:
+    """The template of this name with values in it, text escaped in HTML; ``what`` it is needs the extra ``plot``."""
+    try:
+        from jinja2 import Environment, StrictUndefined
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(what, "jinja2", "plot") from error
+    text = (resources.files(package) / name).read_text(encoding="utf-8")
+    made = Environment(autoescape=name.endswith(".html"), undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
+    return made.from_string(text).render(values)

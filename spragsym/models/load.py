@@ -11,16 +11,17 @@ import os
 import re
 import sys
 import threading
+import warnings
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from ..errors import ParameterError, ParameterTypeError, StoreError
+from ..errors import ParameterError, ParameterTypeError, StoreError, hint
 from ..files.text import contents
-from ..names import hint
-from .model import Model
-from .parameter_class import parameter_class
+from ..generated import C_SOURCE
+from .model import Model, parameter_class
 
 #: The model that is meant where none is named.
 USUAL = "kang_nam"
@@ -174,3 +175,19 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
                 del sys.modules[whole]
                 raise
     return sys.modules[f"{package}.algebra"]
+
+
+@cache
+def fits(name: str) -> bool:
+    """Whether an extension module was built, from the C library that was generated with the rest; one of another is a warning."""
+    try:
+        source = importlib.import_module(name).SOURCE
+    except ImportError:
+        return False
+    if source != C_SOURCE:
+        warnings.warn(
+            f"{name} was compiled from another derivation and is not used: many points and motions take several times longer; "
+            "install spragsym again",
+            stacklevel=3,
+        )
+    return bool(source == C_SOURCE)

@@ -1,23 +1,21 @@
-"""A loaded model: its names, parameters and generated functions."""
+"""A loaded model: its names, the class of its parameters, its generated functions, and what its page says in words."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field, make_dataclass
 from functools import cache, cached_property
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..errors import ParameterError
-from . import parameter_class as _parameters
-from .describe import described, explained
-from .parameters import FloatArray, ParameterSet
-
-if TYPE_CHECKING:
-    from .field import Field
+from .field import REACH, Field, field_of
+from .parameters import FloatArray, ParameterSet, Range, named
 
 
 class Model:
@@ -83,9 +81,6 @@ class Model:
     @cached_property
     def field(self) -> Field:
         """The field of its motion, with exponentials of the friction law left out far below rounding."""
-        from .field import REACH
-        from .model_field import field_of
-
         return field_of(self, REACH)
 
     @property
@@ -109,7 +104,7 @@ class Model:
     @property
     def parameters(self) -> tuple[str, ...]:
         """Names of the parameters, in order."""
-        return tuple(entry["name"] for entry in self.about["parameters"])
+        return _names(self.about)
 
     @property
     def regimes(self) -> dict[bool, str]:
@@ -122,7 +117,7 @@ class Model:
     @property
     def base(self) -> dict[str, float]:
         """Base values; a parameter without one, as the article's θ₀, is not among them."""
-        return _parameters.base(self.about)
+        return {entry["name"]: entry["base"] for entry in self.about["parameters"] if entry["base"] is not None}
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -169,9 +164,18 @@ class Model:
         return vary, over
 
     def cases(self) -> tuple[tuple[str, ParameterSet], ...]:
-        """Named points of all parameters, to begin at: those that the model brings, or the base values."""
-        own = self.closed_form("cases")
-        return own() if own else _parameters.base_case(self.about, self.Parameters)
+        """Named points of all parameters, to begin at: those that the model brings, or the base values.
+
+        Where there is none, of an angle that of the article's cases, and of others the middle of the range.
+        """
+        if own := self.closed_form("cases"):
+            return own()
+        values = {}
+        for entry in self.about["parameters"]:
+            low, high, angle = entry["low"], entry["high"], entry["name"] in self.about["angles"]
+            middle = _INCLINATION if angle else 0.5 * (low + high) if low is not None and high is not None else 1.0
+            values[entry["name"]] = middle if entry["base"] is None else entry["base"]
+        return (("Base values", self.Parameters(**values)),)
 
     def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
         """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.
@@ -239,3 +243,165 @@ def _searching(where: str) -> Model:
     from .load import load
 
     return load(where).search
+
+
+#: Remedy for friction or a belt of the other sign.
+MIRRORED = "a belt that runs the other way is the mirror image of the mechanism"
+#: Options whose names are not those of their parameters.
+_OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
+
+#: What an angle without a base value is, as in the article's cases.
+_INCLINATION = math.radians(30.0)
+
+
+def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
+    """What commands call a parameter: as for the article's model, unless another parameter has that name."""
+    known = _OPTIONS.get(name)
+    return known if known and known[0][2:] not in _names(about) else (f"--{name}",)
+
+
+def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
+    """A class whose fields are the model's parameters with their base values.
+
+    ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class again in another process.
+    """
+    made = make_dataclass(
+        "Parameters",
+        [(entry["name"], Any, field(default=entry["base"])) for entry in about["parameters"]],
+        bases=(ParameterSet,),
+        frozen=True,
+        eq=False,
+        repr=False,
+        namespace={
+            "__doc__": _documentation(about),
+            "ranges": {entry["name"]: _range(entry) for entry in about["parameters"]},
+            "spanned": frozenset(_names(about)),
+            "origin": "model.Parameters(...)",
+            "where": where,
+        },
+    )
+    return named(made)
+
+
+def _names(about: Mapping[str, Any]) -> tuple[str, ...]:
+    return tuple(entry["name"] for entry in about["parameters"])
+
+
+def _range(entry: Mapping[str, Any]) -> Range:
+    low, high = (default if entry[end] is None else entry[end] for end, default in (("low", -math.inf), ("high", math.inf)))
+    # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
+    remedy = MIRRORED if entry["name"] in ("mu0", "V") else f"it is the {entry['meaning']}"
+    remedy = "angles are radians; use numpy.radians for degrees" if entry["unit"] == "rad" else remedy
+    return Range(low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"])
+
+
+def _documentation(about: Mapping[str, Any]) -> str:
+    lines = [
+        f"Parameters of the model {about['name']}, scalars or arrays that broadcast together.",
+        "",
+        "Parameters",
+        "----------",
+    ]
+    for entry in about["parameters"]:
+        default = "" if entry["base"] is None else f", default {entry['base']:g}"
+        unit = ", radians" if entry["unit"] == "rad" else ""
+        lines += [f"{entry['name']} : array_like{default}", f"    {entry['meaning']}{unit}; allowed: {entry['domain']}"]
+    return "\n".join(lines)
+
+
+#: Name, unit, name of the rate, and its unit.
+Place: TypeAlias = tuple[str, str, str, str]
+
+
+def described(about: Mapping[str, Any]) -> str:
+    """Summary, drawing and tables of a ``model.json``."""
+    parts = [f"{about['name']}: {about['summary']}", about["drawing"].strip()]
+    coordinates = [("coordinate", "meaning")]
+    coordinates += [
+        (entry["name"], entry["meaning"] + (", radians" if entry["unit"] == "rad" else "")) for entry in about["coordinates"]
+    ]
+    parameters = [("parameter", "base", "allowed", "of", "meaning")]
+    parameters += [
+        (
+            entry["name"],
+            "" if entry["base"] is None else f"{entry['base']:g}",
+            entry["domain"],
+            {"both": "statics and motion", "motion": "motion"}[entry["role"]],
+            entry["meaning"] + (", radians" if entry["unit"] == "rad" else _behind(entry)),
+        )
+        for entry in about["parameters"]
+    ]
+    return "\n\n".join([*parts, _table(coordinates), _table(parameters), f"measured in: {units_of(about)}"])
+
+
+def title_and_words(about: Mapping[str, Any]) -> tuple[str, list[str]]:
+    """What a page says above its drawing, and the blocks below it; formulas that are set apart are indented."""
+    title, _, rest = about["drawing"].partition("\n\n::\n\n")
+    drawn, *blocks = rest.split("\n\n")
+    while drawn.startswith(" ") and blocks and blocks[0].startswith("    "):  # a drawing with blank lines
+        del blocks[0]
+    return title, blocks
+
+
+def units_of(about: Mapping[str, Any]) -> str:
+    """What lengths, times and forces are measured in, in the quantities of the page."""
+    return ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))
+
+
+def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of everything that files of motions hold, by its name: of the model, and of what is computed of it."""
+    time, rate = about["scales"]["time"], about["scales"]["rate"]
+    found = {"t": (time, "time"), "event_t": (time, "time of an event"), "event": ("1", "what happened")}
+    places = []
+    for entry in about["coordinates"]:
+        name, of_rate, unit = entry["name"], entry["rate"], "rad" if entry["unit"] == "rad" else entry["scale"]
+        places.append((name, unit, of_rate, entry["rate_scale"]))
+        found |= {name: (unit, entry["meaning"]), of_rate: (entry["rate_scale"], f"rate of {name}")}
+        found |= {f"{name}0": (unit, f"initial {name}"), f"{of_rate}0": (entry["rate_scale"], f"initial {of_rate}")}
+    for entry in about["parameters"]:
+        found[entry["name"]] = ("rad" if entry["unit"] == "rad" else entry["scale"] or "1", entry["meaning"])
+    for name in about["angles"]:
+        found[f"{name}_deg"] = ("degree", found[name][1])
+    return found | _of_motions(places, time, rate)
+
+
+def _of_motions(places: Sequence[Place], time: str, rate: str) -> dict[str, tuple[str, str]]:
+    """Quantities of motions, by the coordinates."""
+    (x, unit, *_), *others = places
+    after, top = "after the transient", f"of the cycle where its {x} is largest"
+    found = {f"mean_{y}": (across, f"mean of {y} {after}") for y, across, *_ in others}
+    for y, across, vy, speed in places:
+        found |= {f"rest_{y}": (across, f"{y} of the equilibrium that it settles to or approaches; NaN for none")}
+        found |= {f"cycle_{y}": (across, f"{y} {top}"), f"cycle_{vy}": (speed, f"{vy} {top}")}
+    return found | {
+        "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
+        "rms": (unit, f"root mean square of {x} about zero, {after}"),
+        "spread": (unit, f"root mean square of {x} about its mean, {after}"),
+        "largest": (unit, f"largest |{x}| {after}"),
+        "mean": (unit, f"mean of {x} {after}"),
+        "period": (time, "period of the cycle that the motion is on or approaches; NaN for none"),
+        "rate": (rate, "rate at which what the motion settles to or approaches attracts"),
+        "distance": ("1", f"what is left of the way there: of the reach of a cycle, over {unit} for rest"),
+        "cycle_mean": (unit, f"mean of {x} over one period of the cycle"),
+        "cycle_rms": (unit, f"root mean square of {x} about zero over one period of the cycle"),
+        "contact_lost": ("1", f"times contact was lost {after}"),
+        "slip_reversed": ("1", f"times the sliding speed changed its sign {after}"),
+        "regime": ("1", "what the motion settles to or approaches"),
+        "equilibrium": ("1", "index of the equilibrium that it settles to or approaches; -1 for none"),
+        "reason": ("1", "why a point has no result"),
+        "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
+        "exponent": (rate, "largest Lyapunov exponent but the trivial one"),
+        "exponent_error": (rate, "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it"),
+        "time_scale": (time, "on which the slowest deviations from steady sliding die out"),
+        "why": ("1", "what decides the kind, or would"),
+    }
+
+
+def _behind(entry: Mapping[str, Any]) -> str:
+    """The quantity with a unit behind a dimensionless one."""
+    return "" if entry["quantity"] == entry["name"] else f" ({entry['quantity']}, dimensionless)"
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)

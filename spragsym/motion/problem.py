@@ -22,10 +22,9 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field
+from ..models.field import Field, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model
-from ..models.model_field import field_of, undecorated
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
 
 RELATIVE_TOLERANCE = Range(

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..display import named_fields
 from ..models.field import SETTLED, apart
-from ..results.named_columns import Named
+from ..results.result import Named
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
 SAME = 1e-6

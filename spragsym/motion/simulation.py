@@ -12,15 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..display import Table, caption, words
-from ..errors import ParameterError, ParameterTypeError
+from ..errors import ParameterError, ParameterTypeError, hint
 from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
-from ..names import hint
 from ..numerics.interval_arrays import IndexArray
 from ..questions import model_of
-from ..results.named_columns import Named
+from ..results.result import Named
 from ..statics.search import rest_index
 from . import integrators, pictures
 from .classify import classify

@@ -7,8 +7,8 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..generated import C_SOURCE
-from ..models.extensions import fits
 from ..models.field import GAP, WIDTH
+from ..models.load import fits
 from ..models.parameters import FloatArray
 from . import with_scipy
 from .lobatto import unit_points

@@ -12,8 +12,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Border, Field, Mode
-from ..models.heyoka_library import XP, Functions, library
+from ..models.field import GAP, JUMPED, XP, Border, Field, Functions, Mode, library
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .measures import Course, Turns

@@ -22,15 +22,13 @@ from typing import Any
 import numpy as np
 
 from ..design.sampling import Correlation, dependence
-from ..errors import ParameterError, SpragsymError
+from ..errors import ParameterError, SpragsymError, hint
 from ..files.text import MEASURED, text_of
 from ..generated import laws
 from ..models import Model
 from ..models.load import USUAL, shipped
 from ..models.parameters import FINITE, FloatArray, Range
-from ..models.quantities import Quantities, quantities
-from ..models.units import factor
-from ..names import hint
+from ..models.quantities import Quantities, factor, quantities
 from ..results.result import Result
 from .study import PLAIN_UNITS, Rise, Study, rise_of, spanned
 from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy

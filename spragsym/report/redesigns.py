@@ -17,7 +17,7 @@ from ..design.jumps import jump_gradient
 from ..design.margins import jump_margin, redesign
 from ..errors import SpragsymError
 from ..models.parameters import Range
-from ..models.units import factor
+from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results.result import Result
 from .study import Study

@@ -17,7 +17,7 @@ from ..design.jumps import jump_value
 from ..design.probability import JumpProbability
 from ..display import Table
 from ..errors import ParameterError, SpragsymError
-from ..files.writing import put
+from ..files.storage import put
 from ..remarks import Remark
 from ..results import Equilibria, Points, Result
 from ..statics.equilibria import equilibria

@@ -17,12 +17,10 @@ import numpy as np
 from ..bifurcation.defining_systems import ranges
 from ..design.jumps import first_ends, jump_value
 from ..design.sampling import Correlation, Dependence, dependence
-from ..errors import ParameterError
+from ..errors import ParameterError, hint
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
-from ..models.quantities import Quantities, quantities, share
-from ..models.units import factor
-from ..names import hint
+from ..models.quantities import Quantities, factor, quantities, share
 from ..progress import doing, show_progress
 from ..questions import has_closed_form
 from .units import Measured, read, shown_in

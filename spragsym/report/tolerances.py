@@ -14,7 +14,7 @@ from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..models.parameters.units import Unit
+from ..models.quantities import Unit
 from ..numerics.interval_arrays import Intervals, stacked
 from ..numerics.jets import gradient, variables
 from ..results.result import Result

@@ -14,7 +14,7 @@ from scipy.special import ndtr, ndtri
 
 from ..errors import ParameterError
 from ..models.parameters import FINITE, Range
-from ..models.units import factor
+from ..models.quantities import factor
 
 #: SI unit of a quantity → how an engineer would write one, alone and between two ends.
 EXAMPLES: Mapping[str, tuple[str, str]] = {

@@ -17,8 +17,7 @@ from ..errors import ConvergenceError
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IntArray
-from .named_columns import OfStates
-from .result import WHOLE, Result
+from .result import WHOLE, OfStates, Result
 
 
 class Stability(enum.IntEnum):

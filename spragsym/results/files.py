@@ -21,8 +21,8 @@ import numpy as np
 
 from .._version import __version__
 from ..errors import ParameterError
+from ..files.storage import put
 from ..files.text import text_of
-from ..files.writing import put
 from ..models.field import Field
 from ..models.load import load, shipped
 from ..models.model import Model

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
+from numpy.typing import NDArray
+
+from ..display import Shown
 from ..models.parameters import FloatArray
-from ..numerics.interval_arrays import Int8Array
+from ..numerics.interval_arrays import Int8Array, Shape
 from .equilibria import Equilibria, Stability
-from .named_columns import Columns, OfStates
-from .result import Result, Rows
+from .result import Columns, OfStates, Result, Rows
 
 
 @dataclass(frozen=True)
@@ -65,3 +69,73 @@ def followed(
     """The path of the only state that is given at each value."""
     places = {name: getattr(along, name)[:, 0] for name in along.columns}
     return Path(p, vary, values, along.stability[:, 0], jumps, places, along)
+
+
+@dataclass(frozen=True, eq=False)
+class LowestEnd(Shown, NDArrayOperatorsMixin):
+    """Where the state that is followed ends first over a range of another parameter; a number, or an array, as ``value``.
+
+    Numbers for one point, arrays of the shape of the parameters for many; angles are radians.
+
+    Attributes
+    ----------
+    vary, over : str
+        The parameter along which the state is followed, and the one over whose range.
+    value, where : float or ndarray
+        Of ``vary`` and of ``over``; both are attributes under these names, too, as ``mu0`` and ``theta0``.
+    kind : str or ndarray of str
+        ``"cusp"``; ``"turn"`` where a curve of folds turns back in ``vary``; ``"border"`` where the state leaves the contact;
+        ``"end"`` where it is lowest at an end of the range of ``over``; ``"infinity"`` where the state runs to
+        infinity; empty where the state ends nowhere: then ``value`` is
+        infinite and ``where`` NaN; ``"undecided"`` where nothing is known above ``value``, below which the state does not end.
+    error : float or ndarray
+        Bound on \\|error\\| / max(1, \\|value\\|) of both.
+    complete : bool
+        Whether all of this is proved; otherwise ``remarks`` say what is not.
+    """
+
+    vary: str
+    over: str
+    value: Any
+    where: Any
+    kind: Any
+    error: Any
+    complete: bool = True
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def shape(self) -> Shape:
+        """Shape of the parameters."""
+        return np.shape(self.value)
+
+    def __getattr__(self, name: str) -> Any:
+        names = {self.__dict__.get("vary"): "value", self.__dict__.get("over"): "where"}
+        if name not in names:
+            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
+        return self.__dict__[names[name]]
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.array(self.value, dtype=dtype, copy=copy)
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        return getattr(ufunc, method)(*(one.value if isinstance(one, LowestEnd) else one for one in inputs), **options)
+
+    def __float__(self) -> float:
+        return float(self.value)
+
+    def __round__(self, digits: int | None = None) -> Any:
+        return round(self.value, digits)
+
+    def __format__(self, spec: str) -> str:
+        return format(self.value, spec)
+
+    def __str__(self) -> str:
+        return str(self.value)
+
+    def __len__(self) -> int:
+        return len(self.value)
+
+    def __getitem__(self, index: Any) -> LowestEnd:
+        kind, values = self.kind[index], (self.value[index], self.where[index], self.error[index])
+        value, where, error = values if np.ndim(values[0]) else map(float, values)
+        return replace(self, value=value, where=where, kind=kind if np.ndim(kind) else str(kind), error=error)

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..models.parameters.units import Unit
+from ..models.quantities import Unit
 from ..numerics import contractors, jets
 from ..numerics.arithmetic import Matrix
 from ..numerics.boxes import POLE, System

@@ -6,7 +6,7 @@ from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
-from ..models.model_field import undecorated
+from ..models.field import undecorated
 from ..numerics import jets
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, atan2, length, stacked, unit_vector
 from ..numerics.jets import Jet, argument, binomial_series, change, constant, turned

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..models.model_field import undecorated
+from ..models.field import undecorated
 from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals
 from ..numerics.jets import variables
 from ..results.equilibria import Equilibria, Stability

@@ -8,7 +8,7 @@ from typing import Any
 
 import spragsym as ss
 from spragsym.models.load import shipped
-from spragsym.models.parameter_class import options_of
+from spragsym.models.model import options_of
 from tests.oracles.user_pages import derived
 
 TESTS = Path(__file__).resolve().parent.parent

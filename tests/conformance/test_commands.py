@@ -10,7 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.files import storage
-from spragsym.models.parameter_class import options_of
+from spragsym.models.model import options_of
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, MOVING, load, moved
 from tests.conftest import Run

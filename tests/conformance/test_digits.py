@@ -10,7 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import precise
-from spragsym.models.model_field import undecorated
+from spragsym.models.field import undecorated
 from spragsym.numerics.decimals import exactly
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, load

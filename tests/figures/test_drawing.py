@@ -6,7 +6,7 @@ pytest.importorskip("sympy")
 
 
 from spragsym.derive import drawing, pages
-from spragsym.models.describe import title_and_words
+from spragsym.models.model import title_and_words
 from tests.support import ROOT
 
 IMAGES = ROOT / "docs" / "images" / "models"

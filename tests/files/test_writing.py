@@ -13,7 +13,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.errors import ParameterError, SpragsymError, StoreError
-from spragsym.files import text, writing
+from spragsym.files import storage, text
 from spragsym.files.journal import journal
 from tests.conftest import Begin
 from tests.support import ROOT
@@ -52,22 +52,22 @@ def test_a_user_s_files_beside_and_behind_a_link_stay(tmp_path: Path, run: Run) 
 
 def test_a_failed_write_leaves_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "page.html"
-    writing.put(path, "before")
+    storage.put(path, "before")
     path.chmod(0o640)
 
     def full(file: object, data: bytes) -> None:
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as disk:
-        disk.setattr(writing, "write_all", full)
+        disk.setattr(storage, "write_all", full)
         with pytest.raises(StoreError, match=r"page\.html cannot be written: No space left"):
-            writing.put(path, "after")
+            storage.put(path, "after")
     assert (path.read_text(), [entry.name for entry in tmp_path.iterdir()]) == ("before", ["page.html"])
     # What a killed process leaves is removed, what one that runs is at is not, and no name is taken that is there.
     dead, alive = (tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (2**22 + 5, os.getpid()))
     dead.write_text("half")
     alive.write_text("half")
-    writing.put(path, "after")
+    storage.put(path, "after")
     assert (path.read_text(), path.stat().st_mode & 0o777) == ("after", 0o640)
     assert (dead.exists(), alive.exists()) == (os.name != "posix", True)
 
@@ -83,7 +83,7 @@ def test_a_target_is_tried_before_the_work(
     (tmp_path / "b.toml").write_text(run("report", "--example"))
     if words[0] == "explore":
         (tmp_path / "e.html").symlink_to(tmp_path / "e.html")
-    monkeypatch.setattr(writing, "_replace", lambda *_: pytest.fail("the work was done"))
+    monkeypatch.setattr(storage, "_replace", lambda *_: pytest.fail("the work was done"))
     run(*(word.format(tmp_path) for word in words), code=2)
     assert not (tmp_path / "missing").exists()
 
@@ -148,7 +148,7 @@ def test_what_is_read_has_an_end(tmp_path: Path) -> None:
     with pytest.raises(ParameterError, match="can't be"):
         text.contents("a\0b")
     with pytest.raises(ParameterError, match="device or a pipe"):
-        writing.resolved("/dev/null")
+        storage.resolved("/dev/null")
 
 
 @pytest.mark.thorough

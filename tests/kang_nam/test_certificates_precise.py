@@ -8,8 +8,7 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES, RANGES
-from spragsym.models.parameters.ranges import Range
+from spragsym.models.parameters import NAMES, RANGES, Range
 from tests.oracles import reference
 
 # ----------------------------------------------------------------------------------------------------- precise

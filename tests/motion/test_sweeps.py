@@ -135,7 +135,7 @@ def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pyte
 
 
 #: Modules that decide no result.
-UNDECIDING = ("display.py", "errors.py", "names.py", "progress.py", "remarks.py", "_version.py", "assumed.py", "interrupts.py")
+UNDECIDING = ("display.py", "errors.py", "progress.py", "remarks.py", "_version.py", "assumed.py", "interrupts.py")
 
 
 def test_every_module_that_decides_a_record_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,7 +6,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation.tubes import Parts, Region
 from spragsym.design.tube_certificates import Splitting
-from spragsym.models.parameters.units import Unit
+from spragsym.models.quantities import Unit
 from spragsym.numerics import contractors
 from spragsym.numerics.affine import Affine
 from spragsym.numerics.interval_arrays import Intervals

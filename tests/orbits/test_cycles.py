@@ -16,8 +16,7 @@ import pytest
 import spragsym as ss
 from benchmarks import bench_auto
 from spragsym.generated import laws
-from spragsym.models.field import Border, Field
-from spragsym.models.model_field import exact_field
+from spragsym.models.field import Border, Field, exact_field
 from spragsym.motion import multipliers
 from spragsym.motion.integrators import Flow
 from spragsym.numerics.decimals import exactly

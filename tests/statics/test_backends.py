@@ -89,8 +89,7 @@ def test_import_loads_nothing_heavy() -> None:
 
 
 def test_a_solver_of_another_derivation_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    from spragsym.models import extensions
-
+    extensions = sys.modules[compiled.fits.__module__]
     monkeypatch.setattr(extensions, "C_SOURCE", "another")
     extensions.fits.cache_clear()
     with pytest.warns(UserWarning, match="compiled from another derivation"):

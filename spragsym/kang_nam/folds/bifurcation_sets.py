@@ -10,7 +10,7 @@ from ...generated import catastrophe as _catastrophe
 from ...models.parameters import FloatArray, Parameters, as_count
 from ...numerics.polynomials import on_circle
 from ...questions import NotInClosedForm
-from ...results.bifurcation_sets import BifurcationSet, Curve
+from ...results.points import BifurcationSet, Curve
 from ..quartic import kernel
 from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed

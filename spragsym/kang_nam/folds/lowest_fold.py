@@ -13,7 +13,7 @@ from ...numerics import balls, polynomials
 from ...numerics.balls import Interval, as_floats, decided, sign_or_zero, with_enough_bits
 from ...numerics.polynomials import on_circle, roots_on_the_line
 from ...questions import NotInClosedForm
-from ...results.lowest_ends import LowestEnd
+from ...results.paths import LowestEnd
 from ..quartic import kernel
 from . import cusp_proofs
 from .fixed_parameters import FIXED

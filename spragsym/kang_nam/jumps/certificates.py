@@ -8,7 +8,7 @@ import numpy as np
 from ...design.certificates import Claim, corner_values
 from ...errors import ParameterError
 from ...models.parameters import NAMES, FloatArray, Parameters
-from ...models.parameters.units import Unit, checked_units
+from ...models.quantities import Unit, checked_units
 from ...questions import NotInClosedForm
 from .cells import Boxes
 from .claims import CLAIMS

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ...models.extensions import fits
+from ...models.load import fits
 from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from ...results.state_columns import COLUMNS, Slots
 

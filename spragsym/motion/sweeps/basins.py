@@ -11,7 +11,7 @@ from ...display import named_fields
 from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...numerics.interval_arrays import IntArray
-from ...results.named_columns import Named
+from ...results.result import Named
 from ..regimes import Outcome, Regime, same_limit
 from .many import Sweep, rms_sweep
 

@@ -19,11 +19,11 @@ from numpy.typing import ArrayLike, NDArray
 from ...errors import ConvergenceError, ParameterError
 from ...files import storage
 from ...files.journal import Record
-from ...models.model_field import field_of
+from ...models.field import field_of
 from ...models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_count, as_number, degrees
 from ...numerics.interval_arrays import Int8Array, Shape
 from ...questions import model_of
-from ...results.named_columns import Columns
+from ...results.result import Columns
 from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify

@@ -28,7 +28,7 @@ import numpy as np
 from ...errors import ParameterError, ParameterTypeError, SweepError
 from ...files import storage
 from ...files.journal import Record, clear, journal
-from ...files.writing import resolved
+from ...files.storage import resolved
 from ...interrupts import heard
 from ...models.parameters import FloatArray, common_shape
 from ...progress import advance

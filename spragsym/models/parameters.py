@@ -1,0 +1,556 @@
+"""Parameters of models: what an argument may be, sets of values, and the article's, dimensionless or in newtons and metres."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import assumed
+from ..display import Shown
+from ..errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
+from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
+from ..numerics.interval_arrays import BoolArray, Shape
+from ..numerics.interval_arrays import FloatArray as FloatArray
+
+if TYPE_CHECKING:
+    from .quantities import Quantities
+
+#: How far inside an end that a range does not hold a value is taken, over its length.
+INSIDE = 2.0**-40
+
+
+@dataclass(frozen=True)
+class Range:
+    """Allowed values of an argument."""
+
+    low: float
+    high: float = math.inf
+    open_low: bool = False
+    remedy: str = ""
+    closed_high: bool = False
+
+    def contains(self, value: float) -> bool:
+        """Whether a number is allowed."""
+        above = value > self.low if self.open_low else value >= self.low
+        return math.isfinite(value) and above and (value <= self.high if self.closed_high else value < self.high)
+
+    def reached(self, end: float, length: float = 1.0) -> float:
+        """An end, or a value next to it where the range does not hold it, by the length of what is searched."""
+        if self.contains(end):
+            return end
+        return end + INSIDE * length * (1 if end <= self.low else -1)
+
+    def inside(self, values: FloatArray) -> BoolArray:
+        """Where numbers are allowed."""
+        above = values > self.low if self.open_low else values >= self.low
+        below = values <= self.high if self.closed_high else values < self.high
+        return np.isfinite(values) & above & below
+
+    def __str__(self) -> str:
+        low = "(" if self.open_low or math.isinf(self.low) else "["
+        return f"{low}{_bound(self.low)}, {_bound(self.high)}{']' if self.closed_high else ')'}"
+
+
+def shown(value: float) -> str:
+    """The shortest decimal that reads back as the same number, whole numbers without a point: ``-0.3``, ``200``."""
+    return repr(float(value)).removesuffix(".0")
+
+
+def _bound(value: float) -> str:
+    named = {math.pi: "pi", math.pi / 2: "pi/2", -math.pi: "-pi", -math.pi / 2: "-pi/2"}
+    return named.get(value) or shown(value)
+
+
+POSITIVE = Range(0.0, open_low=True)
+NOT_NEGATIVE = Range(0.0)
+FINITE = Range(-math.inf)
+
+
+def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
+    """``value`` as a float64 array of any shape, or an error that names the argument.
+
+    Texts, booleans, complex numbers, objects, ragged lists, masked values, units and named dimensions are a ParameterTypeError;
+    NaN, infinities and numbers out of range a ParameterError.
+    """
+    if type(value) is float and allowed.contains(value):  # most are
+        single: FloatArray = np.array(value)
+        single.setflags(write=False)
+        return single
+    _check_plain(name, value)
+    if isinstance(value, np.ma.MaskedArray):
+        if np.ma.is_masked(value):
+            raise ParameterTypeError(
+                f"{name} has {int(np.ma.getmaskarray(value).sum())} masked values, and a masked value has no equilibria; "
+                f"use {name}.compressed(), or {name}.filled(...) with a number"
+            )
+        value = value.data
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise ParameterTypeError(f"{name} is not an array of numbers ({error}); give one number or a regular array") from error
+    if array.dtype.kind not in "iuf":
+        raise ParameterTypeError(
+            f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, not {_kind(array)}"
+        )
+    array = array.astype(np.float64)
+    inside = allowed.inside(array)
+    if not inside.all():
+        index = tuple(int(i) for i in np.argwhere(~inside)[0]) if array.ndim else ()
+        place = f"{name}[{', '.join(map(str, index))}]" if index else name
+        more = int(np.count_nonzero(~inside)) - 1
+        raise ParameterError(
+            f"{place} = {shown(array[index].item())} is not in {allowed}"
+            + (f", nor are {more} more of its values" if more else "")
+            + (f": {allowed.remedy}" if allowed.remedy else "")
+        )
+    array.setflags(write=False)
+    return array
+
+
+def _check_plain(name: str, value: object) -> None:
+    """No units and no named dimensions, which an array would lose without a word."""
+    unit = str(getattr(value, "units", getattr(value, "unit", "")))
+    if unit not in ("", "dimensionless", "radian", "rad") and hasattr(value, "magnitude" if hasattr(value, "units") else "value"):
+        raise ParameterTypeError(
+            f"{name} is in {unit}, and units are not converted here; give its number in one system of units, angles in radians"
+        )
+    dimensions = getattr(value, "dims", ())
+    if dimensions and hasattr(value, "values"):
+        raise ParameterTypeError(
+            f"{name} has the dimensions {', '.join(map(str, dimensions))}, and arrays broadcast by their shapes here; give "
+            f"{name}.values, or xarray.broadcast(...) first"
+        )
+
+
+def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
+    """``value`` as one float; as :func:`as_numbers`, and an error for anything but a single number."""
+    array = as_numbers(name, value, allowed)
+    if array.ndim:
+        raise ParameterTypeError(f"{name} has the shape {array.shape}; one number is needed here")
+    return float(array)
+
+
+def as_count(name: str, value: object, least: int = 1) -> int:
+    """``value`` as an integer of at least so much."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+        raise ParameterError(f"{name} = {value!r} is not an integer of {least} or more")
+    return int(value)
+
+
+def _short(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _kind(array: NDArray[Any]) -> str:
+    return {"U": "text", "S": "bytes", "b": "booleans", "c": "complex numbers", "O": "objects or ragged lists"}.get(
+        array.dtype.kind, str(array.dtype)
+    )
+
+
+def degrees(angle: float) -> float:
+    """An angle in degrees: the shortest number that is the same in radians, so that what was given in degrees comes back.
+
+    Examples
+    --------
+    >>> math.degrees(math.radians(30.0)), degrees(math.radians(30.0))
+    (29.999999999999996, 30.0)
+    """
+    value = math.degrees(angle)
+    candidates = (float(f"{value:.{digits}g}") for digits in (14, 15, 16))
+    return next((candidate for candidate in candidates if math.radians(candidate) == angle), value)
+
+
+_C = TypeVar("_C")
+
+
+def named(cls: type[_C]) -> type[_C]:
+    """Make a dataclass suggest the name that was meant when it is given one that it does not have."""
+    made: Callable[..., None] = cls.__init__
+    known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
+
+    @functools.wraps(made)
+    def __init__(self: Any, *args: Any, **values: Any) -> None:
+        check_names(values, known)
+        made(self, *args, **values)
+
+    cls.__init__ = __init__  # type: ignore[method-assign]  # the same arguments
+    return cls
+
+
+def check_names(given: Iterable[str], known: Iterable[str]) -> None:
+    """Raise for a name that is not known, with the one that was meant."""
+    known = list(known)
+    for name in given:
+        if name not in known:
+            remark = hint(name, known) or f"; the parameters are {', '.join(known)}"
+            raise ParameterTypeError(f"{name} is not a parameter{remark}")
+
+
+def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The shape that named shapes broadcast to, or an error that lists them."""
+    try:
+        return np.broadcast_shapes(*given.values())
+    except ValueError as error:
+        listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
+        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+
+
+@dataclass(frozen=True, eq=False)
+class Values(Shown):
+    """Fields that are numbers, arrays that broadcast together, or None."""
+
+    @functools.cached_property
+    def shape(self) -> Shape:
+        """Common shape of all fields."""
+        known = {field.name: np.shape(getattr(self, field.name)) for field in fields(self)}
+        return common_shape(known) if any(known.values()) else ()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, type(self)) and not isinstance(self, type(other)):
+            return NotImplemented
+        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+
+    def __hash__(self) -> int:
+        return hash(tuple(getattr(self, field.name) for field in fields(self)))  # arrays do not hash
+
+
+@dataclass(frozen=True, eq=False)
+class ParameterSet(Values):
+    """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass has a field for each."""
+
+    #: Allowed values of each parameter, in the order in which functions take them.
+    ranges: ClassVar[Mapping[str, Range]] = {}
+    #: Parameters that may be left out, for functions that span them.
+    spanned: ClassVar[frozenset[str]] = frozenset()
+    #: Where a set with values for all of them comes from.
+    origin: ClassVar[str] = ""
+    #: What :func:`spragsym.load` takes for the model.
+    where: ClassVar[str] = ""
+    #: Whether the model is the one without closed forms.
+    searched: ClassVar[bool] = False
+    _model: ClassVar[Any] = None
+
+    def __post_init__(self) -> None:
+        self._set({name: getattr(self, name) for name in self.ranges})
+
+    def _set(self, values: Mapping[str, ArrayLike | None]) -> None:
+        """Keep values once they are seen to be allowed."""
+        for name, value in values.items():
+            if value is None and name not in self.spanned:
+                raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
+            self.__dict__[name] = None if value is None else as_numbers(name, value, self.ranges[name])
+        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    @property
+    def model(self) -> Any:
+        """The :class:`spragsym.Model` that they are parameters of."""
+        return type(self).model_of_class()
+
+    @classmethod
+    def model_of_class(cls) -> Any:
+        """The model of all sets of a class."""
+        if cls._model is None:  # a model is loaded when it is asked for, by a room that stands above this one
+            cls._model = importlib.import_module("spragsym.models").load(cls.where)
+        return cls._model
+
+    def of(self, model: Any) -> Self:
+        """The values as a set of ``model``: of the one without closed forms, ``model.search``, or of the one that has them."""
+        return self if model.Parameters is type(self) else self._copied(model.Parameters)
+
+    def _copied(self, kind: type[Self]) -> Self:
+        other = object.__new__(kind)
+        other.__dict__.update(
+            {name: value for name, value in self.__dict__.items() if name in self.ranges or name == "_followed"}
+        )
+        return other
+
+    @property
+    def followed(self) -> Mapping[str, float] | None:
+        """Coordinates near which the followed state begins; None for the reference state."""
+        return self.__dict__.get("_followed")
+
+    def following(self, **coordinates: float) -> Self:
+        """A copy whose followed state is the stable equilibrium nearest to these coordinates, in place of the reference state.
+
+        It holds for everything that follows a state: paths, jump values, margins, probabilities, certificates, redesigns.
+
+        Parameters
+        ----------
+        **coordinates : float
+            Some of the model's coordinates, angles in radians; the distance is taken in these.
+
+        Raises
+        ------
+        ParameterError
+            For a name that is no coordinate, or none at all.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> rod = ss.load("sprag_rod")
+        >>> p = rod.Parameters(theta0=0.6).following(phi=-0.5)
+        >>> ss.quasi_static_path(p, "mu0", [0.0, 0.2]).phi.round(4).tolist()
+        [-0.5638, -0.5727]
+        """
+        known = self.model.coordinates
+        if not coordinates or not set(coordinates) <= set(known):
+            raise ParameterError(f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(known)}")
+        other = self._copied(type(self))
+        other.__dict__["_followed"] = {name: as_number(name, value) for name, value in coordinates.items()}
+        return other
+
+    def replace(self, **changes: ArrayLike | None) -> Self:
+        """A copy with other values."""
+        check_names(changes, self.ranges)
+        other = self._copied(type(self))
+        other._set(changes)  # what stays as it is need not be looked at again
+        return other
+
+    def given(self, **changes: ArrayLike | None) -> Self:
+        """A copy with those values that are not None; itself if there are none."""
+        known = {name: value for name, value in changes.items() if value is not None}
+        return self.replace(**known) if known else self
+
+    def __eq__(self, other: object) -> bool:
+        same = super().__eq__(other)
+        return same if same is NotImplemented else bool(same) and self.followed == getattr(other, "followed", None)
+
+    __hash__ = Values.__hash__
+
+    def require(self, *names: str) -> None:
+        """Raise unless the named parameters are given."""
+        for name in names:
+            if getattr(self, name) is None:
+                raise ParameterError(f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)")
+
+    def scalars(self, *names: str) -> tuple[float, ...]:
+        """The named parameters as floats; an error if one is missing or an array."""
+        self.require(*names)
+        kept = ((name, getattr(self, name)) for name in names)  # each was seen to be allowed when it was given
+        return tuple(as_number(name, value) if value.ndim else value.item() for name, value in kept)
+
+    def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
+        """The named parameters, read-only, each of the common shape."""
+        self.require(*names)
+        return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _again, (self.where, self.searched, {name: getattr(self, name) for name in self.ranges}, self.followed)
+
+    def __repr__(self) -> str:
+        given = ((name, getattr(self, name)) for name in self.ranges)
+        text = f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+        chosen = ", ".join(f"{name}={value!r}" for name, value in (self.followed or {}).items())
+        return f"{text}.following({chosen})" if chosen else text
+
+
+def _again(where: str, searched: bool, values: dict[str, Any], followed: dict[str, float] | None) -> Any:
+    model = importlib.import_module("spragsym.models").load(where)
+    p = (model.search if searched else model).Parameters(**values)
+    return p if followed is None else p.following(**followed)
+
+
+def _plain(value: FloatArray) -> str:
+    return repr(value.item()) if value.ndim == 0 else f"array{value.shape}"
+
+
+def _equal(one: FloatArray | None, other: FloatArray | None) -> bool:
+    if one is None or other is None:
+        return one is other
+    return bool(np.array_equal(one, other))
+
+
+#: Names of the parameters of the balance of forces, in the order in which its closed forms take them.
+NAMES = PARAMETERS
+
+#: The article's base values (Section 3); its θ₀ is the control parameter.
+ARTICLE = BASE_VALUES
+
+#: Remedies for values out of range, where the range alone does not suggest one.
+_REMEDIES = {
+    "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
+    "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
+    "kappa": "without preload nothing presses the mass on the belt",
+    "sigma": "without the inclined spring there is no sprag",
+}
+
+
+def _range(name: str, remedy: str) -> Range:
+    quantity = QUANTITIES[name]
+    return Range(quantity.low, quantity.high, quantity.low_open and not math.isinf(quantity.low), remedy)
+
+
+#: The belt's speed and the steepness of the friction law (10) are for the motion only.
+RANGES = {name: _range(name, _REMEDIES.get(name, "")) for name in NAMES} | {
+    "V": Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"),
+    "d": Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction"),
+}
+
+
+@named
+@dataclass(frozen=True, eq=False, repr=False)
+class Parameters(ParameterSet):
+    """Dimensionless parameters of the article's model, scalars or arrays that broadcast together; base values where left out.
+
+    Parameters
+    ----------
+    theta0 : array_like, optional
+        Inclination θ₀ of the undeformed spring, radians, in (0, π). May be left out for functions that span it.
+    mu0 : array_like, default 0.5
+        Friction coefficient μ₀ ≥ 0. None for functions that span it.
+    kappa : array_like, default 0.007
+        Preload κ = F_L / (k_c L_0) > 0.
+    alpha, beta : array_like, default 0.007 and 0
+        Stiffness ratios α = k_x / k_c ≥ 0 and β = k_y / k_c ≥ 0.
+    sigma : array_like, default 0.1
+        Stiffness ratio σ = k / k_c > 0.
+    V : array_like, default 0.5
+        Belt speed over L_0 sqrt(k_c/m), V ≥ 0, for the motion. The article states none: the default is an assumption.
+    d : array_like, default 10
+        Steepness of the friction law (10), times L_0 sqrt(k_c/m), d > 0, for the motion. Likewise.
+
+    Raises
+    ------
+    ParameterError
+        For a value out of range, or shapes that do not broadcast.
+    ParameterTypeError
+        For anything but real numbers.
+
+    Notes
+    -----
+    Source: text after (9), with n = N / (k_c L_0) as derived. The balance of forces is that at full slip, (12), where friction is
+    μ₀ whatever V and d.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> p = Parameters.article(theta0=np.radians([30.0, 49.0]), mu0=0.7)
+    >>> p.shape
+    (2,)
+    >>> float(p.kappa)
+    0.007
+    """
+
+    ranges = RANGES
+    spanned = frozenset(("theta0", "mu0", "V", "d"))
+    origin = "Parameters.article(...)"
+    where = "kang_nam"
+
+    theta0: Any = None
+    mu0: Any = ARTICLE["mu0"]
+    kappa: Any = ARTICLE["kappa"]
+    alpha: Any = ARTICLE["alpha"]
+    sigma: Any = ARTICLE["sigma"]
+    beta: Any = ARTICLE["beta"]
+    V: Any = assumed.V
+    d: Any = assumed.D
+
+    @classmethod
+    def article(cls, **changes: ArrayLike | None) -> Self:
+        """The article's base values, μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0, with changes; V and d as assumed."""
+        return cls(**changes)
+
+
+@dataclass(frozen=True)
+class Scales(Shown):
+    """What one dimensionless unit is, in the units of the data, and of their shape: L_0, sqrt(m/k_c) and k_c L_0."""
+
+    length: Any
+    time: Any
+    force: Any
+
+
+@named
+@dataclass(frozen=True, eq=False)
+class PhysicalParameters(Values):
+    """The model in newtons, metres, kilograms and seconds, or any consistent system of units; scalars or arrays that broadcast.
+
+    Parameters
+    ----------
+    m : array_like
+        Mass.
+    k, k_x, k_y, k_c : array_like
+        Stiffness of the inclined spring, along the belt, across it, and of the contact.
+    F_L : array_like
+        Preload.
+    L_0 : array_like
+        Length of the undeformed inclined spring.
+    theta0 : array_like
+        Its inclination, radians, in (0, π).
+    mu0 : array_like
+        Friction coefficient.
+    V : array_like, optional
+        Belt speed.
+    d : array_like, optional
+        Steepness of the friction law in creep, per unit of speed.
+
+    Notes
+    -----
+    Source: text after (9). Lengths are measured in L_0, time in sqrt(m/k_c), forces in k_c L_0.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> brake = PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=radians(49), mu0=0.5, V=20)
+    >>> brake.dimensionless().replace(theta0=None)
+    Parameters(mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0.0, V=0.2529822128134704)
+    >>> brake.scales.force
+    50000.0
+    """
+
+    m: Any
+    k: Any
+    k_x: Any
+    k_y: Any
+    k_c: Any
+    F_L: Any
+    L_0: Any
+    theta0: Any
+    mu0: Any
+    V: Any = None
+    d: Any = None
+    of_model: ClassVar[type[ParameterSet]] = Parameters
+
+    def __post_init__(self) -> None:
+        for name, allowed in self.kind.ranges().items():
+            if getattr(self, name) is not None or name not in self.kind.of_the_law:
+                array = as_numbers(name, getattr(self, name), allowed)
+                object.__setattr__(self, name, array if array.ndim else float(array))
+        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    def __getattr__(self, name: str) -> Any:
+        # Every function of the model first asks its parameters for one of these.
+        if not name.startswith("_") and hasattr(Parameters, name):
+            raise NotDimensionlessError(
+                "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"
+            )
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{hint(name, dir(self))}")
+
+    @property
+    def kind(self) -> Quantities:
+        """The quantities of the article's model: units, ranges, and what they are without dimension."""
+        from .quantities import quantities
+
+        return quantities(Parameters.where)
+
+    @property
+    def known(self) -> dict[str, Any]:
+        """The quantities that were given, by name."""
+        return {name: value for name in self.kind.units if (value := getattr(self, name)) is not None}
+
+    @property
+    def scales(self) -> Scales:
+        """Scales of length, time and force: multiply a dimensionless result by its scale."""
+        return Scales(*(self.kind.scale(unit, self.known) for unit in ("m", "s", "N")))
+
+    def dimensionless(self) -> Parameters:
+        """The system as :class:`Parameters`; without V and d if these were not given."""
+        return Parameters(**{"V": None, "d": None} | self.kind.groups(self.known))

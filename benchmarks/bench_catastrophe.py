@@ -16,7 +16,7 @@ from scipy.optimize import fsolve
 import spragsym as ss
 from benchmarks.timing import best
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
-from spragsym.kang_nam.folds.fixed_parameters import Fixed
+from spragsym.kang_nam.kernel import Fixed
 
 BASE = ss.Parameters.article()
 _FIXED = Fixed(0.007, 0.007, 0.1, 0.0)

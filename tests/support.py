@@ -15,7 +15,7 @@ import pytest
 
 import spragsym as ss
 import spragsym.generated as generated_package
-from spragsym.kang_nam.folds import flutter_proofs
+from spragsym.kang_nam import flutter
 from spragsym.motion import integrators
 from spragsym.numerics import balls
 from tests.oracles.families import random_fixed
@@ -102,10 +102,10 @@ def _function(name: str) -> Callable[..., Any]:
     return next(getattr(module, name) for module in modules if name in module.__all__)
 
 
-def exact_onsets(*values: Fraction | int) -> list[flutter_proofs.Onset]:
+def exact_onsets(*values: Fraction | int) -> list[flutter.Onset]:
     """Onsets of flutter for exact mu0, kappa, alpha, sigma, beta."""
     with balls.precision(192):
-        return list(flutter_proofs.onsets(flutter_proofs.Elimination(*map(Fraction, values)), 192))
+        return list(flutter.onsets(flutter.Elimination(*map(Fraction, values)), 192))
 
 
 def middle_of(value: balls.Interval) -> float:

@@ -18,8 +18,8 @@ from ..bifurcation.flutter import flutter_onsets
 from ..bifurcation.folds import folds
 from ..bifurcation.paths import quasi_static_path
 from ..generated import equilibrium as _equilibrium
-from ..kang_nam.folds.flutter_points import flutter_boundary
-from ..kang_nam.folds.linear import linear_critical_friction, linear_sprag
+from ..kang_nam.flutter import flutter_boundary
+from ..kang_nam.steady_sliding import linear_critical_friction, linear_sprag
 from ..models.load import USUAL, load
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..motion import simulate

@@ -1,16 +1,19 @@
-"""Rows of the ledger of claims: what is stated, what was computed, and what has drifted from the record."""
+"""Rows of the ledger of claims: what is stated, what was computed, and what has drifted; and the referee's page of them."""
 
 import json
 import math
 import tomllib
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..assumed import D, V
 from ..errors import ConvergenceError
+from ..files.text import filled
 from ..progress import doing
 
 #: What a row may hold: numbers, words, or lists of them.
@@ -127,3 +130,33 @@ def _close(one: Any, other: Any, digits: int) -> bool:
     if isinstance(one, float) and isinstance(other, float):
         return abs(one - other) <= 1.01 * 10.0 ** (1 - digits) * 10.0 ** math.floor(math.log10(max(abs(other), 1.0)))
     return bool(one == other)
+
+
+#: Growth of the states at 30°, for the friction's own slope at V and d: μ₀, what (27) says, largest real part of λ.
+PARADOX = (
+    (0.5, "before the jump", "stable", -4.4e-6),
+    (0.5, "after the jump", "stable", 4.9e-6),
+    (0.8, "after the jump", "stable", 1.2e-5),
+)
+
+
+def page() -> str:
+    """The page, in Markdown: reproduction.md, filled in (extra ``plot``)."""
+    rows, claims = json.loads(package_text("ledger.json", "spragsym.generated"))["rows"], recorded()
+    forms = package_text("LEDGER.md", "spragsym.generated")
+
+    def both_forms(id: str) -> str:
+        """What is printed above what is derived, as the ledger's page shows the row."""
+        section = forms.partition(f"\n### {id}\n")[2]
+        return section[section.index("```math") :].partition("\n```\n")[0] + "\n```"
+
+    printed, stated = (Counter(row["status"] for row in those) for those in (rows, claims))
+    return filled(
+        "spragsym.article", "reproduction.md", "the report on the article", rows=rows, claims=claims, printed=printed,
+        stated=stated, measured=json.loads(package_text("measured.json")), paradox=PARADOX, V=V, d=f"{D:g}",
+        both_forms=both_forms, counts=_counts,
+    )  # fmt: skip
+
+
+def _counts(statuses: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {status}" for status, count in sorted(statuses.items()))

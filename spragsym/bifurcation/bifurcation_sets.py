@@ -99,7 +99,7 @@ def bifurcation_set(
     them, and ends of curves by :func:`spragsym.bifurcation.bifurcation_sets.extrema`: where all of these are known, no curve
     is missed, however small it is. Points between by :class:`FoldCurves`. Two points are neighbours
     only if no line separates them on which all folds are known.
-    Of the article's model: :mod:`spragsym.kang_nam.folds.bifurcation_sets`.
+    Of the article's model: :mod:`spragsym.kang_nam.bifurcation_sets`.
 
     Examples
     --------

@@ -88,7 +88,7 @@ def critical_friction(
     least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
     ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state
     along ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
-    Of the article's model: :mod:`spragsym.kang_nam.folds.lowest_fold`.
+    Of the article's model: :mod:`spragsym.kang_nam.lowest_fold`.
 
     Examples
     --------

@@ -53,7 +53,7 @@ def folds(
     Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the parameter moves the state across the
     fold and the fold is quadratic: otherwise their Jacobian would be singular. Pitchforks:
     :mod:`spragsym.bifurcation.singularities`. Of the article's model: f = f′ = 0, see
-    :mod:`spragsym.kang_nam.folds.fold_points`.
+    :mod:`spragsym.kang_nam.folds`.
 
     Examples
     --------
@@ -106,7 +106,7 @@ def cusps(
     Notes
     -----
     Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K. Of the article's model: f = f′ =
-    f″ = 0, one polynomial of degree 9 in sin θ, see :mod:`spragsym.kang_nam.folds.cusp_points`.
+    f″ = 0, one polynomial of degree 9 in sin θ, see :mod:`spragsym.kang_nam.cusps`.
 
     Examples
     --------

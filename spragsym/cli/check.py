@@ -64,7 +64,7 @@ def check(
     if model_name is not None:
         _check_model(model_name, json_output, only)
     elif report is not None:
-        from ..article.report import page
+        from ..article.ledger import page
 
         wrote = write({report: page()}, force)
         click.echo(f"wrote {report}" if wrote else f"{report} is as it should be", err=True)

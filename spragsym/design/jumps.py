@@ -84,7 +84,7 @@ def jump_value(
     from the reference state at the first value, see :mod:`spragsym.statics.reference_state`. What tubes don't decide is
     followed between all folds that are found by search, see :func:`spragsym.bifurcation.paths.first_end`; an end there
     may also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
-    :mod:`spragsym.kang_nam.jumps.jump_values`.
+    :mod:`spragsym.kang_nam.jump_values`.
 
     Examples
     --------

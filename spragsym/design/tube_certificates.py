@@ -258,7 +258,7 @@ def certify(
     points comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold
     crosses is halved; a box that touches the border of the claim can't be decided there. The other claims:
     :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine
-    arithmetic, see :mod:`spragsym.kang_nam.jumps.certificates`.
+    arithmetic, see :mod:`spragsym.kang_nam.certificates`.
 
     Examples
     --------

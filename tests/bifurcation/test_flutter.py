@@ -10,8 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.generated import stability
-from spragsym.kang_nam.folds import flutter_points
-from spragsym.kang_nam.quartic import kernel
+from spragsym.kang_nam import flutter, kernel
 from tests.oracles.families import random_fluttering
 from tests.support import exact_onsets, middle_of
 
@@ -50,7 +49,7 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
     ss.Parameters.article(mu0=6.0, alpha=1e-6), ss.Parameters.article(mu0=1.0, alpha=1.0),
 ])  # fmt: skip
 def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters) -> None:
-    found = flutter_points.flutter_onsets(p, damping=False)
+    found = flutter.flutter_onsets(p, damping=False)
     assert len(found) >= 1
     assert (found.mu0 == float(p.mu0)).all()
     with mpmath.workdps(110):

@@ -7,8 +7,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.kang_nam.jumps import cells
-from spragsym.kang_nam.jumps.cells import Boxes, Ground, Line, Verdict
+from spragsym.kang_nam import certificates
+from spragsym.kang_nam.certificates import Boxes, Ground, Line, Verdict
 from spragsym.models.parameters import NAMES
 from tests.support import as_fraction
 
@@ -44,7 +44,7 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
     high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
     begin = rng.choice([0.0, 0.25, 0.5], 20)
     end = begin + 0.25
-    ground = cells.at(boxes, low) if fixed else cells.over(boxes, low, high, begin, end)
+    ground = certificates.at(boxes, low) if fixed else certificates.over(boxes, low, high, begin, end)
     with mpmath.workprec(150):
         for k in range(20):
             for at in rng.choice([-1.0, 1.0, 0.0, 0.5], (6, n + 1)):
@@ -85,7 +85,7 @@ def test_every_direction_is_looked_at() -> None:
         reach = np.maximum(ground.c.radius(), ground.s.radius()) * 1.5 + 1e-9
         return Verdict(np.abs(angle - 0.3) > reach + 1e-4, (ground.c,))
 
-    assert cells.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
+    assert certificates.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
 
 
 # ------------------------------------------------------------------------------------------------------ certificates

@@ -13,10 +13,9 @@ from scipy.stats import truncnorm
 import spragsym as ss
 from spragsym.design import sampling
 from spragsym.design.design_space import space
-from spragsym.kang_nam.jumps import jump_values
-from spragsym.kang_nam.jumps.cells import Boxes
-from spragsym.kang_nam.jumps.claims import CLAIMS
-from spragsym.kang_nam.jumps.events import have_jumped
+from spragsym.kang_nam import jump_values
+from spragsym.kang_nam.certificates import CLAIMS, Boxes
+from spragsym.kang_nam.jump_values import have_jumped
 from spragsym.numerics import bernstein
 from spragsym.numerics.affine import Rounded
 from tests.oracles import families

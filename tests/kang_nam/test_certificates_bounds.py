@@ -12,7 +12,7 @@ from spragsym.derive.emit import language
 from spragsym.derive.kang_nam import bounds, library
 from spragsym.derive.kang_nam.catalogue import equilibrium, stability
 from spragsym.generated import kernel as emitted
-from spragsym.kang_nam.quartic import kernel
+from spragsym.kang_nam import kernel
 
 
 class Met:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from spragsym.generated import stability
-from spragsym.kang_nam.folds import flutter_proofs
+from spragsym.kang_nam import flutter
 from spragsym.kang_nam.quartic import adaptive_precision
 from spragsym.numerics import balls
 from spragsym.numerics.balls import Undecided
@@ -17,7 +17,7 @@ from tests.support import exact_onsets, middle_of, with_roots
 
 def test_multiple_roots_are_counted() -> None:
     """(v − 1/3)³ (v − 1/2)² (v − 3/4), in place of the polynomial of an elimination."""
-    elimination = flutter_proofs.Elimination(*map(Fraction, (1, 1, 1, 1, 0)))
+    elimination = flutter.Elimination(*map(Fraction, (1, 1, 1, 1, 0)))
     third, half, other = Fraction(1, 3), Fraction(1, 2), Fraction(3, 4)
     elimination.__dict__["full"] = primitive(with_roots(third, third, third, half, half, other))
     for bits in (1, 90):
@@ -28,7 +28,7 @@ def test_multiple_roots_are_counted() -> None:
 
 def test_directions_end_before_180_degrees() -> None:
     """Of v (2 v − 1)(v − 1) the roots 0 and 1/2: θ = π is no direction in contact."""
-    elimination = flutter_proofs.Elimination(*map(Fraction, (1, 1, 1, 1, 1)))
+    elimination = flutter.Elimination(*map(Fraction, (1, 1, 1, 1, 1)))
     vars(elimination)["simple"] = (0, 1, -3, 2)
     half, none = Fraction(1, 2), Fraction(0)
     assert [tuple(root) for root in elimination.roots(60)] == [(none, none), (half, half)]
@@ -42,14 +42,14 @@ def test_a_boundary_is_touched_at_an_even_root_of_one_length(monkeypatch: pytest
         zero = balls.between(Fraction(-1, 2**150), Fraction(1, 2**150))
     monkeypatch.setattr(stability, "flutter_crossing", lambda *_: (zero, zero))
     for multiplicity in (2, 4):
-        monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_, m=multiplicity: m)
+        monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_, m=multiplicity: m)
         assert {onset.side for onset in exact_onsets(*given)} == {0}
-    monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 3)
+    monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_: 3)
     with pytest.raises(Undecided, match="slope"):
         exact_onsets(*given)
-    monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 2)
-    plain = flutter_proofs._lengths
-    monkeypatch.setattr(flutter_proofs, "_lengths", lambda *given: [*plain(*given)] * 2)
+    monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_: 2)
+    plain = flutter._lengths
+    monkeypatch.setattr(flutter, "_lengths", lambda *given: [*plain(*given)] * 2)
     with pytest.raises(Undecided, match="slope"):
         exact_onsets(*given)
 
@@ -74,7 +74,7 @@ def test_a_crossing_is_one_whatever_the_multiplicity(monkeypatch: pytest.MonkeyP
     """Where the discriminant's slope is not 0 the boundary is crossed, though the polynomial has another factor there."""
     given = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0))
     sides = [onset.side for onset in exact_onsets(*given)]
-    monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 2)
+    monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_: 2)
     assert [onset.side for onset in exact_onsets(*given)] == sides
     assert set(sides) == {1, -1}
 
@@ -86,6 +86,6 @@ def test_a_root_that_may_be_at_the_edge_of_contact_is_undecided() -> None:
         quartic = tuple(map(balls.exact, with_roots(*roots)))
         edge = balls.between(-Fraction(1, 2**90), Fraction(1, 2**90))
         with pytest.raises(Undecided, match="y = 0"):
-            flutter_proofs.rank(quartic, balls.exact(roots[2]), edge, 150)
+            flutter.rank(quartic, balls.exact(roots[2]), edge, 150)
         for clear in (Fraction(-1, 2**90), Fraction(1, 2**100)):
-            assert flutter_proofs.rank(quartic, balls.exact(roots[2]), balls.exact(clear), 150) == (2, 3)
+            assert flutter.rank(quartic, balls.exact(roots[2]), balls.exact(clear), 150) == (2, 3)

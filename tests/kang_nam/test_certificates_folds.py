@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.folds import fold_proofs
-from spragsym.kang_nam.folds.fixed_parameters import Fixed
-from spragsym.kang_nam.folds.fold_events import directions, fold_polynomial
+from spragsym.kang_nam import folds
+from spragsym.kang_nam.bifurcation_sets import directions, fold_polynomial
+from spragsym.kang_nam.kernel import Fixed
 from spragsym.numerics import balls
 from spragsym.numerics.polynomials import on_circle
 from tests.support import few
@@ -73,7 +73,7 @@ def check_crossings(fixed: Fixed, *frictions: str) -> None:
     for mu0 in frictions:
         exact = dict(zip(("kappa", "alpha", "sigma", "beta"), map(Fraction, fixed), strict=True)) | {"mu0": Fraction(mu0)}
         with balls.precision(256):
-            points = [fold.point for fold in fold_proofs.folds("theta0", exact, 256)]
+            points = [fold.point for fold in folds.proved_folds("theta0", exact, 256)]
             angles = [sum(map(float, balls.ends(point.parameters[0]))) / 2 for point in points]
         proved = sorted(angle for angle in angles if 0 < angle < math.pi)
         crossed = _crossings(curves, float(mu0))

@@ -11,8 +11,8 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
-from spragsym.kang_nam.folds import cusp_proofs, fold_proofs
-from spragsym.kang_nam.folds.fold_enclosures import Angles, Point, SineRoot
+from spragsym.kang_nam import cusps, folds
+from spragsym.kang_nam.folds import Angles, Point, SineRoot
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
@@ -87,7 +87,7 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
         angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
         exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
         with balls.precision(300):
-            points = [fold.point for fold in fold_proofs.folds(vary, exact, 300)]
+            points = [fold.point for fold in folds.proved_folds(vary, exact, 300)]
             for point in points:
                 _check(point, 2, 30)
                 for name, value in zip(NAMES, point.parameters, strict=True):
@@ -112,7 +112,7 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
         angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
         exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
         with balls.precision(300):
-            found = list(fold_proofs.folds(vary, exact, 300))
+            found = list(folds.proved_folds(vary, exact, 300))
         for fold in found:
             value, theta = (float(sum(balls.ends(one)) / 2) for one in (fold.point.parameters[place], fold.point.theta))
             if not 1e-3 < value < (3 if vary == "theta0" else 1e3):
@@ -133,7 +133,7 @@ def test_cusps_are_enclosed_and_paired(alpha: str) -> None:
     stiffness, beta, *_ = [*map(Fraction, alpha.split()), Fraction(0)]
     exact = (Fraction(7, 1000), stiffness, Fraction(1, 10), beta)
     with balls.precision(300):
-        points = list(cusp_proofs.cusps(exact, 300))
+        points = list(cusps.proved_cusps(exact, 300))
         assert len(points) >= {"0.007": 4, "0": 2}.get(alpha, 1)
         seen = []
         for point in points:
@@ -144,7 +144,7 @@ def test_cusps_are_enclosed_and_paired(alpha: str) -> None:
             gaps = [max(map(abs, np.subtract(other, (-c, s, -c0, s0, -mu0)))) for other in seen]
             assert sum(gap < 1e-14 for gap in gaps) == 1
         if alpha != "0":
-            assert all(cusp_proofs.is_versal(point) for point in points)
+            assert all(cusps.is_versal(point) for point in points)
 
 
 @pytest.mark.parametrize("values", [
@@ -155,7 +155,7 @@ def test_cusps_are_enclosed_and_paired(alpha: str) -> None:
 def test_sines_of_cusps_are_all_real_roots_inside(values: list[Fraction]) -> None:
     """At sin θ = 1 and −1 as well, where α > 0 (the first two: there the polynomial is 0); against SymPy's count."""
     kappa, alpha, sigma, beta = values
-    polynomial, roots = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
+    polynomial, roots = cusps.cusp_sines(kappa, alpha, sigma, beta, bits=50)
     coefficients = [sp.Rational(value.numerator, value.denominator) for value in reversed(polynomial)]
     exact = sp.Poly(coefficients, sp.Symbol("s")).sqf_part()
     at_ends = [exact.eval(end) == 0 for end in (-1, 1)]
@@ -200,13 +200,13 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
 def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fraction) -> None:
     values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), beta)
     with balls.precision(300):
-        cusps = list(cusp_proofs.cusps(values, 300))
-        for point in cusps:
+        points = list(cusps.proved_cusps(values, 300))
+        for point in points:
             _, friction = (sum(balls.ends(one)) / 2 for one in point.parameters[:2])
             c, s = balls.cos_sin(point.theta / 2)
             t = s / c
             exact = dict(zip(NAMES, (Fraction(1), friction, *values), strict=True))
-            at = [polynomials.evaluate(tuple(map(balls.exact, one)), t) for one in fold_proofs._curvature(vary, exact)]
+            at = [polynomials.evaluate(tuple(map(balls.exact, one)), t) for one in folds._curvature(vary, exact)]
             sizes = [abs(float(sum(balls.ends(one)) / 2)) for one in at]
             if vary in ("alpha", "beta"):  # μ₀ (3 s² − 2) and s c, times (1 + t²)²
                 c, s = balls.cos_sin(point.theta)
@@ -216,7 +216,7 @@ def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fract
             else:
                 assert sizes[0] < 1e-60
                 moved = exact | {"mu0": friction + Fraction(1, 100)}
-                (other,) = fold_proofs._curvature(vary, moved)
+                (other,) = folds._curvature(vary, moved)
                 assert abs(float(sum(balls.ends(polynomials.evaluate(tuple(map(balls.exact, other)), t))))) > 1e-4
 
 
@@ -225,11 +225,11 @@ def test_kinds_of_double_roots() -> None:
     exact = dict(zip(NAMES, map(Fraction, (1.1, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
     with balls.precision(300):
         uppers = set()
-        for fold in (fold for vary in ("theta0", "mu0") for fold in fold_proofs.folds(vary, exact, 300)):
+        for fold in (fold for vary in ("theta0", "mu0") for fold in folds.proved_folds(vary, exact, 300)):
             angles = Angles(*balls.cos_sin(fold.point.theta), *balls.cos_sin(fold.point.parameters[0]))
             for flat in (False, True):
-                direction = fold_proofs._Direction(angles.s / (1 + angles.c), 2, flat)
-                found = fold_proofs._classified("theta0", fold.point, angles, direction)
+                direction = folds._Direction(angles.s / (1 + angles.c), 2, flat)
+                found = folds._classified("theta0", fold.point, angles, direction)
                 assert (found.kind, found.side, found.upper) == (("cusp", 0, False) if flat else ("touch", 0, fold.upper))
             uppers.add(fold.upper)
     assert uppers == {False, True}
@@ -246,7 +246,7 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
     assert sigma * (1 - s) > kappa
     exact = {"mu0": mu0, "kappa": kappa, "alpha": Fraction(0), "sigma": sigma, "beta": Fraction(0)}
     with balls.precision(300):
-        found = [sum(balls.ends(fold.point.parameters[0])) / 2 for fold in fold_proofs.folds("theta0", exact, 300)]
+        found = [sum(balls.ends(fold.point.parameters[0])) / 2 for fold in folds.proved_folds("theta0", exact, 300)]
     assert all(abs(float(angle) - math.pi / 2) > 1e-6 for angle in found)
     grid = np.linspace(1e-3, math.pi - 1e-3, 3001)
     fixed = {name: float(value) for name, value in exact.items()}
@@ -257,7 +257,7 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
 def test_too_few_bits_find_no_folds_and_deny_none(vary: str) -> None:
     exact = dict(zip(NAMES, map(Fraction, (0.7, 0.5, 0.007, 0.007, 0.1, 0.25)), strict=True))
     with balls.precision(6), pytest.raises(Undecided):
-        list(fold_proofs.folds(vary, exact, 6))
+        list(folds.proved_folds(vary, exact, 6))
 
 
 def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -268,26 +268,26 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
         def polynomial(_: str, c0: Fraction, s0: Fraction, *__: Any) -> Any:
             return polynomials.interpolate(lambda t: of(s0 / (1 + c0), t), 6, Fraction)
 
-        monkeypatch.setattr(fold_proofs, "_eliminated", polynomial)
+        monkeypatch.setattr(folds, "_eliminated", polynomial)
 
     for zeros in ((1, 5), (2, 3), (3,), (1, 2, 4), (2, 4, 5)):
         eliminated(lambda v, t, zeros=zeros: math.prod(7 * v - zero for zero in zeros) * (t * t - 2))
-        assert fold_proofs._independent_of_theta0("kappa", exact) in ((-2, 0, 1), (2, 0, -1))
+        assert folds._independent_of_theta0("kappa", exact) in ((-2, 0, 1), (2, 0, -1))
     for of in (lambda v, t: t * t - v, lambda v, t: (7 * v - 5) * t + (7 * v - 1) * (7 * v - 2) * (7 * v - 3) * (7 * v - 4)):
         eliminated(of)
-        assert fold_proofs._independent_of_theta0("kappa", exact) is None
+        assert folds._independent_of_theta0("kappa", exact) is None
     eliminated(lambda v, t: Fraction(0))
-    monkeypatch.setattr(fold_proofs, "_lines_meet", lambda *_: False)
-    assert fold_proofs._independent_of_theta0("kappa", exact) == ()
-    monkeypatch.setattr(fold_proofs, "_lines_meet", lambda *_: True)
+    monkeypatch.setattr(folds, "_lines_meet", lambda *_: False)
+    assert folds._independent_of_theta0("kappa", exact) == ()
+    monkeypatch.setattr(folds, "_lines_meet", lambda *_: True)
     with pytest.raises(ss.ConvergenceError, match="not isolated"):
-        fold_proofs._independent_of_theta0("kappa", exact)
+        folds._independent_of_theta0("kappa", exact)
 
 
 def test_a_pitchfork_has_no_upper_pair() -> None:
     exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (0, "1/10", 0, 1, 0))), strict=True))
     with balls.precision(200):
-        found = [fold for vary in ("theta0", "kappa", "sigma") for fold in fold_proofs.folds(vary, exact, 200)]
+        found = [fold for vary in ("theta0", "kappa", "sigma") for fold in folds.proved_folds(vary, exact, 200)]
     forks = [fold for fold in found if fold.kind == "pitchfork"]
     assert forks
     assert not any(fold.upper for fold in forks)
@@ -295,12 +295,12 @@ def test_a_pitchfork_has_no_upper_pair() -> None:
 
 def test_what_is_not_isolated_along_theta0_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where all of the eliminated polynomial vanishes: no fold for μ₀ = 0 and α = 1 + β, else no answer."""
-    monkeypatch.setattr(fold_proofs, "in_t", lambda *_: lambda t: Fraction(0))
+    monkeypatch.setattr(folds, "in_t", lambda *_: lambda t: Fraction(0))
     for mu0, alpha, none in ((0, "3/2", True), (1, "3/2", False), (0, "1/2", False), (0, 1, False)):
         exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (mu0, "1/10", alpha, 1, "1/2"))), strict=True))
         with balls.precision(200):
             if none:
-                assert list(fold_proofs.folds("theta0", exact, 200)) == []
+                assert list(folds.proved_folds("theta0", exact, 200)) == []
                 continue
             with pytest.raises(ss.ConvergenceError, match="not isolated"):
-                list(fold_proofs.folds("theta0", exact, 200))
+                list(folds.proved_folds("theta0", exact, 200))

@@ -8,7 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.derive.kang_nam import lowest_fold as derived
-from spragsym.kang_nam.folds.fixed_parameters import FIXED
+from spragsym.kang_nam.kernel import FIXED
 from tests.oracles import lowest_fold
 from tests.oracles.families import random_fixed
 

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.folds.fixed_parameters import FIXED
+from spragsym.kang_nam.kernel import FIXED
 
 #: Angles of the first scan, of each refinement about its least value, and how many of those there are.
 COARSE, FINE, TIMES = 160, 13, 3

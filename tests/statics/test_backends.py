@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.quartic import adaptive_precision, backends, block, compiled
+from spragsym.kang_nam.quartic import adaptive_precision, block, compiled, solver
 from tests.oracles.families import EXTREMES, FAMILIES
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
@@ -64,7 +64,7 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
 
 def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "available", lambda: False)
-    assert backends.chosen() == (block, 1)
+    assert solver.chosen() == (block, 1)
     with pytest.raises(ss.BackendError, match="install spragsym again, with a compiler"):
         ss.set_backend("compiled")
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.folds import fold_proofs
-from spragsym.kang_nam.quartic import adaptive_precision, kernel
+from spragsym.kang_nam import folds, kernel
+from spragsym.kang_nam.quartic import adaptive_precision
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls
 from spragsym.numerics.balls import Undecided
@@ -89,7 +89,7 @@ def test_a_fold_stands_in_two_slots_within_its_error() -> None:
     with balls.precision(600):
         points = [
             [_middle(value) for value in (point.parameters[0], point.theta, point.L, point.x, point.y)]
-            for point in (fold.point for fold in fold_proofs.folds("theta0", fixed, 600))
+            for point in (fold.point for fold in folds.proved_folds("theta0", fixed, 600))
         ]
     assert len(points) == 2
     for theta0, *true in points:
@@ -120,10 +120,10 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int) -> None:
     """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
     fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)}
     with balls.precision(600):
-        folds = sorted(_middle(fold.point.parameters[0]) for fold in fold_proofs.folds("theta0", fixed, 600))
-    assert len(folds) == 2
-    for fold, side in zip(folds, (1, -1), strict=True):
-        outside, inside = fold + side * Fraction(1, 10**power), fold - side * Fraction(1, 10**power)
+        places = sorted(_middle(fold.point.parameters[0]) for fold in folds.proved_folds("theta0", fixed, 600))
+    assert len(places) == 2
+    for place, side in zip(places, (1, -1), strict=True):
+        outside, inside = place + side * Fraction(1, 10**power), place - side * Fraction(1, 10**power)
         counts = []
         for theta0 in (outside, inside):
             for digits in (17, 60):

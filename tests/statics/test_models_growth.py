@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.article.report import PARADOX
+from spragsym.article.ledger import PARADOX
 from spragsym.cli import cli
 from spragsym.results.equilibria import Stability
 from tests.bifurcation.test_maps_of_onsets import ZIEGLER

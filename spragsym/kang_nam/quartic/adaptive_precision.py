@@ -6,21 +6,30 @@ bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is repo
 """
 
 import itertools
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from ...errors import ConvergenceError
+from ...models.parameters import Parameters
 from ...numerics import balls
 from ...numerics.balls import Interval, Undecided, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
 from ...results.equilibria import Stability
-from ...results.precise_states import PreciseEquilibrium
-from . import kernel
+from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
+from .. import kernel
 
 #: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the
 #: others, so is what decides. Bits at which a discriminant that holds 0 is taken for a fold: the latter, and as many again for
 #: each power of two between the parameters, since the discriminant is of the sixth degree in coefficients of theirs.
 FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
+
+
+def precise_equilibria(_p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int) -> PreciseEquilibria:
+    """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
+    given = [exact[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")]
+    found = equilibria(*given, contact=contact, digits=digits)
+    return PreciseEquilibria(found.states, True, {})
 
 
 class Settled(NamedTuple):

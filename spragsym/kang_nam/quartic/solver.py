@@ -6,12 +6,13 @@ import math
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ConvergenceError
+from ...errors import BackendError, ConvergenceError, ParameterError
 from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
@@ -19,7 +20,7 @@ from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...results.state_columns import COLUMNS, Columns, Slots, empty
 from ...statics.states import Linearizing
-from . import backends
+from . import block, compiled
 
 if TYPE_CHECKING:
     from .adaptive_precision import Settled
@@ -90,7 +91,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         raise NotInClosedForm  # the general algorithm says what contact may be
     p.require("theta0", "mu0")
     out = Slots(math.prod(p.shape), 3 if contact else 4)
-    backend, threads = backends.chosen()
+    backend, threads = chosen()
     unsettled = _in_blocks(
         p, threads, backend.A_THREAD, lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size)
     )
@@ -133,7 +134,7 @@ def count(p: Parameters) -> Int8Array:
     positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
     """
     p.require("theta0", "mu0")
-    backend, threads = backends.chosen()
+    backend, threads = chosen()
     blocks = _in_blocks(p, threads, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size))
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
@@ -226,7 +227,7 @@ def _solve_widely(
     given: list[FloatArray], contact: bool, out: Slots, rows: IntArray
 ) -> IntArray:  # fmt: skip
     """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
-    backend, _ = backends.chosen()
+    backend, _ = chosen()
     again = Slots(rows.size, out.slots)
     left = []
     for begin in range(0, rows.size, WIDE_BLOCK):
@@ -256,3 +257,70 @@ def _log10(value: Any) -> float:
     """The logarithm of an mpf, of any size."""
     _, mantissa, exponent, _ = value._mpf_
     return math.log10(mantissa) + int(exponent) * math.log10(2)
+
+
+@dataclass
+class _Choice:
+    name: str = "auto"
+    threads: int = 1
+
+
+_choice = _Choice()
+
+
+def set_backend(name: str, threads: int = 1) -> None:
+    """Choose how :func:`spragsym.equilibria` solves points; counts are the same, and digits within the bounds.
+
+    Parameters
+    ----------
+    name : {"auto", "numpy", "compiled"}
+        ``"auto"``, the default, takes the compiled solver where a C compiler was at hand on installation, as in the wheels, and
+        NumPy otherwise.
+    threads : int
+        Threads that solve blocks of points; results do not depend on it.
+
+    Raises
+    ------
+    ParameterError
+        For another name or a number of threads below 1.
+    BackendError
+        For ``"compiled"`` where it was not built.
+
+    Examples
+    --------
+    >>> set_backend("numpy")
+    >>> get_backend()
+    'numpy'
+    >>> set_backend("auto")
+    """
+    if name not in ("auto", "numpy", "compiled"):
+        raise ParameterError(f"backend = {name!r} is not one of 'auto', 'numpy' and 'compiled'")
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise ParameterError(f"threads = {threads!r} is not a number of threads; give an integer of 1 or more")
+    if name == "compiled" and not compiled.available():
+        raise BackendError(
+            "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+            "install spragsym again, with a compiler, or install a wheel"
+        )
+    _choice.name, _choice.threads = name, threads
+
+
+def get_backend() -> str:
+    """The name of the backend that :func:`set_backend` has set; ``"auto"`` by default.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> get_backend() in ("auto", "numpy", "compiled")
+    True
+    """
+    return _choice.name
+
+
+def chosen() -> tuple[ModuleType, int]:
+    """What solves points, and its threads."""
+    name = ("compiled" if compiled.available() else "numpy") if _choice.name == "auto" else _choice.name
+    return (compiled if name == "compiled" else block), _choice.threads

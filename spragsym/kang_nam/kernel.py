@@ -2,13 +2,13 @@
 
 import inspect
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
-from ...generated import catastrophe as _catastrophe
-from ...generated import equilibrium as _equilibrium
-from ...generated import stability as _stability
-from ...generated.kernel import depressed as depressed
-from ...models.parameters import NAMES
+from ..generated import catastrophe as _catastrophe
+from ..generated import equilibrium as _equilibrium
+from ..generated import stability as _stability
+from ..generated.kernel import depressed as depressed
+from ..models.parameters import NAMES
 
 f_coefficients = inspect.unwrap(_equilibrium.f_coefficients)
 resolvent = inspect.unwrap(_equilibrium.resolvent)
@@ -42,3 +42,16 @@ def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
     *_, e3, e4 = t_quartic(*trig)
     g = 2 * t + e3 / e4
     return (sqrt(g * g + 4 / (t * t)) - g) / 2
+
+
+class Fixed(NamedTuple):
+    """κ, α, σ and β."""
+
+    kappa: float
+    alpha: float
+    sigma: float
+    beta: float
+
+
+#: Their names.
+FIXED = Fixed._fields

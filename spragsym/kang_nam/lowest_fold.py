@@ -7,17 +7,17 @@ from functools import partial
 
 import numpy as np
 
-from ...generated import catastrophe as _catastrophe
-from ...models.parameters import Parameters
-from ...numerics import balls, polynomials
-from ...numerics.balls import Interval, as_floats, decided, sign_or_zero, with_enough_bits
-from ...numerics.polynomials import on_circle, roots_on_the_line
-from ...questions import NotInClosedForm
-from ...results.paths import LowestEnd
-from ..quartic import kernel
-from . import cusp_proofs
-from .fixed_parameters import FIXED
-from .fold_enclosures import Angles, Point, SineRoot, in_contact
+from ..generated import catastrophe as _catastrophe
+from ..models.parameters import Parameters
+from ..numerics import balls, polynomials
+from ..numerics.balls import Interval, as_floats, decided, sign_or_zero, with_enough_bits
+from ..numerics.polynomials import on_circle, roots_on_the_line
+from ..questions import NotInClosedForm
+from ..results.paths import LowestEnd
+from . import kernel
+from .cusps import proved_cusps
+from .folds import Angles, Point, SineRoot, in_contact
+from .kernel import FIXED
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
 _DEGREE, _CURVATURE_DEGREE = 6, 9
@@ -68,7 +68,7 @@ def _lowest(*values: float) -> tuple[float, float, str, float]:
 
 
 def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Point, str]]:
-    for point in cusp_proofs.cusps(exact, bits):
+    for point in proved_cusps(exact, bits):
         if _leans_forward(point.parameters[0]) and not _negative(point.parameters[1]):
             yield point, "cusp"
     yield from ((point, "turn") for point in turning_points(exact, bits))

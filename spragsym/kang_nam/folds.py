@@ -1,23 +1,110 @@
-"""Folds of exactly given parameters, with a proof that there are no more: real-root counting, no starting points.
+"""All folds along one parameter, proved complete: real-root counting, no starting points.
 
 On a fold f and f′ are 0, which are linear in every parameter but θ₀, so that eliminating the one that varies leaves a polynomial
 in t = tan(θ/2) (derived: ``fold_sextic``). Descartes' rule isolates its real roots, exactly over rationals, and with intervals
 where cos θ₀ and sin θ₀ enter.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple, TypeAlias, TypeVar
 
-from ...errors import ConvergenceError
-from ...generated import catastrophe as _catastrophe
-from ...models.parameters import NAMES
-from ...numerics import balls, polynomials
-from ...numerics.balls import Interval, Undecided, atan2, decided, sign, sign_or_zero
-from ...numerics.polynomials import ChartRoot, in_t, on_circle, roots_on_the_line
-from ..quartic import kernel
-from .fold_enclosures import Angles, Point, in_contact
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..generated import catastrophe as _catastrophe
+from ..models.parameters import NAMES, RANGES, Parameters
+from ..numerics import balls, polynomials
+from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, sign_or_zero, with_enough_bits
+from ..numerics.polynomials import ChartRoot, in_t, on_circle, roots_on_the_line
+from ..questions import NotInClosedForm
+from ..results.points import Ended, Points, in_closed_form
+from . import kernel
+
+PointsT = TypeVar("PointsT", bound=Points)
+
+#: Names of what says where a state is.
+STATE = ("theta", "L", "x", "y")
+
+
+def folds(
+    p: Parameters,
+    vary: str | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+) -> Points:
+    """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
+
+    All kinds but ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α = 0.
+
+    Notes
+    -----
+    Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
+    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule. A multiple root, which belongs to
+    the other kinds, is found by exact algebra.
+    """
+    vary = vary or "theta0"
+    if vary not in NAMES:
+        raise NotInClosedForm
+    found = _rows(p, vary)
+    names = (*NAMES, *STATE, "error", *(f"{name}_after" for name in STATE))
+    numbers: Any = np.array([each for each, _ in found], dtype=float).reshape(-1, len(names)).T.copy()
+    kind, ends, when = np.array([words for _, words in found], dtype=np.str_).reshape(-1, 3).T.copy()
+    values = dict(zip(names, numbers, strict=True))
+    ended = Ended(ends, when, {name: values.pop(f"{name}_after") for name in STATE})
+    every = Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended))
+    return in_ranges(every, between)
+
+
+def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None) -> PointsT:
+    """Points in the ranges of what varies, if ranges are given."""
+    if between is None:
+        return found
+    from ..bifurcation.defining_systems import ranges  # which loads the search
+
+    return found.between(ranges(found.parameters.model, found.vary, between))
+
+
+#: All numbers of a fold, its kind, which state ends there and which way the parameter goes then.
+Row: TypeAlias = tuple[tuple[float, ...], tuple[str, str, str]]
+
+
+def _rows(p: Parameters, vary: str) -> list[Row]:
+    """Numbers of parameters, the state, its error, and the state that is left, NaN where there is none; sorted by ``vary``."""
+    fixed = [name for name in NAMES if name != vary]
+    exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
+    allowed, place = RANGES[vary], NAMES.index(vary)
+
+    def attempt(bits: int) -> list[Row]:
+        found = []
+        for fold in proved_folds(vary, exact, bits):
+            value = fold.point.parameters[place]
+            row = _row(fold, value) if decided(value, f"{vary} = 0 on a fold") > 0 else None
+            if row and row[0][place] < allowed.high:
+                found.append((balls.ends(value), row))
+        found.sort(key=lambda one: one[0][0])
+        # No two folds share a value: f has at most three positive roots, too few for two double roots.
+        if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
+            raise Undecided("the order of two folds")
+        return [row for _, row in found]
+
+    return with_enough_bits(20, attempt, "folds")
+
+
+def _row(fold: Fold, value: Interval) -> Row:
+    *numbers, error = fold.point.row()
+    after, off = as_floats(fold.after) if fold.after else ([math.nan] * 4, 0.0)
+    low, high = balls.ends(value)
+    if high - low > abs(low) / 10**25:
+        raise Undecided("a fold to 25 digits")
+    words = ("upper" if fold.upper else "lower", "up" if fold.side < 0 else "down") if fold.kind == "fold" else ("", "")
+    return (*numbers, max(error, off), *after), (fold.kind, *words)
+
 
 #: Degree in t of the eliminated fold condition: two cubics in cos θ, sin θ where θ₀ varies, half of that otherwise.
 _DEGREE_IN_THETA0, _DEGREE = 12, 6
@@ -60,7 +147,7 @@ class _Direction:
         return sign_or_zero(value, what, vanishes)
 
 
-def folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
+def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     """Every fold in contact with L > 0 along one parameter, the others given exactly; 0 < θ, θ₀ < π, where contact is."""
     if vary == "theta0":
         yield from _folds_in_theta0(exact, bits)
@@ -249,3 +336,56 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             angles = Angles(c, s, c0, s0)
             for point in in_contact(angles, values[0], values[1:]):
                 yield _classified("theta0", point, angles, direction)
+
+
+class Angles(NamedTuple):
+    """cos θ, sin θ, cos θ₀ and sin θ₀."""
+
+    c: Interval
+    s: Interval
+    c0: Interval
+    s0: Interval
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point of the surface with f = f′ = 0, in intervals: parameters in the order of ``NAMES``, direction and state."""
+
+    parameters: tuple[Interval, ...]
+    theta: Interval
+    L: Interval
+    x: Interval
+    y: Interval
+
+    def row(self) -> tuple[float, ...]:
+        """Middles as floats, and the largest error, the rounding to float included."""
+        values, error = as_floats((*self.parameters, self.theta, self.L, self.x, self.y))
+        return (*values, error)
+
+
+@dataclass(frozen=True)
+class SineRoot:
+    """sin θ of a point: an interval (low, high] around one root of an exact polynomial, or low = high."""
+
+    polynomial: polynomials.Polynomial
+    low: Fraction
+    high: Fraction
+
+    def sign_of(self, value: Interval, numerator: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
+        """The sign of an interval; 0 where what it encloses, a function of sin θ known by its numerator, is 0 exactly."""
+
+        def vanishes() -> bool:
+            if self.low == self.high:
+                return numerator(self.low) == 0
+            other = polynomials.interpolate(numerator, degree, Fraction)
+            return polynomials.has_root(polynomials.common_divisor(self.polynomial, other), self.low, self.high)
+
+        return sign_or_zero(value, what, vanishes)
+
+
+def in_contact(angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> Iterator[Point]:
+    """The point at κ, α, σ, β with its state, if it is in contact with L > 0."""
+    kappa, _, sigma, beta = values
+    L, x, y = kernel.state(*angles, kappa, sigma, beta, 1)
+    if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
+        yield Point((atan2(angles.s0, angles.c0), mu0, *values), atan2(angles.s, angles.c), L, x, y)

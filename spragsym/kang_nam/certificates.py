@@ -1,20 +1,95 @@
-"""Claims over a box of parameters: for each a proof for many boxes, and a search for counterexamples."""
+"""Claims about every point of a box of parameters, and of units of measure that have tolerances too, by closed forms.
+
+For each claim there is a proof for many boxes, over every direction of the spring, which are cut into cells until decided; and a
+search for counterexamples.
+"""
+
+from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...bifurcation.paths import first_end
-from ...generated import catastrophe as _catastrophe
-from ...models.parameters import NAMES, FloatArray, Parameters
-from ...numerics.affine import Affine
-from ...numerics.interval_arrays import BoolArray
-from ...results.equilibria import Stability
-from ..quartic import kernel
-from ..quartic.solver import count, equilibria
-from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
-from .jump_values import first_jumps, point_at, small
+from ..bifurcation.paths import first_end
+from ..bifurcation.tubes import ByColumn
+from ..design.certificates import Claim, Held, corner_values
+from ..errors import ParameterError
+from ..generated import catastrophe as _catastrophe
+from ..models.parameters import NAMES, FloatArray, Parameters
+from ..models.quantities import Unit, checked_units
+from ..numerics.affine import Affine, cosine_and_sine, sides
+from ..numerics.interval_arrays import BoolArray
+from ..questions import NotInClosedForm
+from ..results.equilibria import Stability
+from . import kernel
+from .jump_values import first_jumps, point_at, require_usual, small
+from .quartic.solver import count, equilibria
+
+
+def claims(
+    low: Parameters, high: Parameters, claim: str, *, vary: str | None = None, begin: float | None = None,
+    units: Mapping[str, Unit] | None = None,
+) -> Claim:  # fmt: skip
+    """The closed form of :func:`spragsym.design.tube_certificates.claims`, for friction that rises.
+
+    Notes
+    -----
+    Source: f, f′ and the eigenvalues of K over boxes, in affine arithmetic with every rounding bounded. A box that touches the
+    border of the claim, a fold or an onset of flutter, can't be decided there.
+    """
+    require_usual(low, "mu0", begin)
+    if claim not in CLAIMS or not (vary is None or (vary == "mu0" and claim == "no jump")):
+        raise NotInClosedForm
+    return _Closed(low, high, claim, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
+
+
+class _Closed(Claim):
+    """One of the claims of :data:`CLAIMS`."""
+
+    batch, most, corners = 2048, 20_000, 512
+    whole: Boxes
+
+    def __init__(self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]) -> None:
+        self.prove, self.false = CLAIMS[claim]
+        matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(NAMES)}
+        self.sides = (*NAMES, *matter)
+        powers: dict[str, list[tuple[int, int]]] = {name: [] for name in NAMES}
+        for side, unit in enumerate(matter.values(), len(NAMES)):
+            for name in (one for one in NAMES if one in unit.powers):
+                powers[name].append((side, _whole_number(name, unit.powers[name])))
+        ends = [
+            np.array([*end, *(getattr(unit, what) for unit in matter.values())])[:, None]
+            for end, what in zip(corner_values(NAMES, low, high), ("low", "high"), strict=True)
+        ]
+        if claim == "no jump":  # what goes on to the largest friction goes on to every other
+            ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
+        kept = {name: tuple(found) for name, found in powers.items() if found}
+        self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), kept)
+
+    def settled(self, parts: Boxes, sharp: bool = False) -> tuple[Boxes, FloatArray]:
+        holds, weight = self.prove(parts)
+        width = parts.high - parts.low
+        known = ((width > 0) & (weight > 0)).any(axis=0)
+        # The widest where none is known to matter.
+        return replace(parts, holds=holds), np.where(known, weight, width / np.maximum(parts.high, 1e-300))
+
+    def point(self, values: FloatArray) -> Parameters:
+        return Parameters(**self.whole.parameters(values))
+
+    def refuted(self, points: FloatArray) -> Parameters | None:
+        fails = np.flatnonzero(self.false(self.point(points)))
+        return self.point(points[:, fails[0]]) if fails.size else None
+
+
+def _whole_number(name: str, power: float) -> int:
+    if int(power) != power or name == "mu0":
+        raise ParameterError(f"units: {name} has the power {power:g} of one; closed forms take whole numbers, and none for mu0; "
+                             "method='search' takes others")  # fmt: skip
+    return int(power)
+
 
 _MU0 = NAMES.index("mu0")
 #: A little more than π, beyond which no direction is in contact.
@@ -214,3 +289,131 @@ CLAIMS: dict[str, tuple[Callable[[Boxes], tuple[BoolArray, FloatArray]], Callabl
     "one equilibrium": (_one_equilibrium, lambda p: count(p) == 3),
     "no flutter": (_no_flutter, lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1)),
 }
+
+
+#: Cells of a box to begin with, how often one is halved in any case, and at most.
+_CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
+#: Open cells with which a box is given up.
+_OPEN = 64
+#: A box is given up where the spread of an open quantity comes from its own sides: the direction adds less than this share.
+_SHARE = 0.25
+
+
+@dataclass(frozen=True)
+class Boxes(Held):
+    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over their base values.
+
+    ``powers`` are, for each parameter that depends on units, the sides that these are, and the power of each.
+    """
+
+    powers: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
+
+    def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
+        """Parameters by name from one value of each side, of any number type."""
+        sides = list(sides)
+        found = dict(zip(NAMES, sides, strict=False))
+        for name, factors in self.powers.items():
+            for side, power in factors:
+                found[name] = found[name] * sides[side] ** power if power > 0 else found[name] / sides[side] ** -power
+        return found
+
+    def middle(self) -> dict[str, FloatArray]:
+        """Their middles, by parameter."""
+        return self.parameters(0.5 * (self.low + self.high))
+
+    def change(self, changes: Mapping[str, FloatArray], term: Callable[[FloatArray], FloatArray] = np.positive) -> FloatArray:
+        """What half of each side changes, from derivatives by each parameter: a unit changes all that depend on it.
+
+        With ``np.abs`` for a ``term`` the value if nothing cancelled.
+        """
+        moved = self.parameters(sides(self.low, self.high))
+        return np.asarray(sum(term(changes[name] * moved[name].terms) for name in NAMES))
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What a claim is tested with: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells or at one θ of each box."""
+
+    c: Affine
+    s: Affine
+    c0: Affine
+    s0: Affine
+    parameters: dict[str, Affine]
+
+    def others(self) -> list[Affine]:
+        """The parameters but θ₀, in order."""
+        return [self.parameters[name] for name in NAMES[1:]]
+
+
+@dataclass(frozen=True)
+class Line(ByColumn):
+    """A direction of the spring for each box that changes linearly over it: ``value`` in its middle, ``slopes`` to its sides."""
+
+    value: FloatArray
+    slopes: FloatArray
+
+    def reach(self) -> FloatArray:
+        """How far it goes from its value."""
+        return np.asarray(np.abs(self.slopes).sum(axis=0))
+
+    def where(self, mine: BoolArray, other: Line) -> Line:
+        """This one for some boxes, another for the rest."""
+        return Line(np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes))
+
+
+def constant(value: float, boxes: Boxes) -> Line:
+    """One direction for all boxes."""
+    return Line(np.full(len(boxes), value), np.zeros_like(boxes.low))
+
+
+def at(boxes: Boxes, line: Line) -> Ground:
+    """One direction for each point of each box."""
+    none = np.zeros(len(boxes))
+    return over(boxes, line, line, none, none)
+
+
+def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray) -> Ground:
+    """All directions between two, from one share of the way to another."""
+    none = np.zeros_like(begin)
+    *own, share = sides(np.vstack([boxes.low, begin]), np.vstack([boxes.high, end]))
+    base = Affine(low.value, np.vstack([low.slopes, none]), none)
+    way = Affine(high.value, np.vstack([high.slopes, none]), none) - base
+    theta = base + share * way
+    return Ground(*cosine_and_sine(theta), *cosine_and_sine(own[0]), boxes.parameters(own))
+
+
+class Verdict(NamedTuple):
+    """Which cells are decided, and the quantities whose terms say which side of a box to cut where one is not."""
+
+    done: BoolArray
+    decisive: tuple[Affine, ...]
+
+
+def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[BoolArray, FloatArray]:
+    """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
+    size = len(boxes)
+    weight = np.zeros_like(boxes.low)
+    box = np.tile(np.arange(size), _CELLS)
+    begin = np.repeat(np.arange(_CELLS) / _CELLS, size)
+    end = begin + 1.0 / _CELLS
+    result = np.ones(size, dtype=np.bool_)
+    for halving in range(_HALVINGS + 1):
+        if not box.size:
+            break
+        with np.errstate(all="ignore"):
+            done, decisive = test(over(boxes[box], low[box], high[box], begin, end))
+        parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
+        useful = [part[-1] > _SHARE * part[:-1].sum(axis=0) for part in parts]
+        hopeless = (~np.logical_or.reduce(useful) & (halving >= _ALWAYS)) | (halving == _HALVINGS)
+        box, begin, end = box[~done], begin[~done], end[~done]
+        for part in parts:
+            sizes = part[:-1, hopeless]
+            np.maximum.at(weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T)
+        result[box[hopeless]] = False
+        # A box with many open cells fails on a stretch of directions, and not at one: no cut of it helps.
+        result[np.bincount(box, minlength=size) > _OPEN] = False
+        keep = result[box]
+        box, begin, end = box[keep], begin[keep], end[keep]
+        middle = 0.5 * (begin + end)
+        box, begin, end = np.tile(box, 2), np.concatenate([begin, middle]), np.concatenate([middle, end])
+    return result, weight

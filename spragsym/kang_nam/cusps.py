@@ -1,15 +1,76 @@
-"""Cusps of exactly given parameters, with a proof that there are no more: ``cusp_polynomial`` in sin θ has them as roots."""
+"""All cusps, proved complete: ``cusp_polynomial`` in sin θ has them as roots."""
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-from ...generated import catastrophe as _catastrophe
-from ...numerics import balls, polynomials
-from ...numerics.balls import Interval, atan2, decided, sign
-from ...numerics.polynomials import roots_on_the_line
-from .fold_enclosures import Angles, Point, SineRoot, in_contact
+import numpy as np
+
+from ..generated import catastrophe as _catastrophe
+from ..models.parameters import Parameters
+from ..numerics import balls, polynomials
+from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
+from ..numerics.polynomials import roots_on_the_line
+from ..questions import NotInClosedForm
+from ..results.points import Points, in_closed_form
+from ..results.precise_states import CuspProof, PreciseCusp
+from .folds import STATE, Angles, Point, SineRoot, in_contact, in_ranges
+from .kernel import FIXED
+
+
+def cusps(
+    p: Parameters,
+    vary: Sequence[str] | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+) -> Points:
+    """The closed form of :func:`spragsym.cusps` in the plane of θ₀ and μ₀: proved complete.
+
+    Notes
+    -----
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are isolated exactly. Parameters
+    are taken as the exact rationals that the floats are.
+    """
+    if vary is not None and tuple(vary) != ("theta0", "mu0"):
+        raise NotInClosedForm
+    exact = tuple(map(Fraction, p.scalars(*FIXED)))
+
+    def attempt(bits: int) -> list[tuple[float, ...]]:
+        return [point.row() for point in proved_cusps(exact, bits)]
+
+    rows = with_enough_bits(20, attempt, "cusps")
+    rows = sorted(((row[0], row[1], *row[6:]) for row in rows), key=lambda row: (row[1], row))
+    *columns, error = np.array(rows, dtype=float).reshape(-1, 7).T.copy()
+    values = dict(zip(("theta0", "mu0", *STATE), columns, strict=True))
+    spans = {"theta0": (-math.pi, math.pi), "mu0": (-math.inf, math.inf)}
+    every = Points(**in_closed_form(p, ("theta0", "mu0"), np.full(len(rows), "cusp"), error, values, spans=spans))
+    return in_ranges(every, between)
+
+
+def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int) -> CuspProof:
+    """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
+    if tuple(vary) != ("theta0", "mu0"):
+        raise NotInClosedForm
+    exact = tuple(given[name] for name in ("kappa", "alpha", "sigma", "beta"))
+
+    def attempt(bits: int) -> list[PreciseCusp]:
+        return [_cusp(point, digits) for point in proved_cusps(exact, bits)]
+
+    found = with_enough_bits(digits, attempt, "cusps")
+    ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
+    if exact[1] == 1 + exact[3]:
+        return CuspProof(ordered, True, {})
+    polynomial, sines = cusp_sines(*exact, bits=64)
+    return CuspProof(ordered, True, {}, polynomial, tuple(sines), len(sines))
+
+
+def _cusp(point: Point, digits: int) -> PreciseCusp:
+    names = ("theta0", "mu0", "theta", "L", "x", "y")
+    numbers, _, radius = as_numbers((*point.parameters[:2], point.theta, point.L, point.x, point.y), digits)
+    return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), is_versal(point))
+
 
 #: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
 _DEGREE = 10
@@ -46,7 +107,7 @@ def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[polynomials.Root
     return [polynomials.Root(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
 
 
-def cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     """Every cusp in contact with L > 0, for exact κ, α, σ, β; both mirror images, θ₀ in (−π, π], μ₀ of either sign."""
     _, alpha, _, beta = exact
     if alpha == 1 + beta:

@@ -1,0 +1,348 @@
+"""Every fold curve in the plane of θ₀ and μ₀ with the cusps on them.
+
+At a given direction θ friction is eliminated from the conditions of a fold, or of an onset of flutter, and what is left is a
+polynomial in tan(θ₀/2), whose positive roots are all points of the curves there. Between two neighbouring θ with the same number
+of roots the k-th belongs to the k-th. Where their number changes, or one enters at θ₀ = 0 or π, more θ are put in between until
+the place is known to rounding. Directions are t = tan(θ/2), which is precise at both ends.
+
+The number of folds changes, or the friction of one is 0, at roots of polynomials in sin θ (derived: ``fold_events``), hence in
+t, which Descartes' rule isolates exactly in 0 < θ < π/2. Between two of them the number is that at one rational t, where it is
+counted exactly.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache, partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..bifurcation.tubes import ByColumn
+from ..errors import ConvergenceError
+from ..generated import catastrophe as _catastrophe
+from ..models.parameters import FloatArray, Parameters, as_count
+from ..numerics import polynomials
+from ..numerics.chains import link, walked
+from ..numerics.interval_arrays import BoolArray, IntArray
+from ..numerics.polynomials import (
+    Polynomial,
+    Root,
+    by_power,
+    eigenvalues,
+    evaluate,
+    of_sine_in_t,
+    on_circle,
+    polished,
+    real_roots,
+)
+from ..questions import NotInClosedForm
+from ..results.points import BifurcationSet, Curve
+from . import kernel
+from .cusps import cusps
+from .folds import folds
+from .kernel import FIXED, Fixed
+
+#: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
+_LIGHT = 1e-4
+#: Where it is below this, float64 does lose them, and they are refused.
+_TOO_LIGHT = 1e-8
+#: Frictions at which curves are compared with proved folds.
+_SAMPLED = (0.11, 1.3, 7.1)
+#: Logarithm of the largest t = tan(θ/2) in which folds are looked for.
+_FAR = 17.0
+
+
+def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | None = None) -> BifurcationSet:
+    """The closed form of :func:`spragsym.bifurcation_set` in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0.
+
+    Notes
+    -----
+    Source: f = f′ = 0, two lines in μ₀ at a given direction θ; without it a conic in (cos θ₀, sin θ₀). Where curves begin, end,
+    turn back in θ and reach μ₀ = 0 is isolated exactly, and how many folds there are in between is counted exactly, so that none
+    is missed that holds a float; their points are float64, and satisfy the condition to rounding.
+    """
+    if vary is not None and tuple(vary) != ("theta0", "mu0"):
+        raise NotInClosedForm
+    n = as_count("n", 2000 if n is None else n, 2)
+    fixed = Fixed(*p.scalars(*FIXED))
+    preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
+    if preload < _TOO_LIGHT:
+        raise _indistinct(fixed.kappa, "they all but coincide")
+    on_them = cusps(p)
+    ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
+    on_them = on_them.select(ahead)
+    found, begin = [], directions(fixed)
+    t = np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(on_them.theta / 2))])
+    for points in curves(Condition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n):
+        curve = _curve(points, fixed)
+        # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
+        if curve.y[len(curve) // 2] < 0:
+            found.append(curve)
+    if preload < _LIGHT:
+        _compare(found, p)
+    return BifurcationSet(("theta0", "mu0"), tuple(found), on_them, True)
+
+
+def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
+    """From the relation that does not lose it: the first has the factor cos θ."""
+    u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, np.cos(theta0), np.sin(theta0), *fixed)
+    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)
+
+
+def _compare(curves: list[Curve], p: Parameters) -> None:
+    """Refuse curves that do not cross some frictions as often as folds are proved to be there."""
+    for mu0 in _SAMPLED:
+        crossings = sum(int(np.count_nonzero(np.diff(curve.mu0 > mu0))) for curve in curves)
+        proved = folds(p.replace(mu0=mu0)).theta0.size
+        if crossings != proved:
+            raise _indistinct(float(p.kappa), f"at mu0 = {mu0} they have {crossings} where {proved} are proved")
+
+
+def _indistinct(kappa: float, reason: str) -> ConvergenceError:
+    return ConvergenceError(
+        f"kappa = {kappa:g} is too small beside sigma and 1 + beta for curves of folds in float64: {reason}; "
+        "folds(p) proves those at one friction"
+    )
+
+
+def _curve(points: FloatArray, fixed: Fixed) -> Curve:
+    """A curve with what ends on it, and where that jumps to."""
+    t, theta0, mu0 = points
+    c, s, _ = on_circle(t)
+    c0, s0 = np.cos(theta0), np.sin(theta0)
+    with np.errstate(all="ignore"):  # at the ends of a curve θ₀ may be 0 or π
+        trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
+        curvature = np.sign(kernel.f_curvature(c, s, *trig))
+        changes = _catastrophe.unfolding(c, s, c0, s0, mu0, *fixed)
+        after = on_circle(kernel.landing(t, trig, np.sqrt))
+        (_, x, y), (_, x_after, y_after) = (
+            kernel.state(*at[:2], c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1) for at in ((c, s), after)
+        )
+    by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
+    return Curve({
+        "theta0": theta0, "mu0": mu0, "theta": 2 * np.arctan(t), "x": x, "y": y, "upper": curvature > 0,
+        "when_theta0": by_angle, "when_mu0": by_friction, "theta_after": np.arctan2(after.sine, after.cosine),
+        "x_after": x_after, "y_after": y_after,
+    })  # fmt: skip
+
+
+#: A step in θ₀, radians, over which neighbours are not joined where their number changes.
+_STEP = 0.05
+#: Relative width of a cell of t that is not halved any more.
+_FINEST = 1e-10
+#: Largest residual of a root that rounding alone can leave, over the polynomial with every term made positive.
+_RESIDUAL = 1e-13
+#: Friction that is taken for 0, and tan(θ₀/2) that is.
+_NONE, _NEAR = 1e-11, 1e-12
+
+
+class Condition(NamedTuple):
+    """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and friction at θ₀ there.
+
+    ``number`` is how many positive roots there are at tan(θ/2), where that is known; else those count that are real to rounding.
+    """
+
+    polynomial: Callable[[FloatArray, FloatArray, Fixed], tuple[FloatArray, ...]]
+    friction: Callable[[FloatArray, FloatArray, FloatArray, Fixed], FloatArray]
+    number: Callable[[FloatArray], IntArray] | None = None
+
+
+@dataclass(frozen=True)
+class _Columns(ByColumn):
+    """All points at each t: θ₀ ascending, NaN where there are no more, and friction."""
+
+    t: FloatArray
+    theta0: FloatArray
+    mu0: FloatArray
+
+    @classmethod
+    def at(cls, t: FloatArray, condition: Condition, fixed: Fixed) -> _Columns:
+        c, s, _ = on_circle(t)
+        coefficients = np.stack(np.broadcast_arrays(*condition.polynomial(c, s, fixed)), axis=-1)
+        coefficients /= np.abs(coefficients).max(axis=-1, keepdims=True)
+        theta0 = 2 * np.arctan(_positive_roots(coefficients, condition.number and condition.number(t))).T
+        return cls(t, theta0, condition.friction(c, s, theta0, fixed))
+
+    def goes_on(self, other: _Columns, step: float) -> BoolArray:
+        """Whether there are as many points, and with μ₀ ≥ 0 none is farther than a step in θ₀/π or μ₀/(1 + μ₀)."""
+        one, two = (np.stack([it.theta0 / np.pi, 1 / (1 + np.abs(it.mu0))]) for it in (self, other))
+        far = (np.abs(one - two) > step).any(axis=0) & ((self.mu0 >= 0) | (other.mu0 >= 0))
+        as_many: BoolArray = (np.isnan(self.theta0) == np.isnan(other.theta0)).all(axis=0)
+        return as_many & ~far.any(axis=0)
+
+
+def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatArray:
+    """Positive roots of each polynomial, ascending, to rounding, as many as there are; NaN behind them."""
+    roots = eigenvalues(coefficients)
+    if number is None:
+        # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
+        inside = (roots.imag == 0) & (roots.real > _NEAR) & (roots.real < 1 / _NEAR)
+    else:
+        # Rounding moves roots off the real axis, and below 0: those that lie closest to where they must are the ones. It also
+        # moves two that are all but one onto it: of those that lie there the ones that are farthest from others are.
+        off = np.hypot(roots.imag, np.minimum(roots.real, 0.0)) / (1e-300 + np.abs(roots))
+        gap = np.partition(np.abs(roots[..., None] - roots[:, None]), 1, axis=-1)[..., 1]
+        inside = np.lexsort((-gap, off)).argsort(axis=-1) < number[:, None]
+    real = polished(coefficients, np.sort(np.where(inside, roots.real, np.nan), axis=-1))
+    if number is not None:
+        return np.maximum(real, 0.0)
+    residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(by_power(np.abs(coefficients)), real)
+    return np.sort(np.where(residual < _RESIDUAL, real, np.nan), axis=-1)
+
+
+def curves(condition: Condition, fixed: Fixed, t: FloatArray, step: float) -> Iterator[FloatArray]:
+    """Curves with μ₀ ≥ 0, each of shape (3, points): t, θ₀ and μ₀ in order along it; no step is longer than ``step``.
+
+    Those out of contact are included, and what is sought at ``t`` first.
+    """
+    with np.errstate(all="ignore"):
+        columns = _Columns.at(np.unique(t), condition, fixed)
+        while True:
+            before, after = columns[:-1], columns[1:]
+            open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + _FINEST))
+            if not open_.any():
+                break
+            columns = columns.then(_Columns.at(np.sqrt(before.t * after.t)[open_], condition, fixed))
+            columns = columns[np.argsort(columns.t)]
+        there = np.isfinite(columns.mu0) & (columns.mu0 >= -_NONE)
+    number = np.where(there, np.cumsum(there).reshape(there.shape) - 1, -1)
+    points = np.stack([np.broadcast_to(columns.t, there.shape), columns.theta0, np.maximum(columns.mu0, 0.0)])[:, there]
+    for chain in walked(_links(columns, number, step)):
+        if chain.size > 1:
+            yield points[:, chain]
+
+
+def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
+    """Neighbours of each point: in the next θ, and two that vanish or are born together."""
+    links: list[set[int]] = [set() for _ in range(number.max(initial=-1) + 1)]
+    on = columns[:-1].goes_on(columns[1:], step)
+    same = (number[:, :-1] >= 0) & (number[:, 1:] >= 0) & on
+    link(links, zip(number[:, :-1][same].tolist(), number[:, 1:][same].tolist(), strict=True))
+    for place in np.flatnonzero(~on):
+        rows = [number[:, k] >= 0 for k in (place, place + 1)]
+        (before, first), (after, second) = (
+            (columns.theta0[some, place + k], number[some, place + k].tolist()) for k, some in enumerate(rows)
+        )
+        found = _nearest(before, after)
+        link(links, ((first[one], second[other]) for one, other in found.items()))
+        link(links, ((first[one], first[other]) for one, other in _couples(before, set(found))))
+        link(links, ((second[one], second[other]) for one, other in _couples(after, set(found.values()))))
+    return links
+
+
+def _nearest(before: FloatArray, after: FloatArray) -> dict[int, int]:
+    """Which root of a direction continues as which of the next, where their number changes."""
+    from scipy.optimize import linear_sum_assignment
+
+    far = np.abs(before[:, None] - after)
+    return {int(one): int(other) for one, other in zip(*linear_sum_assignment(far), strict=True) if far[one, other] < _STEP}
+
+
+def _couples(theta0: FloatArray, linked: set[int]) -> list[tuple[int, int]]:
+    """Neighbours without a link that meet between two directions, and not at θ₀ = 0 or π."""
+    free = [place for place in range(theta0.size) if place not in linked]
+    found = []
+    while len(free) > 1:
+        gaps = np.diff(theta0[free])
+        nearest = int(np.argmin(gaps))
+        if gaps[nearest] > _STEP:
+            break
+        found.append((free.pop(nearest), free.pop(nearest)))
+    return found
+
+
+#: Degrees in sin θ of what is 0 at an event.
+_DEGREES, _DEGREES_WITHOUT_ALPHA = (15, 6, 6), (6, 3, 3)
+#: Bits of t at an event, at first, and how far beside it directions are taken, over t.
+_BITS, _BESIDE = 64, 4e-14
+
+
+class Directions(NamedTuple):
+    """t = tan(θ/2) in 0 < θ < π on both sides of each event, of θ = π/2, and between two neighbours.
+
+    ``number`` is how many folds there are with 0 < θ₀ < π, of either sign of μ₀, before, between and after the ``events``.
+    """
+
+    t: FloatArray
+    events: FloatArray
+    number: IntArray
+
+    def folds_at(self, t: FloatArray) -> IntArray:
+        """How many folds there are in directions between the events."""
+        return self.number[np.searchsorted(self.events, t)]
+
+
+def fold_polynomial(c: Any, s: Any, fixed: Any) -> tuple[Any, ...]:
+    """The condition for a fold at (cos θ, sin θ), a quartic in tan(θ₀/2) > 0, lowest power first."""
+    e0, e1, e2, ec = _catastrophe.fold_conic(c, s, *fixed)
+    return e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec
+
+
+def directions(fixed: Fixed) -> Directions:
+    """Those in which folds are looked for first. (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the events beyond π/2."""
+    exact = Fixed(*map(Fraction, fixed))  # type: ignore[arg-type]  # floats taken as the rationals that they are
+    found = _events(exact)
+    ends = [Fraction(0), *itertools.chain(*found), Fraction(1)]
+    inside = [(low + high) / 2 for low, high in zip(ends[::2], ends[1::2], strict=True)]
+    number = [_number(t, exact) for t in inside]
+    at = np.array([float((root.low + root.high) / 2) for root in found])
+    beside = np.append(at, 1.0)
+    low = np.concatenate([beside * (1 - _BESIDE), beside * (1 + _BESIDE), list(map(float, inside))])
+    return Directions(np.append(low, 1 / low), np.append(at, 1 / at[::-1]), np.array(number + number[-2::-1]))
+
+
+def _number(t: Fraction, exact: Fixed) -> int:
+    condition = polynomials.primitive(fold_polynomial(*on_circle(t)[:2], exact))
+    cauchy = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1]))
+    return len(real_roots(condition, Fraction(0), cauchy, 0))
+
+
+def _events(exact: Fixed) -> list[Root]:
+    """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
+    conditions, bits = list(_without_common_roots(_conditions(exact))), _BITS
+    while True:
+        found = sorted(root for condition in conditions for root in real_roots(condition, Fraction(0), Fraction(1), bits))
+        after = [*(root.low for root in found[1:]), Fraction(1)]
+        if all(root.high < low for root, low in zip(found, after, strict=False)):
+            return found
+        bits *= 2
+
+
+def _conditions(exact: Fixed) -> Iterator[Polynomial]:
+    """Polynomials in t that are 0 at the events, and not at t = 0 and 1; multiple roots included."""
+    values = cache(partial(_values, exact))  # the three have nodes in common
+
+    def of_kind(place: int) -> Callable[[Fraction], Fraction]:
+        return lambda s: values(s)[place]
+
+    for place, degree in enumerate(_DEGREES if exact.alpha else _DEGREES_WITHOUT_ALPHA):
+        in_sine = polynomials.interpolate(of_kind(place), degree, Fraction)
+        if not any(in_sine):  # the same at every θ
+            continue
+        condition = of_sine_in_t(polynomials.primitive(in_sine))
+        while sum(condition) == 0:
+            condition = polynomials.without(condition, (-1, 1))
+        yield condition
+
+
+def _without_common_roots(conditions: Iterator[Polynomial]) -> Iterator[Polynomial]:
+    """The roots, each once, and each of one polynomial only."""
+    before: list[Polynomial] = []
+    for condition in conditions:
+        rest = polynomials.squarefree(condition)
+        for other in before:
+            rest = polynomials.without(rest, polynomials.common_divisor(rest, other))
+        before.append(rest)
+        yield rest
+
+
+def _values(exact: Fixed, s: Fraction) -> tuple[Fraction, ...]:
+    """What is 0 at events of each of the three kinds, in sin θ."""
+    if exact.alpha:
+        return tuple(_catastrophe.fold_events(s, *exact))
+    return tuple(_catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta))

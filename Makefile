@@ -7,7 +7,8 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 # An extension that can't be compiled is left out, and pip is silent about it.
 SAY_COMPILED := $(BIN)/python .ci/compiled.py
 # A path to the tree, not a finder: a finder is asked last, after a folder named spragsym beside the script, as a clone is.
-EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt -e
+# Bytecode is made of what is imported, then: half of an installation is the bytecode of what never is.
+EDIT := $(PIP) install --no-compile --config-settings editable_mode=compat -c constraints.txt -e
 
 # One stamp for each set of extras, remade when what it was installed from changes.
 DERIVE := $(VENV)/.derive

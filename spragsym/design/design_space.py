@@ -201,7 +201,7 @@ class MovedFold:
         value = z[n].reshape(asked.shape)
         if not met[0] or not asked.begin[0] <= value <= asked.until[0]:
             return None
-        return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {})
+        return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {}, asked.until)
 
 
 def beyond(designs: Space, z: FloatArray, gradient: Callable[[Any], JumpGradient]) -> tuple[float, FloatArray]:

@@ -262,7 +262,7 @@ class Followed:
 
     def _nothing(self) -> Ends:
         count = self.begin.size
-        return Ends(np.full(count, np.nan), np.zeros(count), np.full((self.balance.n, count), np.nan), {})
+        return Ends(np.full(count, np.nan), np.zeros(count), np.full((self.balance.n, count), np.nan), {}, self.until)
 
     def ends(self) -> Ends:
         """Where the state of each point ends."""
@@ -279,7 +279,8 @@ class Followed:
                     out.value[i], out.error[i] = end.value, end.error
                     if end.kind == "fold":
                         out.state[:, i] = [end.before[name] for name in self.balance.coordinates]
-        return Ends(out.value.reshape(self.shape), out.error.reshape(self.shape), out.state.reshape(n, *self.shape), reasons)
+        value, off, until = (each.reshape(self.shape) for each in (out.value, out.error, self.until))
+        return Ends(value, off, out.state.reshape(n, *self.shape), reasons, until)
 
     def _point(self, i: int) -> Any:
         p: ParameterSet = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
@@ -359,13 +360,14 @@ class Ends:
     """Where the states of many points end: the value, NaN where they don't, a bound on its error, and the coordinates at a fold.
 
     ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of which points, by their
-    position in ``value.flat``, nothing is known, and why.
+    position in ``value.flat``, nothing is known, and why; ``until`` how far ends were looked for, infinite if everywhere.
     """
 
     value: FloatArray
     error: FloatArray
     state: FloatArray
     reasons: Mapping[int, str]
+    until: FloatArray
 
 
 def told(found: Ends) -> Ends:

@@ -85,7 +85,8 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
         c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(at["theta0"]), np.sin(at["theta0"])
         _, x, y = kernel.state(c, s, c0, s0, *(at[name] for name in ("kappa", "sigma", "beta")), 1)
     state = np.stack([x, y]).reshape(2, *shape)
-    return Ends(value.reshape(shape), np.full(shape, _LARGEST_ERROR), state, hopeless)
+    end = RANGES[vary].high if forward > 0 else RANGES[vary].low
+    return Ends(value.reshape(shape), np.full(shape, _LARGEST_ERROR), state, hopeless, np.full(shape, end))
 
 
 def _block(

@@ -14,15 +14,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bifurcation.defining_systems import ranges
-from ..design.jumps import first_ends, jump_value
+from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError, hint
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
 from ..models.quantities import Quantities, factor, quantities, share
 from ..progress import doing, show_progress
-from ..questions import has_closed_form
 from .units import Measured, read, shown_in
 
 if TYPE_CHECKING:
@@ -334,9 +332,14 @@ class Study:
         """The loading parameter as arguments of the model's questions, which take friction at full slip unless told otherwise."""
         return {} if self.of_friction else {"vary": self.rises.name, "begin": self.begins(values or self.values)}
 
+    @cached_property
+    def ends(self) -> Ends:
+        """Where the state ends as something rises, and how far that was looked for."""
+        return first_ends(self.dimensionless if self.of_friction else self.at_work, **self.along())
+
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
-        return float(jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
+        return float(told(self.ends).value)
 
     def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
         """Parameters of brakes, by their quantities in SI, with the loading parameter at a target, or at its own value."""
@@ -348,19 +351,10 @@ class Study:
             p = p.replace(mu0=np.broadcast_to(works if target is None or not self.of_friction else target, p.shape))
         return p
 
-    @cached_property
-    def closed(self) -> bool:
-        """Whether the jump is known in closed form."""
-        return (self.rise is None or self.of_friction) and has_closed_form(first_ends, self.at_work)
-
     @property
     def top(self) -> float:
         """Up to which value a jump is looked for, as it is told: all, or the end of a search; NaN where nothing rises."""
-        if self.rise is None:
-            return math.nan
-        if self.closed:
-            return math.inf
-        return self.told(float(ranges(self.kind.model, (self.rise.name,), {})[0, 1]))
+        return math.nan if self.rise is None else self.told(float(self.ends.until))
 
     def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
         """A value of a quantity, by default its own, as text in the unit in which it came."""

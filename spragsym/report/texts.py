@@ -391,9 +391,10 @@ def _changes(report: Report) -> Rows:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
-        looked = study.changed(one.after).looked  # up to where depends on its units
-        never = "then it never jumps" if looked == study.rises.word else f"then it jumps at no {looked}"
-        then = never if math.isnan(one.jump_at) else f"then it jumps at {study.amount(one.jump_at)}"
+        then = f"then it jumps at {study.amount(one.jump_at)}"
+        if math.isnan(one.jump_at):
+            looked = study.changed(one.after).looked  # up to where depends on its units
+            then = "then it never jumps" if looked == study.rises.word else f"then it jumps at no {looked}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         yield values, f"{then}; {f'proved for everything within {box(report.unbounded)}' if one.outcome == 'proved' else known}"
 

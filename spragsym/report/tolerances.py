@@ -48,16 +48,16 @@ class Effort:
     further: tuple[float, ...] = (0.0, 0.03, 0.3)
 
 
-#: By closed forms, in thousands of a second, more.
-_CLOSED = Effort(
+#: Where a jump is looked for without end, and so by closed forms, thousands of points in a second: more.
+_ENDLESS = Effort(
     samples=4096, boxes=20_000, points=1024, boxes_of_change=1000, points_of_change=1024, shares=1 << 10, many=1 << 17,
     most=16, further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
 )  # fmt: skip
 
 
 def effort(study: Study) -> Effort:
-    """Effort for the study's model, whose closed forms are of rising friction."""
-    return _CLOSED if study.closed else Effort()
+    """Effort for the study's model."""
+    return _ENDLESS if math.isinf(study.top) else Effort()
 
 
 @dataclass(frozen=True)

@@ -337,7 +337,7 @@ def fate_map(
         raise ParameterError(f"store = {store} does not end in .csv")
     asked = _Asked(model, state, t_end, name)
     made, key = partial(asked.made, inputs), partial(asked.key, inputs)
-    return made_or_loaded(inputs, asked.records, made, MEASURED, "why", key, FateMap.save, workers, progress, store)
+    return made_or_loaded(inputs, asked.records, made, MEASURED, "why", key, workers, progress, store)
 
 
 @dataclass(frozen=True)
@@ -367,11 +367,7 @@ class _Asked:
         settings = {"start": self.start, "t_end": self.t_end, "backend": self.backend}
         return fingerprint(self.model, inputs, settings, "orbits")
 
-    def made(self, inputs: dict[str, FloatArray], records: list[Record], _: Mapping[str, Any]) -> FateMap:
-        """The map of these records."""
-        shape = np.broadcast_shapes(*(values.shape for values in inputs.values()))
-        table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
-        columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
+    def made(self, inputs: dict[str, FloatArray], columns: dict[str, Any], _: object) -> FateMap:
+        """The map of these columns."""
         columns["kind"] = columns["kind"].astype(np.int8)
-        why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
-        return FateMap(inputs, self.start, self.t_end, self.backend, **columns, why=why, model=self.model)
+        return FateMap(inputs, self.start, self.t_end, self.backend, **columns, model=self.model)

@@ -129,19 +129,21 @@ def rms_sweep(
     transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
-    tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_count("max_steps", max_steps)
-    settings = Settings(t_end, transient, tolerance, integrators.choose(backend, integrators.offered_for(model)), steps)
+    settings = {
+        "t_end": t_end, "transient": transient, "rtol": as_number("rtol", rtol, RELATIVE_TOLERANCE),
+        "backend": integrators.choose(backend, integrators.offered_for(model)), "max_steps": as_count("max_steps", max_steps),
+    }  # fmt: skip
     work, together = partial(measured, model, settings), partial(_together, settings)
-    made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, vars(settings))
+    made, key = partial(_made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
     columns = (*reported(model.coordinates, model.rates), "regime")
-    return made_or_loaded(inputs, work, made, columns, "reason", key, Sweep.save, workers, progress, store, together)
+    return made_or_loaded(inputs, work, made, columns, "reason", key, workers, progress, store, together)
 
 
-def _together(settings: Settings, count: int, workers: int) -> int:
+def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
     """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
-    if settings.backend != "heyoka":  # which alone carries many at a time
+    if settings["backend"] != "heyoka":  # which alone carries many at a time
         return 1
-    lasting = max(LANES, int(TOGETHER_FOR / settings.t_end))
+    lasting = max(LANES, int(TOGETHER_FOR / settings["t_end"]))
     return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
 
 
@@ -222,7 +224,7 @@ class Sweep(Columns, held_in="measured"):
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
             for name, values in with_degrees(self.model, self.inputs).items()
         }  # fmt: skip
-        columns = {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason.astype(object)}
+        columns = {**self._told(), "reason": self.reason.astype(object)}
         results = {name: (dims, values) for name, values in columns.items()}
         return storage.dataset(results, inputs, self._attributes(), self.model.quantities, self.table_codes)
 
@@ -230,15 +232,12 @@ class Sweep(Columns, held_in="measured"):
         """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
         storage.write(path, self.to_dataset, self._columns, self._attributes(), self.model.quantities)
 
+    def _told(self) -> dict[str, NDArray[Any]]:
+        return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
+
     def _columns(self) -> dict[str, NDArray[Any]]:
-        found: dict[str, NDArray[Any]] = {
-            **self.measured,
-            "regime": self.regime,
-            "equilibrium": self.equilibrium,
-            "reason": self.reason,
-        }
         inputs = with_degrees(self.model, self.inputs)
-        return {name: np.broadcast_to(values, self.rms.shape) for name, values in inputs.items()} | found
+        return {name: np.broadcast_to(values, self.rms.shape) for name, values in inputs.items()} | self._told()
 
     def _attributes(self) -> dict[str, Any]:
         settings = {name: getattr(self, name) for name in ("t_end", "transient", "rtol", "backend", "max_steps")}
@@ -259,21 +258,10 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Settings:
-    """What all motions of a sweep share."""
-
-    t_end: float
-    transient: float
-    rtol: float
-    backend: str
-    max_steps: int = MAX_STEPS
-
-
-def measured(model: Any, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
+def measured(model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     records, problems, count = dict[int, Record](), dict[int, Problem](), len(model.parameters)
-    given = settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
+    given = (*(settings[name] for name in ("t_end", "transient", "rtol", "max_steps")), partial(field_of, model))
     for i, point in enumerate(points):
         problems[i] = problem = Problem(model.field.constants(point[:count]), point[count:], *given)
         try:
@@ -282,25 +270,27 @@ def measured(model: Any, settings: Settings, points: Sequence[tuple[float, ...]]
             records[i] = _no_result(error)
             del problems[i]
     with np.errstate(all="ignore"):  # numbers out of range show in the result
-        courses = integrators.measure(list(problems.values()), settings.backend) if problems else []
+        courses = integrators.measure(list(problems.values()), settings["backend"]) if problems else []
         for (i, problem), course in zip(problems.items(), courses, strict=True):
-            records[i] = _record(course, problem, settings.backend)
+            records[i] = _record(course, problem, settings["backend"])
     return [records[i] for i in range(len(points))]
 
 
 def _record(course: Course | Exception, problem: Problem, backend: str) -> Record:
+    """What was measured and what is told of the limit, in the order of :func:`reported`."""
     if isinstance(course, Exception):
         return _no_result(course)
-    values, names, n = _averages(course), problem.field.components, len(problem.field.coordinates)
+    (mean, spread), (lost, _, *reversals) = course.moments(), course.events
+    values = [math.hypot(mean, spread), spread, max(map(abs, course.reach)), *course.means, lost, sum(reversals)]
     if not np.isfinite(values).all():
         return _no_result(out_of_range())
     try:
         outcome = classify(course, problem, Onward(problem, backend))
     except (ConvergenceError, ArithmeticError) as error:
         return _no_result(error)
-    told = vars(outcome) | outcome.places()
-    of_limit = (told[name] for name in (*reported(names[:n], names[n:])[len(values) :], "regime"))
-    return [float(value) for value in (*values, *of_limit)], ""
+    told, field = vars(outcome) | outcome.places(), problem.field
+    names = (*reported(field.coordinates, field.components[len(field.coordinates) :]), "regime")
+    return [float(value) for value in (*values, *(told[name] for name in names[len(values) :]))], ""
 
 
 def _no_result(error: Exception) -> Record:
@@ -308,29 +298,18 @@ def _no_result(error: Exception) -> Record:
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def _averages(course: Course) -> list[float]:
-    """The measured values after the transient, in the order of :func:`reported`."""
-    mean, spread = course.moments()
-    lost, _, *reversals = course.events
-    return [math.hypot(mean, spread), spread, max(map(abs, course.reach)), *course.means, lost, sum(reversals)]
-
-
-def made_of(
-    model: Any, inputs: dict[str, FloatArray], settings: Settings, records: list[Record], columns: Mapping[str, Any]
+def _made_of(
+    model: Any, inputs: dict[str, FloatArray], settings: Mapping[str, Any], columns: dict[str, Any], known: Mapping[str, Any]
 ) -> Sweep:  # fmt: skip
-    """The sweep of these records; of a file's columns the slots of equilibria, which are searched for otherwise."""
-    names, shape = (*reported(model.coordinates, model.rates), "regime"), np.broadcast_shapes(*(v.shape for v in inputs.values()))
-    table = np.array([values or [np.nan] * len(names) for values, _ in records]).reshape(-1, len(names))
-    measured = {name: column.reshape(shape) for name, column in zip(names, table.T, strict=True)}
-    regime = measured.pop("regime")
-    if "equilibrium" in columns:
-        which = np.asarray(columns["equilibrium"]).astype(np.int8).reshape(shape)
+    """The sweep of these columns; of a file the slots of equilibria are ``known``, which are searched for otherwise."""
+    reason, regime = columns.pop("reason"), columns.pop("regime")
+    if "equilibrium" in known:
+        which = np.asarray(known["equilibrium"]).astype(np.int8).reshape(regime.shape)
     else:
         p = model.Parameters(**{name: inputs[name] for name in model.parameters})
-        which = rest_index(p, np.array([measured[f"rest_{name}"] for name in model.coordinates]))
-    reason = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+        which = rest_index(p, np.array([columns[f"rest_{name}"] for name in model.coordinates]))
     regime = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
-    return Sweep(inputs, **vars(settings), measured=measured, regime=regime, equilibrium=which, reason=reason, model=model)
+    return Sweep(inputs, **settings, measured=columns, regime=regime, equilibrium=which, reason=reason, model=model)
 
 
 def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:

@@ -32,6 +32,7 @@ from ...files.storage import resolved
 from ...interrupts import heard
 from ...models.parameters import FloatArray, common_shape
 from ...progress import advance
+from ...results.result import Result
 
 Map: TypeAlias = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
@@ -42,19 +43,19 @@ Workers: TypeAlias = int | Map
 Task: TypeAlias = tuple[int, Any]
 Answer: TypeAlias = tuple[int, Any, str]
 
-T = TypeVar("T")
+R = TypeVar("R", bound=Result)
 Point: TypeAlias = tuple[float, ...]
 Work: TypeAlias = Callable[[Sequence[Point]], list[Record]]
 
 
 def made_or_loaded(
-    inputs: Mapping[str, FloatArray], work: Work, made: Callable[[list[Record], Mapping[str, Any]], T], names: Sequence[str],
-    text: str, key: Callable[[], str], save: Callable[[T, Path], None], workers: Workers, progress: bool,
-    store: str | os.PathLike[str] | None, together: Callable[[int, int], int] = lambda *_: 1,
-) -> T:  # fmt: skip
+    inputs: Mapping[str, FloatArray], work: Work, made: Callable[[dict[str, Any], Mapping[str, Any]], R], names: Sequence[str],
+    text: str, key: Callable[[], str], workers: Workers, progress: bool, store: str | os.PathLike[str] | None,
+    together: Callable[[int, int], int] = lambda *_: 1,
+) -> R:  # fmt: skip
     """The result for a broadcast of ``inputs``: computed, or gone on with, or loaded, if its file is there.
 
-    ``work(points)`` gives a record each, in other processes too, ``made(records, columns)`` the result, with the columns of the
+    ``work(points)`` gives a record each, in other processes too, ``made(columns, known)`` the result, of ``known`` columns of the
     file if it is loaded: ``names`` for the numbers of a record, ``text`` for its words. ``key()`` is a hash of everything that
     decides the bits of the result; ``together(points, workers)`` says how many are one task.
     """
@@ -63,7 +64,11 @@ def made_or_loaded(
     points = list(zip(*columns, strict=True))
     parallel = 1 if callable(workers) else count(workers)  # before there is a journal
 
-    def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> T:
+    def told(numbers: Any, words: Iterable[str], known: Mapping[str, Any]) -> R:
+        table = np.asarray(numbers, dtype=float).reshape(len(names), *shape)
+        return made({**dict(zip(names, table, strict=True)), text: np.array([*words], dtype=np.str_).reshape(shape)}, known)
+
+    def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> R:
         left = [i for i in range(len(points)) if i not in done]
         size = together(len(left), parallel)
         parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
@@ -74,16 +79,17 @@ def made_or_loaded(
                 for i, record in zip(parts[number], records, strict=True):
                     keep(i, record)
                     step()
-        return made([done[i] for i in range(len(points))], {})
+        records = [done[i] for i in range(len(points))]
+        table = np.array([values or [np.nan] * len(names) for values, _ in records])
+        return told(table.T, (storage.plain(words) for _, words in records), {})
 
-    def loaded(path: Path) -> T:
+    def loaded(path: Path) -> R:
         known = storage.read_own(path, hashed)
-        numbers = np.array([np.asarray(known[name], dtype=float) for name in names]).T.tolist()
-        return made(list(zip(numbers, map(str, known[text]), strict=True)), known)
+        return told([np.asarray(known[name], dtype=float) for name in names], known[text], known)
 
     if store is None:
-        records: dict[int, Record] = {}
-        return compute(records, records.__setitem__)
+        kept: dict[int, Record] = {}
+        return compute(kept, kept.__setitem__)
     target, hashed, total = resolved(store), key(), len(points)
     if target.is_file() and not storage.OVERWRITING.get():
         result = loaded(target)
@@ -94,7 +100,7 @@ def made_or_loaded(
         if target.is_file() and not storage.OVERWRITING.get():  # another process has finished it in the meantime
             return loaded(target)
         result = compute(done, keep)
-        save(result, target)
+        result.save(target)
     return result
 
 

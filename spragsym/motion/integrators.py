@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -25,7 +25,9 @@ from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
 from .solution import Fly, Passage, Solution, events_of, without_chatter
 from .with_heyoka import taylor_of
-from .with_scipy import IMPLICIT, Flight
+from .with_scipy import IMPLICIT, RTOL, Flight
+
+T = TypeVar("T")
 
 #: In the order in which they are preferred.
 BACKENDS = ("heyoka", "compiled", "scipy")
@@ -76,7 +78,8 @@ def integrate(problem: Problem, backend: str) -> Solution:
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
     except StiffError:
-        solution = with_scipy.integrate(problem, stiff=True)
+        flight = Flight(problem.field, False, 0, max(problem.rtol, IMPLICIT), stiff=True)
+        solution = flight.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record)
     return without_chatter(solution, problem)
 
 
@@ -116,33 +119,32 @@ class Flow:
         """The flow of a field by a backend that takes any model."""
         return cls(field, choose(backend, OF_ANY_MODEL))
 
-    def _by(self, derivatives: bool) -> Any:
-        return taylor_of(self.field, derivatives) if self.backend == "heyoka" else Flight(self.field, derivatives)
-
     def fly(
         self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray | None = None
     ) -> Passage:  # fmt: skip
         """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (2, P)."""
         if directions is None:
             directions = np.zeros((2, len(self.field.parameters)))
-        return (self.other or self._by(True).fly)(state, constants, duration, directions)
+        if self.other:
+            return self.other(state, constants, duration, directions)
+        along = 2 if directions.any() else 0
+        return self._asked(lambda carrier: carrier.fly(state, constants, duration, directions), True, along)
 
     def plain(
         self, state: FloatArray, constants: tuple[float, ...], duration: float, _: object = None, *, loose: bool = False
     ) -> Passage:  # fmt: skip
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
-        carrier = Flight(self.field, False, rtol=LOOSE) if loose and self.backend == "scipy" else self._by(False)
-        return carrier.fly(state, constants, duration, np.zeros((2, len(self.field.parameters))))
-
-    @property
-    def without(self) -> Flow:
-        """This flow without derivatives."""
-        return replace(self, other=self.plain)
+        return self._asked(lambda carrier: carrier.fly(state, constants, duration), False, rtol=LOOSE if loose else RTOL)
 
     def samples(self, start: FloatArray, constants: tuple[float, ...], t_end: float) -> PiecewisePolynomial:
-        """A motion by its samples; by an implicit method where steps collapse."""
+        """A motion by its samples."""
+        return self._asked(lambda carrier: carrier.motion(start, constants, t_end).samples, False)
+
+    def _asked(self, ask: Callable[[Any], T], derivatives: bool, directions: int = 0, rtol: float = RTOL) -> T:
+        """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""
         try:
-            solution: Solution = self._by(False).motion(start, constants, t_end)
+            if self.backend == "heyoka":
+                return ask(taylor_of(self.field, derivatives, directions))
+            return ask(Flight(self.field, derivatives, directions, rtol))
         except StiffError:
-            solution = Flight(self.field, False, 0, IMPLICIT, stiff=True).motion(start, constants, t_end)
-        return solution.samples
+            return ask(Flight(self.field, derivatives, directions, max(rtol, IMPLICIT), stiff=True))

@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -20,15 +21,13 @@ from ..errors import ConvergenceError
 from ..models.field import REACH, TURN, Field, apart, in_one_turn
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
-from . import integrators, with_heyoka
+from . import integrators
 from .integrators import Flow
 from .measures import Course
 from .problem import Problem
 from .regimes import Outcome, Regime
 from .shooting import CLOSED, Guess, Loop, once_round, rate, solved, through
 from .solution import Fly, Passage, Turn
-from .with_heyoka import taylor_of
-from .with_scipy import Flight
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
 CLOSE = 0.05
@@ -90,25 +89,19 @@ class Onward:
 
     def ends(self, states: FloatArray, duration: float) -> FloatArray:
         """Final states of the motions from many states."""
-        if self.backend == "heyoka":
-            return with_heyoka.ends(self._motions(states, duration))
         return np.array([course.last for course in self.courses(states, duration)])
 
-    def _forward(self, state: FloatArray, _: object, duration: float, __: object) -> Passage:
-        """``fly`` by forward differences of the plain flow."""
-        last, *others = self.ends(np.vstack([state, state + STEP * np.eye(state.size)]), duration)
-        return Passage(last, (np.array(others) - last).T / STEP, np.zeros((state.size, 2)), (), ())
-
-    def _central(self, state: FloatArray, _: object, duration: float, __: object) -> Passage:
-        """``fly`` by central differences of the plain flow; crossings are not reported."""
+    def _differences(self, sides: int, state: FloatArray, _: object, duration: float, __: object) -> Passage:
+        """``fly`` by differences of the plain flow, to one or to both ``sides``; crossings are not reported."""
         m, off = state.size, STEP * np.eye(state.size)
-        course, *others = self.courses(np.vstack([state, state + off, state - off]), duration)
+        course, *others = self.courses(np.vstack([state, state + off, state - off])[: 1 + sides * m], duration)
         last = np.array([other.last for other in others])
+        before = last[m:] if sides == 2 else course.last
         unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
         turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
-        return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
+        return Passage(course.last, (last[:m] - before).T / (sides * STEP), np.zeros((m, 2)), (), tuple(turns))
 
-    def _near(self, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
+    def _near(self, fly: Fly | None, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
         """The closed orbit to a precision that begins on the section of a state."""
         on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
         flow, guess = Flow(self.field, self.backend, fly), Guess(state[None], period, ())
@@ -120,11 +113,9 @@ class Onward:
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            guess = fine._near(fine._forward, state, fixed, period, reach, near).guess
+            guess = fine._near(partial(fine._differences, 1), state, fixed, period, reach, near).guess
             state, period = guess.states[0], guess.period
-        fly: Fly = fine._central
-        if self.backend != "compiled":
-            fly = (taylor_of if self.backend == "heyoka" else Flight)(self.field, directions=0).fly
+        fly = partial(fine._differences, 2) if self.backend == "compiled" else None
         try:
             loop = once_round(self._near(fly, state, fixed, period, reach, precision))
         except (OverflowError, ValueError) as error:

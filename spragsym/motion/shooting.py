@@ -308,7 +308,7 @@ def once_round(loop: Loop) -> Loop:
 
 def difference(loop: Loop) -> float:
     """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
-    other = looped(loop.flow.without, loop.guess)
+    other = looped(replace(loop.flow, other=loop.flow.plain), loop.guess)
     return max(float(np.abs(a.state - b.state).max()) for a, b in zip(loop.passages, other.passages, strict=True))
 
 

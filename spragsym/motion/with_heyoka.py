@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, TypeAlias, TypeVar
 
@@ -18,7 +18,6 @@ from .lobatto import sample_times, unit_points
 from .measures import Course, Turns
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
 from .solution import Crossing, Passage, Solution, Turn, assembled, crossed, parted
-from .with_scipy import IMPLICIT, Flight
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so. Steps after
 #: which a stretch of a flow is given up.
@@ -286,14 +285,10 @@ class Taylor(Carrier):
         times, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
         return assembled(times, states, self.crossings, t_record)
 
-    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        """Carry a state on for a while; by an implicit method where steps collapse."""
+    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: Any = ()) -> Passage:
+        """Carry a state on for a while."""
         self.begin(state, constants, directions)
-        try:
-            self.go(duration, duration, MAX_STEPS)
-        except StiffError:
-            implicit = Flight(self.field, self.derivatives, self.directions, IMPLICIT, stiff=True)
-            return implicit.fly(state, constants, duration, directions)
+        self.go(duration, duration, MAX_STEPS)
         integrals = (float(self.one[-2]) / UNIT, float(self.one[-1]) / UNIT) if self.derivatives else None
         return Passage(*self._split(self.one), tuple(self.crossings), tuple(self.turns), integrals)
 
@@ -336,10 +331,10 @@ def taylor_for(problem: Problem) -> Taylor:
     return compiled(Taylor, problem.field, problem.rtol)
 
 
-def taylor_of(field: Field, derivatives: bool = True, directions: int = 2) -> Taylor:
-    """What carries a flow, with turns; without ``directions``, derivatives by parameters are 0."""
+def taylor_of(field: Field, derivatives: bool, directions: int) -> Taylor:
+    """What carries a flow, with turns, and its derivatives by the start and along ``directions`` of the parameters."""
     tol = TOLERANCE if derivatives else PLAIN
-    return compiled(Taylor, field, tol, derivatives=derivatives, directions=directions * derivatives, turning=True)
+    return compiled(Taylor, field, tol, derivatives=derivatives, directions=directions, turning=True)
 
 
 def integrate(problem: Problem) -> Solution:
@@ -357,31 +352,30 @@ BURST = 20_000
 #: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
 NEAR = 1e-3
 
-#: Kinds of event.
-EVENTS = len(Event)
+
+@dataclass
+class Seen:
+    """What is noted of a motion in a lane: turns, how many events of each kind, the states where borders were last crossed.
+
+    One that may be ``resting`` on a border has events that are told from chatter by samples only.
+    """
+
+    turns: Turns = field(default_factory=Turns)
+    counts: list[int] = field(default_factory=lambda: [0] * len(Event))
+    crossed: dict[int, list[float]] = field(default_factory=dict)
+    resting: bool = False
 
 
 @dataclass
-class Stage:
-    """Motions on their way: what is carried of each (rows), its mode, its steps so far, and why those stopped that did."""
+class Traveller:
+    """A motion on its way: all that is carried of it, its mode, its steps so far, what was noted last, and why it stopped."""
 
-    problems: Sequence[Problem]
-    constants: FloatArray
+    problem: Problem
     carried: FloatArray
-    modes: list[Mode]
-    steps: list[int]
-    turns: list[Turns | None] = field(default_factory=list)
-    counts: list[list[int]] = field(default_factory=list)
-    errors: dict[int, Exception] = field(default_factory=dict)
-    #: Those that may rest on a border, where events are told from chatter by samples only.
-    resting: set[int] = field(default_factory=set)
-
-    @classmethod
-    def of(cls, problems: Sequence[Problem]) -> Stage:
-        """All of them at their starts."""
-        constants, starts = (np.array([getattr(each, name) for each in problems], dtype=float) for name in ("constants", "start"))
-        modes = problems[0].field.initial_modes(starts, constants)
-        return cls(problems, constants, starts, modes, [0] * len(modes))
+    mode: Mode
+    steps: int = 0
+    seen: Seen = field(default_factory=Seen)
+    error: Exception | None = None
 
 
 class Lanes(Carrier):
@@ -393,90 +387,80 @@ class Lanes(Carrier):
     def __init__(self, field: Field, rtol: float, watch: bool) -> None:
         super().__init__(field, rtol, lanes=LANES, watch=watch)
         self.watch, self.kinds = watch, kinds_of(field)
-        self.turns: list[Turns | None] = [None] * LANES
-        self.counts = [[0] * EVENTS for _ in range(LANES)]
-        #: Where borders were last crossed, and lanes in which that was where they had been crossed before.
-        self.crossed: list[dict[int, list[float]]] = [{} for _ in range(LANES)]
-        self.resting: set[int] = set()
+        self.seen = [Seen() for _ in range(LANES)]
         self.dense, self.look = self.solver.d_output, self.solver.update_d_output
 
     def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
         kind = self.kinds.get((row, self.field.borders[row].sign(self.modes[lane])))
-        if kind is not None:
-            self.counts[lane][kind] += 1
-            if self.watch:
-                self._rest(lane, row)
+        if kind is not None and self.watch:
+            self.seen[lane].counts[kind] += 1
+            self._rest(lane, row)
 
     def _rest(self, lane: int, row: int) -> None:
         """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
-        state = self.state[: self.m, lane].tolist()
-        before, self.crossed[lane][row] = self.crossed[lane].get(row), state
+        seen, state = self.seen[lane], self.state[: self.m, lane].tolist()
+        before, seen.crossed[row] = seen.crossed.get(row), state
         if before and max(abs(a - b) for a, b in zip(state, before, strict=True)) <= NEAR * max(map(abs, state)):
-            self.resting.add(lane)
+            seen.resting = True
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         self.look(t)
-        seen = self.turns[lane]
-        if seen is None:
-            self.turns[lane] = seen = Turns()
-        seen.add(t, direction, self.dense[:, lane].tolist())
+        self.seen[lane].turns.add(t, direction, self.dense[:, lane].tolist())
 
-    def carry(self, stage: Stage, begin: float, end: float) -> Stage:
-        """Where the motions of a stage are that are carried from ``begin`` to ``end`` and do not stop on the way."""
-        count = len(stage.modes)
-        watching = [stage.carried[:, :1], np.full((count, 1), _scale(end - begin))] if self.watch else []
-        pars = np.hstack([stage.constants, np.array(stage.modes, dtype=float).reshape(count, -1), *watching])
-        after = replace(
-            stage, carried=np.full((count, len(self.state)), np.nan), modes=stage.modes.copy(), steps=stage.steps.copy(),
-            turns=[None] * count, counts=[[0] * EVENTS] * count,
-        )  # fmt: skip
-        left = [row for row in range(count) if row not in stage.errors]
+    def carry(self, motions: Sequence[Traveller], begin: float, end: float) -> None:
+        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way."""
+        left = [one for one in motions if one.error is None]
         while left:
-            rows, left = left[:LANES], left[LANES:]
-            self._begin(stage, pars, rows, begin, end)
-            if not self._arrived(after, rows, end):
-                left = [row for row in rows if row not in stage.errors] + left
-        states, modes = after.carried[:, : self.m].T, np.array(after.modes).T
-        for row in np.flatnonzero(~self.field.are_inside(states, stage.constants.T, modes)).tolist():
-            stage.errors.setdefault(row, missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
-        return after
+            some, left = left[:LANES], left[LANES:]
+            self._begin(some, begin, end)
+            if not self._arrived(some, end):
+                left = [one for one in some if one.error is None] + left
+        if not (arrived := [one for one in motions if one.error is None]):
+            return
+        states, constants, modes = (
+            np.array(column).T
+            for column in zip(*((one.carried[: self.m], one.problem.constants, one.mode) for one in arrived), strict=True)
+        )
+        for one, inside in zip(arrived, self.field.are_inside(states, constants, modes), strict=True):
+            if not inside:
+                one.error = missed(end) if np.isfinite(one.carried[: self.m]).all() else out_of_range()
 
-    def _begin(self, stage: Stage, pars: FloatArray, rows: list[int], begin: float, end: float) -> None:
+    def _begin(self, some: list[Traveller], begin: float, end: float) -> None:
         """Put motions into lanes; what else is free stands still at the end, where the first lane is."""
-        filled = [*rows, *rows[:1] * (LANES - len(rows))]
-        self.state[:], self.pars[:] = 0.0, pars[filled, : len(self.pars)].T
-        self.state[: self.m] = stage.carried[filled, : self.m].T
-        self.solver.set_dtime(np.where(np.arange(LANES) < len(rows), begin, end), np.zeros(LANES))
+        filled = [*some, *some[:1] * (LANES - len(some))]
+        pars = [(*one.problem.constants, *one.mode, one.carried[0], _scale(end - begin)) for one in filled]
+        self.state[:], self.pars[:] = 0.0, np.array(pars).T[: len(self.pars)]
+        self.state[: self.m] = np.array([one.carried[: self.m] for one in filled]).T
+        self.solver.set_dtime(np.where(np.arange(LANES) < len(some), begin, end), np.zeros(LANES))
         if self.eventful:
             self.solver.reset_cooldowns()
-        self.modes, self.turns = [stage.modes[row] for row in filled], [None] * LANES
-        self.counts, self.crossed = [[0] * EVENTS for _ in filled], [{} for _ in filled]
-        self.resting.clear()
+        self.modes, self.seen = [one.mode for one in filled], [Seen() for _ in filled]
         self.strays.clear()
 
-    def _arrived(self, after: Stage, rows: list[int], end: float) -> bool:
+    def _arrived(self, some: list[Traveller], end: float) -> bool:
         """Go on to the end; whether all are there: where one breaks off the others begin again."""
-        steps = [after.steps[row] for row in rows]
+        steps = [one.steps for one in some]
         while self.times.min() < end:
             begun, (late, early) = self.times.tolist(), self.solver.dtime
             self.solver.set_dtime(late.copy(), np.where(late == end, 0.0, early))  # who has ended does not move by rounding
             self.solver.propagate_until(end, max_steps=BURST)
-            for lane, row in enumerate(rows):
-                one = after.problems[row]
+            for lane, one in enumerate(some):
+                most, t_end, constants = one.problem.max_steps, one.problem.t_end, one.problem.constants
                 try:
-                    steps[lane] = self._counted(lane, begun[lane], steps[lane], one.max_steps, one.t_end, one.constants)
+                    steps[lane] = self._counted(lane, begun[lane], steps[lane], most, t_end, constants)
                 except ConvergenceError as error:
-                    after.errors[row] = error
-            if not after.errors.keys().isdisjoint(rows):
+                    one.error = error
+            if any(one.error for one in some):
                 return False
-        for lane, row in enumerate(rows):
-            after.carried[row], after.modes[row], after.steps[row] = self.state[:, lane], self.modes[lane], steps[lane]
-            if self.watch:
-                after.turns[row], after.counts[row] = self.turns[lane], self.counts[lane]
-                for border in list(self.crossed[lane]):
-                    self._rest(lane, border)
-                if lane in self.resting:
-                    after.resting.add(row)
+        for lane, one in enumerate(some):
+            for border in list(self.seen[lane].crossed):
+                self._rest(lane, border)
+            one.carried, one.mode, one.steps, one.seen = (
+                self.state[:, lane].copy(),
+                self.modes[lane],
+                steps[lane],
+                self.seen[lane],
+            )
         return True
 
 
@@ -485,38 +469,32 @@ def _scale(duration: float) -> float:
     return 1e-3 / duration
 
 
-def ends(problems: Sequence[Problem]) -> FloatArray:
-    """States at ``t_end``; an error where one of them stops."""
-    one = problems[0]
-    stage = compiled(Lanes, one.field, one.rtol, watch=False).carry(Stage.of(problems), 0.0, one.t_end)
-    for error in stage.errors.values():
-        raise error
-    return stage.carried
-
-
 def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[int]]:
     """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept; or why there is none.
 
     And the rows of those that are to be measured from samples.
     """
-    stage, one = Stage.of(problems), problems[0]
-    if one.t_record > 0:
-        stage = compiled(Lanes, one.field, one.rtol, watch=False).carry(stage, 0.0, one.t_record)
-    first, begin, end = stage.carried, one.t_record, one.t_end
-    stage = compiled(Lanes, one.field, one.rtol, watch=True).carry(stage, begin, end)
-    size, scale = first.shape[1], _scale(end - begin)
+    one = problems[0]
+    begin, end, scale, size = one.t_record, one.t_end, _scale(one.t_end - one.t_record), one.field.size
+    starts, constants = (np.array([getattr(each, name) for each in problems], dtype=float) for name in ("start", "constants"))
+    modes = one.field.initial_modes(starts, constants)
+    motions = [Traveller(*given) for given in zip(problems, starts, modes, strict=True)]
+    if begin > 0:
+        compiled(Lanes, one.field, one.rtol, watch=False).carry(motions, 0.0, begin)
+    first = [each.carried[:size] for each in motions]
+    compiled(Lanes, one.field, one.rtol, watch=True).carry(motions, begin, end)
 
-    def course(row: int) -> Course:
-        last, seen = stage.carried[row], stage.turns[row] or Turns()
+    def course(motion: Traveller, first: FloatArray) -> Course:
+        last, seen = motion.carried, motion.seen.turns
         tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + len(last))
         lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
         integrals = np.vstack([tops[:, 1 + size :], last[size:]]) / scale
-        low, high = (float(pick(first[row, 0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
+        low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
         return Course(
-            begin, end, first[row], last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows,
-            np.array(stage.counts[row]), (low, high),
+            begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows,
+            np.array(motion.seen.counts), (low, high),
         )  # fmt: skip
 
-    found = [stage.errors.get(row) or course(row) for row in range(len(problems))]
-    stiff = {row for row, error in stage.errors.items() if isinstance(error, StiffError)}
-    return found, sorted(stiff | (stage.resting - stage.errors.keys()))
+    found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]
+    again = [isinstance(each.error, StiffError) or (each.error is None and each.seen.resting) for each in motions]
+    return found, np.flatnonzero(again).tolist()

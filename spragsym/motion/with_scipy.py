@@ -13,7 +13,7 @@ from ..errors import ConvergenceError
 from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
-from .problem import MOST, Problem, StiffError, check_stiffness, out_of_range, too_many_steps
+from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import Crossing, Passage, Solution, Turn, assembled, crossed, parted
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
@@ -26,6 +26,9 @@ ARRAYS = SimpleNamespace(
 
 #: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a share of it.
 RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
+
+#: No directions.
+NONE = np.empty(0)
 
 #: Steps after which a stretch of a flow is given up, and between two looks at whether they have collapsed.
 MAX_STEPS, LOOK = 200_000, 2000
@@ -67,38 +70,35 @@ class Flight:
     """
 
     field: Field
-    derivatives: bool = True
-    directions: int = 2
+    derivatives: bool
+    directions: int
     rtol: float = RTOL
     stiff: bool = False
     absolute: float = ABSOLUTE
     interpolated: bool = False
 
-    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        """Carry a state on for a while; by an implicit method where steps collapse."""
-        if self.directions and not directions.any():
-            return replace(self, directions=0).fly(state, constants, duration, directions)
+    def fly(
+        self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray = NONE
+    ) -> Passage:  # fmt: skip
+        """Carry a state on for a while."""
         m = self.field.size
         crossings, turns = list[Crossing](), list[Turn]()
         whole = np.asarray(state, dtype=float)
         if self.derivatives:
             whole = np.concatenate([whole, np.eye(m, m + self.directions).ravel()])
-        try:
-            for piece in self._pieces(whole, constants, duration, directions):
-                turns += self._turns(piece, constants)
-                crossings += piece.crossings
-                whole = piece.last
-        except StiffError:
-            return replace(self, stiff=True, rtol=max(self.rtol, IMPLICIT)).fly(state, constants, duration, directions)
+        for piece in self._pieces(whole, constants, duration, directions):
+            turns += self._turns(piece, constants)
+            crossings += piece.crossings
+            whole = piece.last
         return Passage(*self._split(whole), tuple(crossings), tuple(turns))
 
     def motion(
         self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int | None = None
     ) -> Solution:  # fmt: skip
         """A motion by its samples, from ``t_record`` on, without derivatives."""
-        flight, times, states, crossings = replace(self, derivatives=False, directions=0), [], [], list[Crossing]()
+        times, states, crossings = [], [], list[Crossing]()
         with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
-            for piece in flight._pieces(np.array(start, dtype=float), constants, t_end, np.empty(0), max_steps):
+            for piece in self._pieces(np.array(start, dtype=float), constants, t_end, NONE, max_steps):
                 crossings += piece.crossings
                 if piece.end > max(piece.begin, t_record - piece.clock):
                     times.append(piece.clock + piece.t)
@@ -232,18 +232,15 @@ class Flight:
         return sorted(found, key=lambda turn: turn.t)
 
 
-def integrate(problem: Problem, *, stiff: bool = False) -> Solution:
-    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where it is ``stiff``."""
-    if stiff:
-        flight, steps = Flight(problem.field, False, 0, max(problem.rtol, IMPLICIT), stiff=True), MAX_STEPS
-    else:
-        flight, steps = Flight(problem.field, False, 0, problem.rtol, absolute=1e-3, interpolated=True), problem.max_steps
-    return flight.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=steps)
+def integrate(problem: Problem) -> Solution:
+    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    flight, begun = Flight(problem.field, False, 0, problem.rtol, absolute=1e-3, interpolated=True), problem.start
+    return flight.motion(begun, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=problem.max_steps)
 
 
 def first_step(problem: Problem, mode: Mode) -> float:
     """The length of the first step, as SciPy chooses it."""
-    rates = Flight(problem.field, False, 0).rates(problem.constants, mode, np.empty(0))
+    rates = Flight(problem.field, False, 0).rates(problem.constants, mode, NONE)
     options = {"rtol": problem.rtol, "atol": problem.rtol * 1e-3}
     return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
 

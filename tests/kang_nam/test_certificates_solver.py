@@ -11,7 +11,6 @@ import spragsym as ss
 from spragsym.generated import kernel
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled, solver
 from spragsym.models.parameters import NAMES
-from spragsym.results import state_columns
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors
@@ -106,12 +105,12 @@ GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsid
 
 def _settled(
     monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
-) -> tuple[bool, state_columns.Slots]:
+) -> tuple[bool, block.Slots]:
     """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
     given = {name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
-    out = state_columns.Slots(3, 3 if contact else 4)
+    out = block.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
     times = np.repeat(np.array(t)[:, None], 2, axis=1)
     settled = block._some(times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53))

@@ -14,7 +14,6 @@ from spragsym.generated import kernel
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled
 from spragsym.models.parameters import NAMES
 from spragsym.numerics.double_double import DoubleDouble, cosine_and_sine
-from spragsym.results import state_columns
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, wrong_counts
 
@@ -152,7 +151,7 @@ def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
     values = [np.ascontiguousarray(value) for value in p.broadcast(*NAMES)]
     found = []
     for solve in (compiled.solve_widely, block.solve_widely):
-        out = state_columns.Slots(p.shape[0], 3 if contact else 4)
+        out = block.Slots(p.shape[0], 3 if contact else 4)
         with np.errstate(all="ignore"):
             left = solve(values, contact, out, 0, p.shape[0])
         out.count[left] = 0
@@ -160,5 +159,5 @@ def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
         found.append((left, out))
     np.testing.assert_array_equal(found[0][0], found[1][0])
     np.testing.assert_array_equal(found[0][1].count, found[1][1].count)
-    for name in state_columns.COLUMNS:
+    for name in block.COLUMNS:
         np.testing.assert_array_equal(found[0][1].padded(name), found[1][1].padded(name))

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...models.load import fits
 from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
-from ...results.state_columns import COLUMNS, Slots
+from .block import COLUMNS, Slots
 
 _ROOM = threading.local()
 #: Points that are worth a thread of their own, and the same where they are only counted.

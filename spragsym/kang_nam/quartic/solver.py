@@ -18,9 +18,9 @@ from ...models.parameters import NAMES, Parameters
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
-from ...results.state_columns import COLUMNS, Columns, Slots, empty
 from ...statics.states import Linearizing
 from . import block, compiled
+from .block import COLUMNS, Columns, Slots, empty
 
 if TYPE_CHECKING:
     from .adaptive_precision import Settled

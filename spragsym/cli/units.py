@@ -91,7 +91,7 @@ class Units:
         """
         if self.study is None or self.model.is_angle(name):
             return None
-        from ..motion.pictures import symbol
+        from ..figures.labels import symbol
 
         entries = {entry["name"]: (entry["quantity"], entry["quantity_unit"]) for entry in self.model.about["parameters"]}
         quantity, si = entries.get(name, (name, "m"))

@@ -15,10 +15,9 @@ import spragsym as ss
 from ..bifurcation.defining_systems import ranges
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
-from ..motion.pictures import symbol
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
-from .labels import as_drawn, in_units, with_unit
+from .labels import as_drawn, in_units, symbol, with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 
 #: Friction up to which pictures go, at least, and up to which folds are looked for; of another quantity times its value.

@@ -12,11 +12,10 @@ from scipy.optimize import linear_sum_assignment
 from ..errors import ConvergenceError
 from ..models import Model
 from ..models.parameters import FloatArray, ParameterSet
-from ..motion.pictures import in_letters
 from ..numerics.interval_arrays import ComplexArray
 from ..statics.stability import NEUTRAL
 from .curves import along, chains_between, folds_between
-from .labels import as_drawn, label
+from .labels import as_drawn, in_letters, label
 from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, stacked, styled
 
 

@@ -1,6 +1,7 @@
 """Axis labels of a model's parameters and coordinates, and the ranges that axes show."""
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,13 +11,40 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from ..models import Model
 from ..models.field import Field
-from ..motion.pictures import in_letters, symbol
 from ..results import Points
 
 #: Range of a parameter, by its name.
 Between = Mapping[str, tuple[float, float]]
 #: What is shown beyond the farthest cusp.
 ROOM = 1.25
+#: Names that are letters.
+GREEK = {
+    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
+}  # fmt: skip
+
+
+def symbol(name: str) -> str:
+    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
+    base, _, index = name.partition("_")
+    if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
+        return f"{symbol(numbered[1])}_{numbered[2]}" if not index else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
+    return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
+
+
+def axis_label(model: Model, name: str) -> str:
+    """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
+    unit = model.quantities[name][0]
+    written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
+    if unit in ("1", "rad"):
+        return f"${written}$" if unit == "1" else f"${written}$ (rad)"
+    letters = in_letters(unit)
+    return f"${written}$ / $({letters})$" if r"\," in letters else f"${written}$ / ${letters}$"
+
+
+def in_letters(scale: str) -> str:
+    """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
+    merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
+    return re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged).replace("**", "^").replace("*", r"\,")
 
 
 def label(model: Model, name: str) -> str:

@@ -10,8 +10,7 @@ from matplotlib.axes import Axes
 
 from ..errors import ParameterError
 from ..motion import Trajectory
-from ..motion.pictures import axis_label, course_over_time, in_letters
-from .labels import label
+from .labels import axis_label, in_letters, label
 from .style import BLUE, DOUBLE, GREY, Sheet, Table, own_axes, panels, styled
 
 
@@ -34,9 +33,11 @@ def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = Non
     of = motion.components[0] if of is None else of
     if of not in motion.components:
         raise ParameterError(f"of = {of!r} is not one of {', '.join(motion.components)}")
-    return course_over_time(
-        motion, of, own_axes(ax), scale=(time, length), labels=labels, style={"color": BLUE, "linewidth": 0.8}
-    )
+    ax, t = own_axes(ax), np.linspace(motion.t[0], motion.t[-1], 4000)
+    (line,) = ax.plot(time * t, length * motion(t)[motion.components.index(of)], color=BLUE, linewidth=0.8)
+    across, up = labels or (axis_label(motion.model, "t"), axis_label(motion.model, of))
+    ax.set(xlabel=across, ylabel=up)
+    return line
 
 
 def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = None, length: float = 1.0, speed: float = 1.0,

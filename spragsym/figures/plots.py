@@ -13,6 +13,7 @@ from ..results import Stability
 from .curves import draw_path, mark_folds, name_axes
 from .diagrams import diagram_figure
 from .labels import as_drawn
+from .motion_pictures import draw_motion
 from .oscillation import branch_figure, fate_map_figure
 from .planes import draw_bifurcation_set, draw_onset_curves
 from .style import BLACK, own_axes, styled
@@ -84,6 +85,10 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     return lines
 
 
+def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, of: str | None = None, **options: Any) -> Any:
+    return draw_motion(motion.after(transient), of, ax, **options)
+
+
 def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
     """The first column of numbers over another that varies, or over the row."""
     columns = {name: np.ravel(column) for name, column in result.data().items() if column.dtype.kind in "fiu"}
@@ -101,5 +106,5 @@ _FIGURES: Mapping[str, Callable[..., Any]] = {
 }  # fmt: skip
 _DRAWN: Mapping[str, Callable[..., Any]] = {
     "Path": _path, "Points": _points, "Onsets": _points, "Equilibria": _equilibria,
-    "BifurcationSet": draw_bifurcation_set, "OnsetCurves": draw_onset_curves,
+    "BifurcationSet": draw_bifurcation_set, "OnsetCurves": draw_onset_curves, "Trajectory": _motion,
 }  # fmt: skip

@@ -21,7 +21,7 @@ from ..numerics.interval_arrays import IndexArray
 from ..questions import model_of
 from ..results.result import Named
 from ..statics.search import rest_index
-from . import integrators, pictures
+from . import integrators
 from .classify import classify
 from .lobatto import PiecewisePolynomial
 from .measures import Course, Spectrum, course_of, decay_rate_of, spectrum_of
@@ -320,15 +320,6 @@ class Trajectory(Named):
         late = self.after(transient)
         extrema = np.concatenate([late.samples.passages(row + n, sign) for sign in (1, -1)])
         return decay_rate_of(extrema, late.samples(extrema)[row])
-
-    def plot(self, ax: Any = None, *, transient: float = 0.0, of: str | None = None) -> Any:  # type: ignore[override]  # names its options
-        """Draw x, the first coordinate, over time, or another component (extra ``plot``); returns the line."""
-        row = self._row(of, self.components)
-        if ax is None:
-            from matplotlib import pyplot
-
-            ax = pyplot.gca()
-        return pictures.course_over_time(self.after(transient), self.components[row], ax)
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""

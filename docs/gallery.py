@@ -9,9 +9,8 @@ import jinja2
 import numpy as np
 
 import spragsym as ss
-from spragsym.figures.files import picture
 from spragsym.figures.planes import bifurcation_figure, stability_figure
-from spragsym.figures.style import Sheet, house_style, styled
+from spragsym.figures.style import Sheet, house_style, picture, styled
 from spragsym.models import Model
 from spragsym.models.load import USUAL, shipped
 from spragsym.models.model import title_and_words

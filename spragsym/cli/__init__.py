@@ -22,20 +22,20 @@ __all__ = ["COMMANDS", "cli", "main"]
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
-    "report": ("report", "A verdict on the brake of a file, with units."),
-    "check": ("check", "Hold the article against the derivation."),
+    "report": ("pages", "A verdict on the brake of a file, with units."),
+    "check": ("article", "Hold the article against the derivation."),
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, flutter onsets, and cusps."),
     "onsets": ("bifurcation", "Where oscillation sets in, over two parameters."),
     "folds": ("bifurcation", "Folds along one parameter: what ends there."),
-    "path": ("paths", "A state followed as one parameter moves."),
-    "critical": ("paths", "Where a state jumps first, and critical frictions."),
+    "path": ("equilibria", "A state followed as one parameter moves."),
+    "critical": ("equilibria", "Where a state jumps first, and critical frictions."),
     "simulate": ("motion", "Integrate the motion from an initial state."),
-    "cycles": ("cycles", "Cycles of the motion, and branches of them."),
+    "cycles": ("motion", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
     "fates": ("motion", "What motions come to, over a grid of parameters."),
-    "figures": ("figures", "Draw the article's figures, and more."),
-    "explore": ("explore", "Write the explorer, a page for the browser."),
+    "figures": ("article", "Draw the article's figures, and more."),
+    "explore": ("pages", "Write the explorer, a page for the browser."),
     "derive": ("export", "Derive a model from its model page to code."),
     "export": ("export", "Write the solver in another language."),
 }

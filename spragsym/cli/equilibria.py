@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,20 +11,24 @@ import numpy as np
 
 import spragsym as ss
 
-from ..errors import ConvergenceError
+from ..bifurcation.defining_systems import ranges
+from ..bifurcation.paths import first_end
+from ..design.jumps import first_ends
+from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..numerics.decimals import upward
 from ..progress import show_progress
+from ..remarks import At, Remark
 from ..results.equilibria import Stability
 from . import options as o
-from .of_model import Case, of_model
-from .output import drawn, print_rows
-from .points import lengths, summed
+from .bifurcation import lengths, summed
+from .case import Case, Span
+from .output import drawn, print_rows, print_table
 
 #: Points of a table.
 MOST = 10_000
 
 
-@of_model(kind=o.Numbers, statics=True, values=True)
+@o.of_model(kind=o.Numbers, statics=True, values=True)
 @o.vary(
     "What varies, with its ends: a parameter, or with --data a quantity of the file, as k_x=5:20 or mu0=0:1:11 for 11 values."
 )
@@ -147,3 +151,187 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[dict[str, An
     words = {"state": [eq.regime] * count, "stability": [Stability(code).name.lower() for code in eq.stability[point][:count]]}
     error, marginal = (columns.pop(name).tolist() for name in ("error", "marginal"))
     return case.rows(words | columns, error=error, marginal=marginal)
+
+
+#: What is nearer to 0 than all normal floats is printed as 0.
+LEAST = 2.0**-1022
+
+
+@o.of_model(statics=True, values=True)
+@o.vary(
+    "What moves, and from where to where, as mu0=0:0.9, or mu0=0.9:0:19 for 19 values; with --data a quantity of the file too."
+)
+@o.followed
+@o.method
+@o.as_json
+def path(case: Case, near: tuple[str, ...]) -> Any:
+    """The reference state, followed as one parameter moves: where it goes and where it jumps.
+
+    \b
+    Examples:
+      spragsym path --theta0 40 --vary mu0=0:0.9
+      spragsym path --data brake.toml --vary theta0=10:80
+      spragsym path --model two_springs --vary theta0=10:80:8
+      spragsym path --model sprag_rod --theta0 30 --vary mu0=0:0.7 --state phi=-28
+    """
+    case.require_ends()
+    along = case.span
+    with show_progress(f"following a state along {along.name}"):
+        found = ss.quasi_static_path(case.following(case.set(along.name), near), along.name, along.values, **case.ask)
+    words = {"stability": [Stability(code).name.lower() for code in found.stability], "damped": found.damped.astype(str)}
+    states = case.rows({along.name: found.values, **words, "growth": found.growth, **found.places})
+    jumps = [
+        case.row({along.name: jump.value, "kind": jump.kind})
+        | {key: one for end in ("before", "after") for key, one in _places(case, found.columns, getattr(jump, end), end).items()}
+        | {"error": jump.error}
+        for jump in found.jumps
+    ]
+
+    def tables() -> None:
+        growth = case.of("growth")[0]
+        for title, rows in (("States", states), ("Jumps", jumps)):
+            rows = [{key: f"{one:.1e}" if key == growth else one for key, one in row.items()} for row in rows]
+            if rows:
+                angles = [name for name in rows[0] if name.startswith("theta") and name.endswith(("_before_deg", "_after_deg"))]
+                print_rows(title, rows, [name for name in (*lengths(rows[0]), "error", *angles) if name != along.title])
+        if not jumps:
+            click.echo("No jumps")
+
+    return {"vary": along.title, "states": states, "jumps": jumps}, tables
+
+
+def _places(case: Case, columns: tuple[str, ...], place: Mapping[str, float], end: str) -> dict[str, Any]:
+    return case.row({name: place[name] for name in columns}, f"_{end}")
+
+
+@o.of_model(statics=True)
+@o.vary("What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}.")
+@o.followed
+@o.method
+@o.as_json
+def critical(case: Case, near: tuple[str, ...]) -> Any:
+    """Where the reference state jumps first as one parameter moves, and the frictions that decide whether it can.
+
+    Friction and inclination rise from their lower end; the others move up and down from their value, at a friction at which
+    nothing has jumped.
+
+    \b
+    Examples:
+      spragsym critical --theta0 40
+      spragsym critical --data brake.toml --vary theta0
+      spragsym critical --model two_springs --theta0 40 --vary mu0=0:1
+    """
+    along = case.span
+    from_end = along.name in case.model.axes or along.ends is not None
+    p = case.following(case.set(*([along.name] if from_end else [])), near)
+    with show_progress(f"following the state along {along.name}"):
+        frictions, remarks = _frictions(case, p)
+        of_mu0 = not from_end and "mu0" in case.model.parameters
+        jumped = of_mu0 and bool((frictions["mu0_jump"] or math.inf) <= float(case.values["mu0"]))
+        ways = ["range"] if along.ends else ["up"] if from_end else ["up", "down"]
+        jumps = [{"way": way, **_first(case, p, along, way, jumped)} for way in ways]
+
+    def tables() -> None:
+        rows: list[tuple[str, Any]] = []
+        for jump in jumps:
+            low, high = jump["searched"]
+            where = f"from {low:g} to {high:g}" if math.isfinite(high - low) else jump["way"]
+            never = "it has jumped already" if jumped else "never"
+            rows.append((f"{along.title} at the first jump, {where}", _or(jump[along.title], never)))
+        shown = _meanings(case, frictions, along.name)
+        rows += [(text, _or(frictions[name], "unknown" if frictions[name] is None else "none")) for name, text in shown.items()]
+        print_table("", ("", "value"), rows)
+        for remark in remarks:
+            if remark.partition(":")[0] not in {*frictions} - {*shown}:
+                click.echo(remark)
+
+    return {"vary": along.title, "jumps": jumps, "jumped": jumped, **frictions, "remarks": remarks}, tables
+
+
+def _or(value: float | None, word: str) -> float | str:
+    return value if value is not None and math.isfinite(value) else word
+
+
+def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str, Any]:
+    """Where the state ends first, by closed forms where the model has them; ``searched`` says up to where."""
+    (entry,) = [entry for entry in case.model.about["parameters"] if entry["name"] == along.name]
+    name, ends = along.name, _ends(case, p, along, way, entry)
+    searched = [along.unit * end if abs(end) >= LEAST else 0.0 for end in ends]
+    at, kind, before, error = math.nan, None, dict.fromkeys(case.model.coordinates, math.nan), math.nan
+    if jumped:
+        searched = [math.nan, math.nan]
+    elif case.has_closed_form(first_ends, p) and p.followed is None and along.ends is None and entry["role"] == "both":
+        searched, at = [-math.inf, math.inf], float(ss.jump_value(p, name, direction=way))
+        if math.isfinite(at):
+            folds = ss.folds(p, name)
+            row = int(np.abs(getattr(folds, name) - at).argmin())
+            before = {key: column[row] for key, column in folds.coordinates.items()}
+            kind, error = str(folds.kind[row]), float(folds.error[row])
+    elif (end := first_end(p.of(case.model.search), name, ends)) is not None:
+        at, kind, before, error = end.value, end.kind, dict(end.before), end.error
+    places = case.row({key: float(before[key]) for key in case.model.coordinates})
+    return {
+        "searched": searched, along.title: None if kind is None else along.unit * at, "kind": kind, **places, "error": error,
+    }  # fmt: skip
+
+
+def _ends(case: Case, p: Any, along: Span, way: str, entry: Mapping[str, Any]) -> tuple[float, float]:
+    """From where to where the parameter moves: to an end of its range, or to 10 base values where that has none."""
+    if along.ends is not None:
+        return along.ends
+    low, high = ranges(case.model, (along.name,), {})[0].tolist()
+    # An end that does not belong to the range: the next float does, and there is none between them.
+    low = math.nextafter(low, math.inf) if entry["low_open"] else low
+    high = math.nextafter(high, -math.inf) if entry["high_open"] and entry["high"] is not None else high
+    if along.name in case.model.axes:
+        return low, high
+    return float(getattr(p, along.name)), high if way == "up" else low
+
+
+def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
+    """The frictions that decide; None for what can't be told, with the reason."""
+    model, remarks = case.model, list[str]()
+
+    def told(name: str, question: Callable[[], Any], *needed: str) -> Any:
+        try:
+            if missing := [one for one in needed if one not in model.parameters]:
+                raise ParameterError(f"{model.name} has no {' and no '.join(missing)}")
+            return question()
+        except SpragsymError as reason:
+            remarks.append(f"{name}: {reason}")
+            return None
+
+    def jump() -> float:
+        value = float(ss.jump_value(p, "mu0"))
+        if math.isnan(value) and not case.has_closed_form(first_ends, p):
+            end = At("mu0", (float(ranges(model, ("mu0",), {})[0, 1]),), "g")
+            remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))
+        return value
+
+    def fold() -> Any:
+        found = ss.critical_friction(p, **case.ask)
+        remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
+        return found if found.complete else None
+
+    lowest = told("mu0_lowest", fold, "theta0", "mu0")
+    varies = None in case.values.values()
+    return {
+        "mu0_jump": None if varies else told("mu0_jump", jump, "mu0"),
+        "mu0_lowest": None if lowest is None else float(lowest),
+        "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
+        "kind_lowest": None if lowest is None else lowest.kind or None,
+        "mu0_cusp": told("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"),
+        "mu_cr": told("mu_cr", lambda: float(ss.linear_critical_friction(p))),
+    }, case.said(remarks)  # fmt: skip
+
+
+def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str]:
+    """What each friction is, of those that the model has."""
+    kind, known = frictions["kind_lowest"], {"theta0", "mu0"} & set(case.model.parameters)
+    place = f" ({'to' if kind == 'infinity' else 'a'} {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
+    if len(known) < 2:
+        return {"mu0_jump": "mu0_jump: mu0 of the jump"} if "mu0" in known and vary != "mu0" else {}
+    jump = {} if vary == "theta0" else {"mu0_jump": "mu0_jump: mu0 of the jump at this angle"}
+    linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if frictions["mu_cr"] is not None else {}
+    lowest = {"mu0_lowest": f"mu0_lowest: no jump below this mu0{place}", "mu0_cusp": "mu0_cusp: mu0 of the lowest cusp"}
+    return jump | lowest | linear

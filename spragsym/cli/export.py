@@ -11,7 +11,7 @@ from ..files.storage import probe
 from ..models import load
 from ..models.load import USUAL, page_of
 from . import options as o
-from .of_model import study_of
+from .case import study_of
 from .output import refuse, write
 
 

@@ -1,18 +1,31 @@
-"""Common options of commands: one name, one meaning and one range everywhere, and the form of their help."""
+"""Options of commands: one name, one meaning and one range everywhere; of commands about a model one for each parameter too."""
 
+from __future__ import annotations
+
+import copy
 import inspect
+import math
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 import numpy as np
+from click.core import ParameterSource
 
 from ..errors import ParameterError
-from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, shown
+from ..models import load
+from ..models.load import USUAL
+from ..models.model import options_of
+from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, degrees, shown
+from .case import Case, Typed, in_degrees, study_of
+from .output import drawable, print_json, refuse
+
+if TYPE_CHECKING:
+    from ..models import Model
+    from ..report import Study
 
 #: What makes an option of a command.
 Decorator: TypeAlias = Callable[[Any], Any]
@@ -110,17 +123,6 @@ class Numbers(Number):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         many = isinstance(value, str) and ("," in value or ":" in value)
         return Axis(self.allowed).convert(value, param, ctx) if many else super().convert(value, param, ctx)
-
-
-@dataclass(frozen=True)
-class Typed:
-    """A range as it was typed; numbers that were left out are None."""
-
-    text: str
-    name: str
-    low: float | None = None
-    high: float | None = None
-    count: int | None = None
 
 
 class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -223,3 +225,156 @@ def workers(default: int) -> Decorator:
     """``-j --workers``."""
     text = "Processes; -1 for one a core."
     return click.option("--workers", "-j", type=int, callback=_processes, default=default, help=text)
+
+
+class OfModel(Command):
+    """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
+
+    Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
+    takes the friction that works at the speed of its belt. ``--vary``, ``--within`` and ``--method`` come with the case; where
+    ``values`` are asked for, the ends of a range are values themselves; the first ``spanned`` ranges have no value besides. Files
+    of ``--plot`` are looked at before anything is computed. The work gives what JSON says, and what prints the table.
+
+    Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told otherwise, ``{last}`` of them,
+    ``{coordinate}``, the first, and ``{state}``, all of the initial state. What ``--vary`` names there is its default.
+    """
+
+    def __init__(
+        self, *args: Any, kind: Callable[[Range], Any] = Number, start: bool = False, statics: bool = False,
+        values: bool = False, spanned: int = 1, **more: Any,
+    ) -> None:  # fmt: skip
+        super().__init__(*args, **more)
+        self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
+        self.values, self.spanned = values, spanned
+        self.text = self.help
+        self._be_about(load(USUAL))
+
+    def _be_about(self, model: Model) -> None:
+        self.model = model
+        words = {
+            "time": model.about["scales"]["time"].replace("**", "^"), "axes": " and ".join(model.axes),
+            "last": "".join(model.axes[-1:]),
+            "coordinate": model.coordinates[0], "state": ",".join((*model.coordinates, *model.rates)).upper(),
+        }  # fmt: skip
+        data = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
+        asked = [
+            click.Option(["--model"], metavar="NAME|DIR", help=f"{TEXT} Its parameters become options."),
+            click.Option(["--data"], metavar="FILE", help=data),
+            click.Option(["--trust"], is_flag=True, help=TRUST),
+        ]
+        for option in asked:
+            option.expose_value = False
+        self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *asked]
+        of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
+        self.help = f"{self.text}{of}"
+
+    def make_context(
+        self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
+    ) -> click.Context:
+        """With the options of the model that the arguments name."""
+        path, name, about = _value_of(args, "--data"), _value_of(args, "--model"), self
+        if path is not None:
+            study = study_of(path, name, "--trust" in args)
+            name, extra = study.model, extra | {"default_map": self._defaults(study), "obj": study}
+        name = USUAL if name is None else name
+        if name != self.model.where:
+            about = copy.copy(self)
+            about._be_about(load(name))
+        return super(OfModel, about).make_context(info_name, args, parent, **extra)
+
+    def work(self, ctx: click.Context) -> Any:
+        """Do the work, about the case that the parameters are."""
+        return ctx.invoke(self._work, ctx)
+
+    def _work(self, ctx: click.Context) -> None:
+        given, units = ctx.params, Case(self.model, ctx.obj)
+        values = {name: given.pop(name) for name in self.model.parameters}
+        for entry in self.model.about["parameters"]:
+            name = entry["name"]
+            if name in self.model.about["angles"]:
+                values[name] = None if values[name] is None else np.radians(values[name])
+            elif ctx.obj and name == entry["quantity"] and ctx.get_parameter_source(name) == ParameterSource.COMMANDLINE:
+                # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
+                values[name] = values[name] / units.varied(name)[1]
+        start = {f"{name}0": given.pop(f"{name}0") / units.state(name) for name in self._state()}
+        ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
+        asked = given.pop("vary", None) or [Typed(name, name) for name in self._varies()]
+        typed = [asked] if isinstance(asked, Typed) else asked
+        spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(typed))
+        case = Case(self.model, ctx.obj, values, start, {name: one for name, one in ask.items() if one}, spans)
+        json_output, plot = given.pop("json_output", False), given.get("plot")
+        assert self.callback is not None  # each has its work
+        takes_force = "force" in inspect.signature(self.callback).parameters
+        drawable(plot)
+        refuse([plot], given.get("force", False) if takes_force else given.pop("force", False))
+        done = self.callback(case, **given)
+        if done is not None:
+            told, tables = done
+            if json_output:
+                print_json({"model": self.model.name, **told})
+            else:
+                tables()
+
+    def _varies(self) -> tuple[str, ...]:
+        """What varies unless told otherwise, as the help of ``--vary`` says."""
+        text = next((str(getattr(option, "help", "")) for option in self.own if option.name == "vary"), "")
+        return self.model.axes if "{axes}" in text else self.model.axes[-1:] if "{last}" in text else ()
+
+    def _parameters(self) -> list[click.Option]:
+        options = []
+        for entry in self.model.about["parameters"]:
+            name, default = entry["name"], self.model.base.get(entry["name"])
+            allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
+            if name in self.model.about["angles"]:
+                allowed = in_degrees(allowed, f"give the {entry['meaning']} in degrees")
+                meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
+            exact = default is not None and float(f"{default:.7g}") == default
+            # Click puts a default that is told in words into parentheses.
+            rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
+            flags = (*options_of(self.model.about, name), name)
+            options.append(
+                click.Option(flags, type=self.kind(allowed), default=default, show_default=exact, help=f"{meaning}.{rounded}")
+            )
+        return options
+
+    def _state(self) -> tuple[str, ...]:
+        return (*self.model.coordinates, *self.model.rates) if self.start else ()
+
+    def _start(self) -> list[click.Option]:
+        kind, si = self.kind(Range(-math.inf)), Case(self.model).si
+        texts = ((name, f"Initial {name}{', degrees' if si[name] == 'rad' else ''}.") for name in self._state())
+        return [click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, help=text) for name, text in texts]
+
+    def _defaults(self, study: Study) -> dict[str, str]:
+        """The values of a file, as options take them: of statics with the friction that works."""
+        kind, p = study.kind, study.at_work if self.statics and study.moves else study.dimensionless
+        if not self.statics and not study.moves:
+            raise ParameterError(
+                f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
+            )
+        values = {name: float(getattr(p, name)) for quantity, name in kind.parameters.items() if quantity in study.quantities}
+        return {name: str(degrees(value) if name in kind.about["angles"] else value) for name, value in values.items()}
+
+
+def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:
+    """A command about a model: ``click.command`` with the common options."""
+    return command(cls=OfModel, **options)
+
+
+def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:
+    """An option with the words of a model in its help."""
+    other = copy.copy(option)
+    for text in ("help", "metavar"):
+        if "{" in (getattr(option, text, None) or ""):
+            setattr(other, text, getattr(option, text).format(**words))
+    return other
+
+
+def _value_of(args: Sequence[str], flag: str) -> str | None:
+    """The value of an option, if it is there and a value follows."""
+    for place, word in enumerate(args):
+        if word == flag and place + 1 < len(args):
+            return args[place + 1]
+        if word.startswith(f"{flag}="):
+            return word.partition("=")[2]
+    return None

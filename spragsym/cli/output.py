@@ -22,8 +22,7 @@ from ..numerics.decimals import upward
 from ..progress import show_progress
 
 if TYPE_CHECKING:
-    from ..figures.labels import Shown
-    from ..figures.style import Sheet
+    from ..figures.style import Sheet, Shown
 
 #: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
@@ -139,9 +138,7 @@ def drawable(path: Path | None) -> None:
 
 def drawn(path: Path, part: str, make: Callable[[], Sheet], axes: Iterable[tuple[Shown | None, Shown | None]] = ()) -> None:
     """Draw a figure in its house's style, and write it; ``axes`` says of each panel what its two axes show, None as it is."""
-    from ..figures.files import picture
-    from ..figures.labels import in_units
-    from ..figures.style import house_style
+    from ..figures.style import house_style, in_units, picture
 
     with house_style(), show_progress(part):
         figure = make()

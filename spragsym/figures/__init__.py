@@ -12,24 +12,39 @@ Examples
 ('Figure 12. Bifurcation set', ['a'])
 """
 
-from collections.abc import Callable
+from __future__ import annotations
 
-from .bifurcation_sets import figure_11, figure_12, figure_14
-from .brakes import draw_operating_point, draw_rising, draw_shares
-from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
-from .diagrams import diagram_figure
-from .eigenvalues import eigenvalue_figure, plot_eigenvalues
-from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
-from .extras import figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity
-from .files import FORMATS, write
-from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
-from .motions import figure_3, figure_7
-from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from ..errors import MissingExtraError, ParameterError
+
+try:
+    from matplotlib.axes import Axes
+except ModuleNotFoundError as error:
+    raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
+
+from ..results import Stability
+from .bifurcation_sets import figure_11, figure_12, figure_14, figure_cusp_friction, figure_false_double_root
+from .curves import (
+    Branch,
+    branches,
+    draw_branches,
+    draw_path,
+    eigenvalue_figure,
+    mark_folds,
+    name_axes,
+    plot_eigenvalues,
+    plot_equilibria,
+)
+from .cycles import branch_figure, diagram_figure, fate_map_figure, figure_cycles, figure_cycles_plane
+from .equilibrium_curves import figure_4, figure_5, figure_6, figure_8, figure_9, figure_10, figure_13
+from .motions import draw_motion, draw_phase, draw_spectrum, figure_3, figure_7, figure_rms_map, figure_sensitivity, motion_figure
 from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, stability_figure
-from .plots import plot
-from .report_pages import report_page
-from .style import Sheet
-from .trajectories import figure_6, figure_13
+from .report_pages import draw_operating_point, draw_rising, draw_shares, report_page
+from .style import BLACK, FORMATS, Sheet, as_drawn, own_axes, styled, write
 
 #: Name → the function that draws it: the article's numbers first.
 FIGURES: dict[str, Callable[..., Sheet]] = {
@@ -72,3 +87,95 @@ __all__ = [
     "write",
     *(function.__name__ for function in FIGURES.values()),
 ]
+
+
+#: Marks of equilibria by their stability.
+_MARKS = {Stability.STABLE: ("o", "stable"), Stability.DIVERGENT: ("x", "divergent"), Stability.FLUTTER: ("^", "flutter")}
+
+
+@styled
+def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
+    """Draw a result as its kind is drawn elsewhere; of others the first column over the first that varies.
+
+    Parameters
+    ----------
+    result : a result of this package
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; by default pyplot's current axes. Diagrams, branches and maps are figures of their own and take none.
+    **options
+        For the drawing function.
+
+    Raises
+    ------
+    ParameterError
+        For a result without columns: there is nothing to draw.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> from matplotlib.figure import Figure
+    >>> path = ss.quasi_static_path(ss.Parameters.article(theta0=1.0), "mu0", [0.0, 0.1, 0.2])
+    >>> ax = Figure().add_subplot()
+    >>> _ = path.plot(ax)
+    >>> len(ax.lines)
+    1
+    """
+    name = type(result).__name__
+    if name in _FIGURES:
+        return _FIGURES[name](result, **options)
+    draw: Callable[..., Any] = _DRAWN.get(name, _columns)
+    return draw(result, ax, **options)
+
+
+def _path(path: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
+    return draw_path(path, quantity or path.parameters.model.coordinates[0], ax=ax, **options)
+
+
+def _points(points: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
+    ax, model = own_axes(ax), points.parameters.model
+    across, up = points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
+    name_axes(ax, model, across, up)
+    return mark_folds(points, up, ax=ax, **options)
+
+
+def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
+    """States over the first parameter that varies, or by their number, marked by their stability."""
+    ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
+    up = quantity or model.coordinates[0]
+    across = next((name for name in rows if name in model.parameters), None)
+    along = np.arange(len(rows[up])) if across is None else as_drawn(model, across, rows[across])
+    name_axes(ax, model, across or up, up)
+    if across is None:
+        ax.set_xlabel("state")
+    lines = []
+    for kind, (mark, word) in _MARKS.items():
+        here = rows["stability"] == kind
+        if here.any():
+            style: dict[str, Any] = {"linestyle": "none", "marker": mark, "color": BLACK, "markersize": 3, "label": word}
+            lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **(style | options))
+    return lines
+
+
+def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, of: str | None = None, **options: Any) -> Any:
+    return draw_motion(motion.after(transient), of, ax, **options)
+
+
+def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
+    """The first column of numbers over another that varies, or over the row."""
+    columns = {name: np.ravel(column) for name, column in result.data().items() if column.dtype.kind in "fiu"}
+    if not columns:
+        raise ParameterError(f"{type(result).__name__} has no columns of numbers, so that there is nothing to draw; print it")
+    ax = own_axes(ax)
+    names = [*columns][:2]
+    across = columns[names[0]] if len(names) == 2 else np.arange(columns[names[0]].size)
+    ax.set(xlabel=names[0] if len(names) == 2 else "row", ylabel=names[-1])
+    return ax.plot(across, columns[names[-1]], ".", **options)
+
+
+_FIGURES: Mapping[str, Callable[..., Any]] = {
+    "Diagram": diagram_figure, "CycleBranch": branch_figure, "FateMap": fate_map_figure,
+}  # fmt: skip
+_DRAWN: Mapping[str, Callable[..., Any]] = {
+    "Path": _path, "Points": _points, "Onsets": _points, "Equilibria": _equilibria,
+    "BifurcationSet": draw_bifurcation_set, "OnsetCurves": draw_onset_curves, "Trajectory": _motion,
+}  # fmt: skip

@@ -3,38 +3,50 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgba_array
 
 import spragsym as ss
 
 from ..assumed import MU0_RANGE
-from ..models.parameters import Parameters, ParameterSet
+from ..generated import equilibrium as _equilibrium
+from ..models.parameters import ARTICLE, FloatArray, Parameters, ParameterSet
+from ..numerics.interval_arrays import Int8Array
+from ..numerics.polynomials import eigenvalues
 from ..questions import has_closed_form
 from ..results import Stability
-from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
-from .curves import passages
+from .curves import LABELS, passages
+from .equilibrium_curves import both_ways, table_of_path
 from .planes import draw_bifurcation_set, draw_regions
 from .style import (
+    BASE_TEXT,
     BLACK,
+    BLUE,
     DOUBLE,
     GREEN,
     GREY,
+    HIDDEN_TEXT,
     LINES,
+    PATHS_DEG,
+    RANGE_TEXT,
     SINGLE,
     VERMILION,
     Sheet,
     Table,
     angle_axis,
     line_at,
+    panels,
+    plain_ticks,
+    remark,
     single,
     stacked,
     styled,
     write_along,
 )
-from .surfaces import POINT, draw_surface, on_surface, space_axes, table_of_points
-from .trajectories import both_ways, table_of_path
 
 _VIOLET = "#5b2a86"
 
@@ -140,3 +152,230 @@ def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one
     cusp = ss.bifurcation_set(p).cusps
     theta0, mu0 = float(np.degrees(cusp.theta0[0])), float(cusp.mu0[0])
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
+
+
+_SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
+#: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under which it is seen.
+_ASPECT, _RANGE, _ELEVATION, _AZIMUTH = (1.25, 1.1, 0.9), (180.0, 1.0, 4.0), 24.0, -118.0
+#: Columns of points.
+POINT = ("theta0_deg", "mu0", "x")
+#: How far lines stand before the surface, and half of their width, in the units of the proportions.
+_LIFT, _HALF = 0.08, 0.0036
+
+
+def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
+    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface between two frictions; and their stability.
+
+    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite: the mesh has no hole.
+    """
+    theta0 = np.radians(theta0_deg)
+    found = ss.surface(p, _directions(p, theta0, n, mu0), theta0[:, None])
+    friction, x, within = found.mu0, found.x, np.clip(found.mu0, *mu0)
+    kept = friction == within
+    for side in (1, -1) * 4:  # vertices beyond an end of the range come back to it, on the line to a neighbour within
+        beside, there = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
+        moves = (friction != within) & (beside == np.clip(beside, *mu0))
+        share = (within - friction) / np.where(moves, beside - friction, np.inf)
+        friction, x = np.where(moves, within, friction), x + share * (there - x)
+    vertices = np.stack(
+        [np.broadcast_to(theta0_deg[:, None], x.shape), np.where(friction == within, friction, np.nan), x], axis=-1
+    )
+    cells, inside = (
+        np.stack([columns[:-1, :-1], columns[1:, :-1], columns[1:, 1:], columns[:-1, 1:]], axis=2) for columns in (vertices, kept)
+    )
+    whole = np.isfinite(cells).all(axis=(2, 3)) & inside.any(axis=2)
+    return cells[whole], found.stability[:-1, :-1][whole]
+
+
+def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
+    """For each θ₀ directions in contact, evenly spaced on the surface as it is shown."""
+    kappa, sigma = p.scalars("kappa", "sigma")
+    start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))  # contact is sin θ above it
+    u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
+    share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
+    theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
+    found = ss.surface(p, theta, theta0[:, None])
+    width = mu0[1] - mu0[0]
+    shown = np.clip(found.mu0, mu0[0] - 0.1 * width, mu0[1] + 0.1 * width)
+    # Outside the shown range points are sparser, the farther away the sparser.
+    weight = 0.25 / (1 + ((found.mu0 - shown) / width) ** 2)[:, 1:]
+    steps = np.hypot(np.diff(shown, axis=1) / width, weight * np.diff(found.x, axis=1))
+    length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)
+    even = np.linspace(0.0, 1.0, n)
+    return np.array([np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)])
+
+
+def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
+    """Axes in three dimensions, for print."""
+    ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False)
+    for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
+        axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
+        axis._axinfo["grid"].update(linewidth=0.3, color="#cccccc")  # there is no public way to thin the grid
+    ax.tick_params(pad=-2)
+    ax.zaxis.set_rotate_label(False)
+    ax.set_proj_type("ortho")
+    ax.set_box_aspect(_ASPECT, zoom=zoom)
+    ax.view_init(elev=_ELEVATION, azim=_AZIMUTH)
+    ax.set(xlabel=r"$\theta_0$ (deg)", ylabel=r"$\mu_0$", xlim=(0, 180), ylim=MU0_RANGE, zlim=(-2, 2))
+    ax.set_zlabel(LABELS["x"], rotation=90)
+    ax.set_xticks(np.arange(0, 181, 45))
+    ax.set_zticks(np.arange(-2, 3, 1))
+    return ax
+
+
+def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float = 1.0) -> Table:
+    """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a sheet thin dashes."""
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    cells, kinds = sheets(p, MU0_RANGE, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
+    size, (up, turn) = np.divide(_RANGE, _ASPECT), np.radians((_ELEVATION, _AZIMUTH))
+    towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
+    first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
+    normal = np.cross(first, second)
+    upright = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
+    colors = to_rgba_array([_SHEET_COLORS[Stability(kind)] for kind in kinds])
+    colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # darker the steeper
+    found, tables = ss.bifurcation_set(p), []
+    for curve in found.curves:
+        points = on_surface(curve.mu0, curve.theta0, curve.x)
+        lines = [*lines, (points, VERMILION)]
+        tables.append(table_of_points(points))
+    polygons, faces = [cells], [colors]
+    for points, color in lines:
+        ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
+        across = np.cross(np.diff(points, axis=0) / size, towards)
+        across *= size * _HALF / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
+        begin, end = (part + _LIFT * towards * size for part in (points[:-1], points[1:]))
+        ribbon = np.stack([begin - across, end - across, end + across, begin + across], axis=1)
+        ribbon = ribbon[np.isfinite(ribbon).all(axis=(1, 2))]
+        polygons.append(ribbon)
+        faces.append(np.repeat(to_rgba_array(color), len(ribbon), axis=0))
+    every = np.concatenate(faces)
+    ax.add_collection3d(Poly3DCollection(np.concatenate(polygons), facecolors=every, edgecolors=every, linewidths=0.3,
+                                         rasterized=True, zorder=1))  # fmt: skip
+    cusps = np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x
+    ax.plot(*cusps, linestyle="none", marker="o", markersize=4, color=BLACK, zorder=5)
+    return stacked(tables, "curve", POINT)
+
+
+def table_of_points(points: FloatArray) -> Table:
+    """The points of a line that are shown."""
+    return dict(zip(POINT, points[np.isfinite(points[:, 1])].T, strict=True))
+
+
+def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:
+    """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that the line breaks there."""
+    return np.stack([np.degrees(theta0), np.where((mu0 >= MU0_RANGE[0]) & (mu0 <= MU0_RANGE[1]), mu0, np.nan), x], axis=-1)
+
+
+#: Parameter → (range shown, the article's samples, an interval that holds the critical value).
+_SAMPLES: dict[str, tuple[tuple[float, float], tuple[float, ...], tuple[float, float]]] = {
+    "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0)),
+    "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07)),
+    "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1)),
+    "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007)),
+}
+_TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0.1, 0.5)}
+
+
+@styled
+def figure_cusp_friction(*, n: int = 41) -> Sheet:
+    """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
+    figure, axes = panels(2, 2, DOUBLE, 4.6)
+    tables: dict[str, Table] = {}
+    for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
+        tables[letter] = _draw_cusp_friction(ax, name, n)
+    return figure.describe(
+        f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ, (d) κ, the other
+        parameters
+        at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_lowest lies below
+        it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
+        not. The number is the critical value. Where the curve of (d) ends there is no fold beyond.""",
+        **tables,
+    )
+
+
+def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
+    (low, high), samples, bracket = _SAMPLES[name]
+    values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
+    p, mu0 = Parameters.article(), ARTICLE["mu0"]
+    along = p.replace(**{name: values})
+    frictions, cusps = np.asarray(ss.critical_friction(along)), np.asarray(ss.cusp_friction(along))
+    ax.plot(values, frictions, color=BLACK)
+    ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
+    for value in samples:
+        friction = float(ss.critical_friction(p.replace(**{name: value})))
+        filled = BLUE if friction < mu0 else "white"
+        ax.plot(value, friction, "o", markersize=4.5, color=BLUE, markerfacecolor=filled, zorder=3, clip_on=False)
+    critical = ss.critical_value(p, name, bracket)
+    line_at(ax, critical, VERMILION)
+    if name == "beta":
+        ax.set(ylim=(0, 0.9))
+        write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, color=VERMILION)
+    else:
+        ax.set(xscale="log", yscale="log")
+        plain_ticks(ax.yaxis, _TICKS[name])
+        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform())
+    ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{lowest}}$", xlim=(low, high))
+    return {name: values, "mu_lowest": frictions, "mu_cusp": cusps}
+
+
+def _given(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
+    """What generated functions take, in contact."""
+    return np.cos(theta0), np.sin(theta0), *p.scalars("mu0", "kappa", "alpha", "sigma", "beta"), 1
+
+
+def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
+    """Smallest distance of two roots, relative to their size, of each polynomial, lowest power first."""
+    table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
+    roots = eigenvalues(table)
+    one, other = (roots[..., which] for which in np.triu_indices(roots.shape[-1], 1))
+    return (np.abs(one - other) / np.maximum(np.abs(one), np.abs(other))).min(axis=-1)
+
+
+def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Smallest relative distance of two roots of the quartic in L and of that in t = tan(θ/2)."""
+    given = _given(p, theta0)
+    return _gap(_equilibrium.contact_quartic(*given[:-1])), _gap(_equilibrium.t_quartic(*_equilibrium.f_coefficients(*given)))
+
+
+def false_double_roots(p: Parameters) -> FloatArray:
+    """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0."""
+    # There a sin θ + b = 0 and d sin θ = m sin² θ: a d + m b = 0, with cos θ₀ and sin θ₀ of the first degree.
+    a, b, d, m = _equilibrium.f_coefficients(*_given(p, np.array([0, np.pi / 2, np.pi])))
+    right, up, left = a * d + m * b
+    along, level = (right - left) / 2, (right + left) / 2
+    with np.errstate(invalid="ignore"):  # where there is none
+        middle, half = np.arctan2(up - level, along), np.arccos(-level / np.hypot(along, up - level))
+    angles = np.sort(np.mod([middle - half, middle + half], 2 * np.pi))
+    return angles[(0 < angles) & (angles < np.pi)]
+
+
+@styled
+def figure_false_double_root() -> Sheet:
+    """The quartic in L has a double root that is no fold; the quartic in t has none."""
+    figure, (axes,) = panels(1, 2, DOUBLE, 2.6, sharey=True)
+    p = Parameters.article()
+    true, false = np.degrees(ss.folds(p).theta0), np.degrees(false_double_roots(p))
+    near = [centre + side * np.geomspace(1e-8, 10, 150) for centre in (*true, *false) for side in (-1, 1)]
+    angles = np.unique(np.concatenate([np.linspace(0.5, 179.5, 400), *near]))
+    angles = angles[(angles > 0.1) & (angles < 179.9)]
+    gaps = root_gaps(p, np.radians(angles))
+    for ax, gap, name in zip(axes, gaps, "Lt", strict=True):
+        ax.semilogy(angles, gap, color=BLACK, linewidth=0.9)
+        angle_axis(ax)
+        remark(ax, f"quartic in ${name}$")
+        for angle in true:
+            line_at(ax, angle, VERMILION, zorder=0)
+            write_along(ax, f"fold\n{angle:.2f}°", angle + 2, 2e-5, color=VERMILION)
+    for angle in false:
+        line_at(axes[0], angle, BLUE, zorder=0)
+        write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
+    axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
+    return figure.describe(
+        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {BASE_TEXT}, of (a) the
+        quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both have a double
+        root at the two folds; that in L has another where two different equilibria share the length
+        σ/(σ + α), and where x and y can't be recovered from it.""",
+        a={"theta0_deg": angles, "gap_L": gaps[0]}, b={"theta0_deg": angles, "gap_t": gaps[1]},
+    )  # fmt: skip

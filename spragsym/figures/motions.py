@@ -2,17 +2,49 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
+from numpy.typing import NDArray
 
 import spragsym as ss
 
-from ..assumed import D, V
+from ..assumed import MU0_RANGE, D, V
+from ..errors import ParameterError
 from ..generated import laws
-from ..models.parameters import Parameters
-from ..motion import simulate
-from ..motion.sweeps import Workers, rms_sweep
-from .captions import BASE_TEXT, MODEL
-from .style import BLACK, DOUBLE, GREY, VERMILION, Sheet, angle_axis, line_at, panels, remark, styled, write_along
+from ..models.parameters import FloatArray, Parameters
+from ..motion import Trajectory, simulate
+from ..motion.sweeps import Workers, rms_sweep, sensitivity
+from ..numerics.interval_arrays import BoolArray
+from .planes import draw_bifurcation_set
+from .style import (
+    BASE_TEXT,
+    BLACK,
+    BLUE,
+    DOUBLE,
+    GREY,
+    MODEL,
+    SINGLE,
+    VERMILION,
+    Sheet,
+    Table,
+    angle_axis,
+    axis_label,
+    in_letters,
+    label,
+    line_at,
+    own_axes,
+    panels,
+    plain_ticks,
+    remark,
+    single,
+    stacked,
+    styled,
+    write_along,
+)
 
 
 @styled
@@ -72,3 +104,256 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
         54° rounding decides which of them is reached.""",
         a={"tau": t, "x": x}, b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
     )  # fmt: skip
+
+
+def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
+                labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
+    """A component of a motion over time; returns the line.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    of : str, optional
+        One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a coordinate of the model or
+        its rate.
+    ax : Axes, optional
+    length, time : float
+        What one unit of the component and of time is in the units of the axes.
+    labels : (str, str), optional
+        Of the axes.
+    """
+    of = motion.components[0] if of is None else of
+    if of not in motion.components:
+        raise ParameterError(f"of = {of!r} is not one of {', '.join(motion.components)}")
+    ax, t = own_axes(ax), np.linspace(motion.t[0], motion.t[-1], 4000)
+    (line,) = ax.plot(time * t, length * motion(t)[motion.components.index(of)], color=BLUE, linewidth=0.8)
+    across, up = labels or (axis_label(motion.model, "t"), axis_label(motion.model, of))
+    ax.set(xlabel=across, ylabel=up)
+    return line
+
+
+def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = None, length: float = 1.0, speed: float = 1.0,
+               labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
+    """x′ over x, the first coordinate or another, and the speed of the belt along it as a line; returns the curve."""
+    ax, names = own_axes(ax), motion.model.coordinates
+    name = names[0] if of is None else of
+    if name not in names:
+        raise ParameterError(f"of = {of!r} is not one of {', '.join(names)}")
+    place = names.index(name)
+    rate, states = motion.model.rates[place], motion(np.linspace(motion.t[0], motion.t[-1], 6000))
+    x, vx = states[place], states[len(names) + place]
+    (line,) = ax.plot(length * x, speed * vx, color=BLUE, linewidth=0.8)
+    friction = motion.model.about["friction"]
+    if friction is not None and friction["along"] == name and friction["belt"] is not None:
+        ax.axhline(speed * float(getattr(motion.p, friction["belt"])), color=GREY, linewidth=0.6, linestyle=":")
+    across, up = labels or (axis_label(motion.model, name), axis_label(motion.model, rate))
+    ax.set(xlabel=across, ylabel=up)
+    return line
+
+
+def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, frequency: float = 1.0,
+                  labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
+    """Amplitudes over frequency, as far as they matter; returns the line."""
+    ax = own_axes(ax)
+    found = motion.spectrum(0.0, of=of)
+    (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
+    large = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max())
+    last = large[-1] if large.size else 0  # of a motion that stays at rest there is none
+    ax.set(xlim=(0, frequency * found.frequency[min(2 * int(last) + 8, found.frequency.size - 1)]), ylim=(0, None))
+    unit = in_letters(motion.model.quantities["t"][0])
+    across, up = labels or (rf"frequency $\times\ {unit}$", f"amplitude of {axis_label(motion.model, of)}")
+    ax.set(xlabel=across, ylabel=up)
+    return line
+
+
+@dataclass(frozen=True)
+class Units:
+    """What one unit of length and of time of a motion is in the units of a picture, and what those are called."""
+
+    length: float
+    time: float
+    length_name: str
+    time_name: str = "s"
+
+
+@styled
+def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | None = None) -> Sheet:
+    """Each coordinate over time; what follows the transient in the plane of it and its rate, and its spectrum.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        Of any model.
+    transient : float
+        Time that the planes and spectra leave out.
+    units : Units, optional
+        Of the axes, which are dimensionless without.
+    """
+    model, late = motion.model, motion.after(transient)
+    figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
+    tables: dict[str, Table] = {}
+    for row, (entry, rate) in enumerate(zip(model.about["coordinates"], model.rates, strict=True)):
+        name, turns = entry["name"], entry["unit"] == "rad"
+        size, time = (1.0, 1.0) if units is None else (180 / np.pi if turns else units.length, units.time)
+        over_time = phase = spectrum = None
+        if units is not None:
+            unit, t = "deg" if turns else units.length_name, units.time_name
+            here = f"{label(model, name).partition(' (')[0]} ({unit})"
+            over_time, phase = (f"$t$ ({t})", here), (here, f"{label(model, rate)} ({unit}/{t})")
+            spectrum = "frequency (Hz)" if t == "s" else f"frequency (1/{t})", f"amplitude of {here}"
+        draw_motion(motion, name, axes[row, 0], length=size, time=time, labels=over_time)
+        draw_phase(late, axes[row, 1], of=name, length=size, speed=size / time, labels=phase)
+        draw_spectrum(late, name, axes[row, 2], length=size, frequency=1 / time, labels=spectrum)
+        found = late.spectrum(0.0, of=name)
+        columns: tuple[Table, ...] = (
+            {"t": time * motion.t, name: size * getattr(motion, name)},
+            {name: size * getattr(late, name), rate: size / time * getattr(late, rate)},
+            {"frequency": found.frequency / time, "amplitude": size * found.amplitude},
+        )
+        tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
+    after = f"{transient:g}" if units is None else f"{transient * units.time:.4g} {units.time_name}"
+    return figure.describe(
+        f"""A motion of {model.name}, {_belt(motion, units)}. Left: each coordinate over time; middle and right, after the time
+        {after}: its rate over it, with the speed of the belt dotted, and its spectrum.""",
+        **tables,
+    )
+
+
+def _belt(motion: Trajectory, units: Units | None) -> str:
+    """What moves it, in words: its belt's speed, or all parameters of the motion."""
+    friction = motion.model.about["friction"]
+    if units is not None and friction is not None and friction["belt"] is not None:
+        speed = float(getattr(motion.p, friction["belt"])) * units.length / units.time
+        return f"belt speed {speed:.4g} {units.length_name}/{units.time_name}"
+    entries = [entry for entry in motion.model.about["parameters"] if entry["role"] == "motion"]
+    values = motion.p.scalars(*(entry["name"] for entry in entries))
+    return ", ".join(f"{entry['meaning']} {entry['name']} = {value:g}" for entry, value in zip(entries, values, strict=True))
+
+
+#: Neighbouring cells whose RMS differ by more than this are divided.
+_STEP_OF_RMS = 0.3
+
+
+@styled
+def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int = 2, workers: Workers = 1) -> Sheet:
+    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set.
+
+    Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its neighbour.
+    """
+    figure, ax = single(SINGLE * 1.3, 3.2)
+    p = Parameters.article()
+    angles, frictions, rms, table = _divided(p, step_deg, step_mu0, levels, workers)
+    image = ax.pcolormesh(angles, frictions, rms, cmap="cividis", vmin=0.0, rasterized=True)
+    for line in draw_bifurcation_set(ss.bifurcation_set(p), ax, color=VERMILION):
+        line.set_path_effects([withStroke(linewidth=2.4, foreground="white")])
+    for text, place in (("I", (50, 0.75)), ("II", (117, 0.93))):
+        write_along(ax, text, *place, ha="center", color=BLACK if text == "I" else "white")
+    angle_axis(ax)
+    ax.set(ylabel=r"$\mu_0$", ylim=MU0_RANGE)
+    figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
+    share = 2**levels
+    return figure.describe(
+        f"""Root mean square of x, about zero, over 1500 < τ < 2000, of the motion from rest at x = y = 0, over
+        inclination and friction; orange: the bifurcation set, the dot is the cusp. Here {BASE_TEXT}; V = {V} and d =
+        {D:g} are our assumption. One motion for each cell, at its centre: cells of {step_deg:g}° by {step_mu0:g}, divided
+        down to {step_deg / share:g}° by {step_mu0 / share:g} where the RMS steps. In both bright regions the motion ends in a
+        large cycle, in which it is above the belt most of the time. Region I begins before the fold: the motion overshoots the
+        divergent state. Region II has nothing to do with folds: the only equilibrium there is stable, a large cycle lives
+        beside it, at θ₀ = 132° from μ₀ = 0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into
+        that cycle where friction is above about 0.83. Its ragged edge depends on the start, and on rounding.""",
+        a=table,
+    )
+
+
+def _divided(
+    p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers
+) -> tuple[FloatArray, FloatArray, FloatArray, Table]:  # fmt: skip
+    """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table of what was computed."""
+    tables: list[Table] = []
+    for level in range(levels + 1):
+        angles = _centres(180.0, step_deg / 2**level)
+        frictions = _centres(MU0_RANGE[1], step_mu0 / 2**level)
+        shape = frictions.size, angles.size
+        if level == 0:
+            rms, asked = np.zeros(shape), np.ones(shape, dtype=bool)
+        else:
+            rms, asked = _in_four(rms), _in_four(_beside_a_step(rms))
+        row, column = np.nonzero(asked)
+        where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
+        sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
+        rms[row, column] = sweep.rms
+        tables.append({
+            "theta0_deg": angles[column], "mu0": frictions[row], "rms_x": sweep.rms, "regime": sweep.regime,
+            "level": np.full(row.size, level),
+        })  # fmt: skip
+    return angles, frictions, rms, stacked(tables)
+
+
+def _centres(top: float, step: float) -> FloatArray:
+    """Middles of equal cells from 0 on; the last cell may reach beyond ``top``."""
+    return step * np.arange(0.5, round(top / step), dtype=np.float64)
+
+
+def _in_four(cells: NDArray[Any]) -> NDArray[Any]:
+    return np.kron(cells, np.ones((2, 2), dtype=cells.dtype))
+
+
+def _beside_a_step(rms: FloatArray) -> BoolArray:
+    """Cells that differ from a neighbour, beside or above, by a step."""
+    found = np.zeros(rms.shape, dtype=bool)
+    for axis in (0, 1):
+        steps = np.abs(np.diff(rms, axis=axis)) > _STEP_OF_RMS
+        for side in (0, 1):
+            found |= np.insert(steps, 0 if side else steps.shape[axis], False, axis=axis)
+    return found
+
+
+@styled
+def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
+    """What V and d, which the article does not state, do to its Figure 7b: a decade of each."""
+    figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
+    p = Parameters.article()
+    angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
+    tables: dict[str, Table] = {}
+    along = p.replace(theta0=np.radians(angles))
+    speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
+    for letter, ax, symbol, sweep, values in (
+        ("a", axes[0], "V", rms_sweep(along, speeds[:, None], D, workers=workers), speeds),
+        ("b", axes[1], "d", rms_sweep(along, V, creeps[:, None], workers=workers), creeps),
+    ):
+        tables[letter] = _draw_rms(ax, angles, sweep.rms, values, symbol)
+    coarse = p.replace(theta0=np.radians(np.arange(26.0, 60.0, 2.0 * step_deg)))
+    speeds = V * 10.0 ** np.linspace(-0.5, 0.5, 5)
+    jumps = sensitivity(coarse, speeds, creeps, refine=4, workers=workers)
+    tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
+    axes[2].axhline(float(np.degrees(ss.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    return figure.describe(
+        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
+        over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
+        {V}; (c) the θ₀ at which it steps most, to {np.degrees(jumps.width):.2g}°, over V for three
+        d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what
+        the article does not state.""",
+        **tables,
+    )
+
+
+_SHADES = (BLUE, BLACK, VERMILION)
+
+
+def _draw_rms(ax: Axes, angles: FloatArray, rms: FloatArray, values: FloatArray, symbol: str) -> Table:
+    for row, value, color in zip(rms, values, _SHADES, strict=True):
+        ax.plot(angles, row, color=color, linewidth=0.9, label=f"${symbol} = {value:.3g}$")
+    angle_axis(ax, 20, 70, 10)
+    ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
+    ax.legend(loc="upper left", handlelength=1.2, borderaxespad=0.1)
+    columns = {f"rms_x_{symbol}_{value:.4g}": row for row, value in zip(rms, values, strict=True)}
+    return {"theta0_deg": angles, **columns}
+
+
+def _draw_jumps(ax: Axes, speeds: FloatArray, creeps: FloatArray, jump_deg: FloatArray) -> Table:
+    for column, creep, color in zip(jump_deg.T, creeps, _SHADES, strict=True):
+        ax.semilogx(speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
+    ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
+    plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
+    ax.legend(handlelength=1.2)
+    return {"V": np.repeat(speeds, creeps.size), "d": np.tile(creeps, speeds.size), "theta0_deg": jump_deg.ravel()}

@@ -15,9 +15,26 @@ from ..models import Model
 from ..models.parameters import ParameterSet
 from ..questions import has_closed_form
 from ..results import BifurcationSet
-from .captions import LETTERS
-from .labels import Between, as_drawn, label, window
-from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, runs, say, single, stacked, styled
+from .style import (
+    BLACK,
+    GREY,
+    LETTERS,
+    SINGLE,
+    VERMILION,
+    Between,
+    Sheet,
+    Table,
+    angle_axis,
+    as_drawn,
+    label,
+    own_axes,
+    runs,
+    say,
+    single,
+    stacked,
+    styled,
+    window,
+)
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:

@@ -1,28 +1,33 @@
-"""House style: sizes, lines and colours that print well and that the colour-blind can tell apart."""
+"""House style: sheets, lines, colours, labels with units, common parts of captions, and a figure as files."""
 
 from __future__ import annotations
 
+import csv
 import functools
 import io
 import itertools
+import math
+import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 
+import matplotlib
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullFormatter
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import MissingExtraError
-from ..results import Stability
-
-try:
-    import matplotlib
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-    from matplotlib.ticker import FixedLocator, NullFormatter
-except ModuleNotFoundError as error:
-    raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
+from ..files.storage import put
+from ..models import Model
+from ..models.field import Field
+from ..models.load import USUAL, load
+from ..models.parameters import ARTICLE
+from ..results import Points, Stability
 
 #: Widths of one column and of two, inches.
 SINGLE, DOUBLE = 3.5, 7.0
@@ -186,3 +191,165 @@ def plain_ticks(axis: Any, values: tuple[float, ...]) -> None:
     axis.set_major_locator(FixedLocator(values))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_formatter(NullFormatter())
+
+
+#: The article's model.
+MODEL = load(USUAL)
+
+#: θ₀ of the paths a–a′ and b–b′.
+PATHS_DEG = {"a": 60.0, "b": 40.0}
+
+#: Parameters that the captions repeat, in the article's letters.
+LETTERS = {"alpha": "α", "beta": "β", "kappa": "κ", "mu0": "μ₀", "sigma": "σ", "theta0": "θ₀"}
+
+BASE_TEXT = ", ".join(f"{LETTERS[name]} = {ARTICLE[name]:g}" for name in ("kappa", "alpha", "sigma", "beta"))
+
+LINES_TEXT = "Stable solid, divergent dashed, flutter dash-dotted; dots are folds."
+
+RANGE_TEXT = "The ranges of the axes are our choice."
+
+HIDDEN_TEXT = "Thin dashes lie behind a sheet."
+
+
+#: Range of a parameter, by its name.
+Between = Mapping[str, tuple[float, float]]
+#: What is shown beyond the farthest cusp.
+ROOM = 1.25
+
+
+#: Names that are letters.
+GREEK = {
+    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
+}  # fmt: skip
+
+
+def symbol(name: str) -> str:
+    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
+    base, _, index = name.partition("_")
+    if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
+        return f"{symbol(numbered[1])}_{numbered[2]}" if not index else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
+    return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
+
+
+def axis_label(model: Model, name: str) -> str:
+    """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
+    unit = model.quantities[name][0]
+    written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
+    if unit in ("1", "rad"):
+        return f"${written}$" if unit == "1" else f"${written}$ (rad)"
+    letters = in_letters(unit)
+    return f"${written}$ / $({letters})$" if r"\," in letters else f"${written}$ / ${letters}$"
+
+
+def in_letters(scale: str) -> str:
+    """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
+    merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
+    return re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged).replace("**", "^").replace("*", r"\,")
+
+
+def label(model: Model, name: str) -> str:
+    """A parameter, a coordinate or its rate as an axis names it."""
+    if name in model.rates:
+        return rf"$\dot{{{label(model, model.coordinates[model.rates.index(name)])[1:-1]}}}$"
+    return shown(model, name)[0]
+
+
+def shown(known: Model | Field, name: str) -> tuple[str, float]:
+    """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
+    angle = known.is_angle(name)
+    return f"${symbol(name)}$ (deg)" if angle else f"${symbol(name)}$", math.degrees(1.0) if angle else 1.0
+
+
+def as_drawn(model: Model, name: str, values: Any) -> Any:
+    """Values of a parameter or a column in the unit of its axis: angles in degrees, all else as it is."""
+    return np.degrees(values) if model.is_angle(name) else values
+
+
+def with_unit(model: Model, name: str) -> str:
+    """Axis label with the unit of the model."""
+    if model.is_angle(name):
+        return label(model, name)
+    scales = {entry["name"]: entry["scale"] for entry in model.about["coordinates"]}
+    scale = scales.get(name, "1" if name in model.parameters else model.about["scales"]["length"])
+    return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
+
+
+#: What an axis says, and what one of what is drawn is there.
+Shown = tuple[str, float]
+
+
+class _Round(MaxNLocator):
+    """Ticks at round numbers in the unit of an axis."""
+
+    def __init__(self, one: float) -> None:
+        super().__init__("auto", steps=[1, 2, 2.5, 5, 10])
+        self.one = one
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        return [tick / self.one for tick in super().tick_values(self.one * vmin, self.one * vmax)]
+
+
+def in_units(axis: Axis, shown: Shown | None) -> None:
+    """Have an axis show other units than what is drawn is in; None leaves it as it is."""
+    if shown is not None:
+        title, one = shown
+        axis.set_label_text(title)
+        if one != 1.0:
+            axis.set_major_locator(_Round(one))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{one * value:.6g}"))
+
+
+def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:
+    """Ranges to show: those given, the parameter's own, or one that has room for its base value, for 1 and for all cusps."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    out = dict(between)
+    for name in (name for name in vary if name in entries and name not in between):
+        entry = entries[name]
+        farthest = 0.0 if cusps is None else float(np.abs(getattr(cusps, name)).max(initial=0.0))
+        far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
+        out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
+    return out
+
+
+#: Format → metadata that leaves out the date and the version of what drew it.
+FORMATS: dict[str, dict[str, Any]] = {
+    "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": None},
+}
+
+
+def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
+    """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …; returns the paths.
+
+    Parts that are not drawn as lines have 300 dots per inch.
+    """
+    files: dict[str, bytes | str] = {}
+    with house_style():
+        for kind in formats:
+            files[f"{stem}.{kind}"] = picture(figure, kind)
+    files[f"{stem}.txt"] = textwrap.fill(figure.caption, 100) + "\n"
+    files |= {f"{stem}_{panel}.csv": _table(table) for panel, table in figure.tables.items()}
+    for name, content in files.items():
+        put(folder / name, content, made=True)
+    return [folder / name for name in files]
+
+
+def picture(figure: Any, kind: str) -> bytes:
+    """A figure in a format."""
+    stream = io.BytesIO()
+    figure.savefig(stream, format=kind, metadata=FORMATS[kind])
+    return stream.getvalue()
+
+
+def _table(table: Table) -> str:
+    """One line per row; numbers with the twelve digits that the library promises."""
+    columns, text = [_as_text(np.asarray(values)) for values in table.values()], io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(table)
+    writer.writerows(zip(*columns, strict=True))
+    return text.getvalue()
+
+
+def _as_text(values: Any) -> list[str]:
+    return [f"{value:.12g}" if isinstance(value, float) else str(value) for value in values.tolist()]

@@ -17,7 +17,7 @@ from scipy.optimize import brentq, root
 import spragsym as ss
 from spragsym import article as claims
 from spragsym.cli import cli
-from spragsym.cli.check import check as check_command
+from spragsym.cli.article import check as check_command
 from spragsym.motion import simulate
 from tests.oracles import article_motion
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT

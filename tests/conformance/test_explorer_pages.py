@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.cli.explore import page as page_of
+from spragsym.cli.pages import page as page_of
 from tests.conformance.models import ALIKE, MODELS, load, place
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
 from tests.support import few

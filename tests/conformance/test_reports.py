@@ -10,8 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli.explore import explore
-from spragsym.cli.report import report
+from spragsym.cli.pages import explore, report
 from spragsym.models.quantities import quantities
 from tests.conformance.models import ALIKE, MODELS, a_set, load, place
 from tests.support import few

@@ -14,7 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli.explore import explore
+from spragsym.cli.pages import explore
 from spragsym.derive.kang_nam.library import exported
 from spragsym.explorer import explorer_page
 from spragsym.explorer.page import described

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure  # noqa: E402  # after matplotlib was found
 from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib was found
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
-from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
-from spragsym.figures import FIGURES, Sheet, curves, extras, fate_map_figure, figure_11, figure_12, style, surfaces, write  # noqa: E402  # after matplotlib was found
+from spragsym.cli.article import figures as command  # noqa: E402  # after matplotlib was found
+from spragsym.figures import FIGURES, Sheet, bifurcation_sets, curves, fate_map_figure, figure_11, figure_12, style, write  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
@@ -95,7 +95,7 @@ def test_branches_end_at_the_exact_folds() -> None:
 def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: float) -> None:
     p = P.replace(sigma=sigma)
     angles = np.linspace(0.5, 179.5, 120)
-    cells, kinds = surfaces.sheets(p, (0.0, 1.0), angles, 120)
+    cells, kinds = bifurcation_sets.sheets(p, (0.0, 1.0), angles, 120)
     assert 0.0 <= cells[..., 1].min() <= cells[..., 1].max() <= 1.0
     rng = np.random.default_rng(2)
     places = np.stack([rng.uniform(3, 177, 60), rng.uniform(0.03, 0.97, 60)], axis=-1)
@@ -118,9 +118,9 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
 
 
 def test_the_false_double_root() -> None:
-    (angle,) = extras.false_double_roots(P)
+    (angle,) = bifurcation_sets.false_double_roots(P)
     assert 30 < np.degrees(angle) < 40
-    gap_L, gap_t = extras.root_gaps(P, np.array([angle - 1e-9, angle + 1e-9]))
+    gap_L, gap_t = bifurcation_sets.root_gaps(P, np.array([angle - 1e-9, angle + 1e-9]))
     assert gap_L.max() < 1e-6
     assert gap_t.min() > 0.1
     counts = ss.equilibria(P.replace(theta0=np.array([angle - 1e-6, angle + 1e-6]))).count
@@ -128,7 +128,7 @@ def test_the_false_double_root() -> None:
     L = ss.equilibria(P.replace(theta0=angle)).L
     assert np.isclose(L, 0.1 / 0.107, rtol=1e-9).any()
     fold = ss.folds(P).theta0[:1]
-    assert [gap.max() < 1e-4 for gap in extras.root_gaps(P, fold + 1e-10)] == [True, True]
+    assert [gap.max() < 1e-4 for gap in bifurcation_sets.root_gaps(P, fold + 1e-10)] == [True, True]
 
 
 def test_undecided_motions_that_are_irregular_stand_out() -> None:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from importlib import resources
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -22,16 +22,16 @@ from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..orbits.fates import Kind
-from .captions import BASE_TEXT, MODEL
 from .curves import branches, table_of
-from .labels import label, shown
 from .style import (
+    BASE_TEXT,
     BLACK,
     BLUE,
     DOUBLE,
     GREEN,
     GREY,
     LINES,
+    MODEL,
     ORANGE,
     PURPLE,
     SKY,
@@ -39,13 +39,19 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
+    label,
     line_at,
     panels,
+    say,
+    shown,
     single,
     stacked,
     styled,
     write_along,
 )
+
+if TYPE_CHECKING:
+    from ..orbits.diagram import Diagram, Label
 
 #: A state on the cycle of period 34 at 42 degrees.
 ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
@@ -310,3 +316,64 @@ def fate_map_figure(found: FateMap) -> Sheet:
               zip(varied, (np.tile(across, up.size), np.repeat(up, across.size)), strict=True)},
            "kind": kind.ravel(), "period": period.ravel()},
     )  # fmt: skip
+
+
+#: Of labels; those that are not here are left to the table.
+LABEL_MARKERS = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
+
+#: Two labels of one kind nearer than this share of the frame are written once.
+CLOSE = 0.04
+
+
+def diagram_figure(found: Diagram) -> Sheet:
+    """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
+    figure, ax = single(DOUBLE, 3.6)
+    (title, unit), (height, one) = (shown(found.model, name) for name in (found.vary, found.name))
+    tables: dict[str, Table] = {}
+    for i, rest in enumerate(found.equilibria):
+        colour = BLACK if rest.mode == "contact" else GREY
+        draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
+        tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
+    for i, branch in enumerate(found.cycles):
+        colour = COLOURS[i % len(COLOURS)]
+        draw_cycles(ax, branch, unit, one * branch.highest, lambda cycle: one * cycle.state[0], colour)
+        draw_cycles(ax, branch, unit, one * branch.lowest, lambda cycle: one * (cycle.state[0] - 2 * cycle.amplitude), colour)
+        tables[f"cycles_{i + 1}"] = {
+            found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
+            "stable": branch.stable,
+        }  # fmt: skip
+    ax.set(xlim=(unit * found.to[0], unit * found.to[1]))
+    ax.set(xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
+    ax.margins(y=0.12)
+    named: list[tuple[str, float, float]] = []
+    low, high = ax.get_ylim()
+    for one_label in found.labels:
+        if one_label.label not in LABEL_MARKERS:
+            continue
+        at = unit * one_label.value, one * one_label.height
+        ax.plot(*at, LABEL_MARKERS[one_label.label], color=BLACK, markersize=4, markerfacecolor="white", zorder=4)
+        place = ((one_label.value - found.to[0]) / (found.to[1] - found.to[0]), (at[1] - low) / (high - low))
+        if any(name == one_label.label and abs(place[0] - x) + abs(place[1] - y) < CLOSE for name, x, y in named):
+            continue
+        named.append((one_label.label, *place))
+        ax.annotate(one_label.label, at, xytext=_aside(one_label, place), textcoords="offset points", fontsize=7)
+    if not (found.equilibria or found.cycles):
+        say(ax, "no equilibria and no cycles found here")
+    tables["labels"] = {
+        "label": np.array([label.label for label in found.labels]), found.vary: np.array([label.value for label in found.labels]),
+        found.name: np.array([label.height for label in found.labels]),
+    }  # fmt: skip
+    return figure.describe(
+        f"""Equilibria (black; grey without contact) and cycles (colours, least and largest {found.name}) over {found.vary}: full
+        where stable, dashed where not. LP folds and H Hopf points of equilibria; of cycles LPC folds, PD period doublings, NS
+        tori, BPC crossings, HC homoclinic ends. Cycles are those that were followed from Hopf points, starts and doublings: there
+        may be others.""",
+        **tables,
+    )
+
+
+def _aside(label: Label, place: tuple[float, float]) -> tuple[float, float]:
+    """Where the text of a label stands, in points: inside of the frame."""
+    if label.label == "H":
+        return (-11.0, 5.0)
+    return (-16.0 if place[0] > 0.93 else 4.0, -10.0 if place[1] > 0.93 or label.of == "equilibria" else 4.0)

@@ -1,0 +1,303 @@
+"""What a command about a model is about: parameters, what varies, and the units of the answer, degrees or those of a file."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+from click.core import ParameterSource
+
+from ..errors import ParameterError, hint
+from ..models.model import options_of
+from ..models.parameters import FloatArray, Range
+from ..questions import has_closed_form
+from ..remarks import Remark
+
+if TYPE_CHECKING:
+    from ..models import Model
+    from ..models.parameters import ParameterSet
+    from ..report import Study
+
+#: What is measured of a motion in the unit of its first component; forces; and rates.
+MEASURED = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error")
+FORCES, RATES = ("spring_force", "contact_force"), ("growth", "omega", "eigenvalues", "damped_eigenvalues")
+#: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in the model's units.
+COUNT, LARGEST = 11, 1e6
+
+
+@dataclass(frozen=True)
+class Typed:
+    """A range as it was typed; numbers that were left out are None."""
+
+    text: str
+    name: str
+    low: float | None = None
+    high: float | None = None
+    count: int | None = None
+
+
+@dataclass(frozen=True)
+class Span:
+    """A parameter that varies, with what one of it is in the answer, and what it is called there; ends in radians, if given."""
+
+    typed: str
+    name: str
+    unit: float
+    title: str
+    ends: tuple[float, float] | None
+    count: int
+
+    @property
+    def between(self) -> dict[str, tuple[float, float]]:
+        """The ends as a search takes them, the smaller first."""
+        return {} if self.ends is None else {self.name: (min(self.ends), max(self.ends))}
+
+    @property
+    def values(self) -> FloatArray:
+        """Values from one end to the other."""
+        assert self.ends is not None  # asked for where it is needed
+        low, high = (self.unit * end for end in self.ends)
+        return np.linspace(low, high, self.count) / self.unit
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a command is about, and in what units it answers.
+
+    ``values`` of its parameters are radians, None for those that were not given and have no base value; ``start`` is the initial
+    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model; ``spans`` vary.
+    """
+
+    model: Model
+    study: Study | None = None
+    values: Mapping[str, Any] = field(default_factory=dict)
+    start: Mapping[str, Any] = field(default_factory=dict)
+    ask: Mapping[str, Any] = field(default_factory=dict)
+    spans: tuple[Span, ...] = ()
+
+    def set(self, *spanned: str, **changes: Any) -> ParameterSet:
+        """The parameters; those that vary need no value."""
+        values = {**self.values, **changes}
+        self.require([name for name in values if name not in spanned and values[name] is None])
+        return self.model.Parameters(**values)
+
+    def require(self, missing: Sequence[str] | None = None) -> None:
+        """An error that names the option of a parameter that has no value."""
+        for name in [name for name, value in self.values.items() if value is None] if missing is None else missing:
+            flag, number = options_of(self.model.about, name)[0], "DEGREES" if name in self.model.about["angles"] else "NUMBER"
+            varying = f" while {' and '.join(span.name for span in self.spans)} varies" if self.spans else ""
+            raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
+
+    def has_closed_form(self, question: Callable[..., Any], p: ParameterSet) -> bool:
+        """Whether the model brings a closed form of a question, and it is not the search that is asked for."""
+        return self.ask.get("method") != "search" and has_closed_form(question, p)
+
+    @property
+    def between(self) -> dict[str, tuple[float, float]]:
+        """Ranges of what varies, where they were given."""
+        return {name: ends for span in self.spans for name, ends in span.between.items()}
+
+    def searching(self, *names: str) -> dict[str, Any]:
+        """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
+        between = {name: ends for name, ends in self.between.items() if name in names}
+        return {**self.ask, **({"between": between} if between else {})}
+
+    @property
+    def span(self) -> Span:
+        """The first that varies."""
+        return self.spans[0]
+
+    def require_ends(self) -> None:
+        """An error for a range that is missing."""
+        if not self.spans or self.span.ends is None:
+            typed = self.span.typed if self.spans else self.model.axes[-1]
+            raise click.UsageError(f"--vary {typed}: from where to where? Give it as {typed}=FROM:TO")
+
+    def told(self) -> dict[str, Any]:
+        """The parameters, angles in degrees."""
+        titles = ((*self.parameter(name), value) for name, value in self.values.items())
+        return {title: None if value is None else unit * value for title, unit, value in titles}
+
+    def parameter(self, name: str) -> tuple[str, float]:
+        """What a parameter is called, and what one of it is there."""
+        return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)
+
+    def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
+        """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
+        ends = ({name: tuple(map(float, pair)) for name, pair in zip(names, box, strict=True)} for box in boxes)
+        return [{**about, **self.row(box)} for box in ends]
+
+    def following(self, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
+        """A set of parameters that follows the state that ``--state`` chose, if it did."""
+        chosen = {}
+        for word in near:
+            name, _, value = word.partition("=")
+            try:
+                chosen[name] = float(value) / self.state(name) if name in self.model.coordinates else math.nan
+            except ValueError:
+                chosen[name] = math.nan
+            if not math.isfinite(chosen[name]):
+                known = ", ".join(self.model.coordinates)
+                raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
+        return p.following(**chosen) if chosen else p
+
+    def spanning(self, typed: Typed, values: bool, alone: bool) -> Span:
+        """What varies as it was typed; with ``values``, both ends are values themselves.
+
+        Where it stands ``alone`` a range has no value besides.
+        """
+        name, unit, title = self.varied(typed.name)
+        asked = typed.low is not None and alone
+        if asked and click.get_current_context().get_parameter_source(name) == ParameterSource.COMMANDLINE:
+            flag = options_of(self.model.about, name)[0]
+            raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
+        allowed, count = self.model.Parameters.ranges[name], typed.count or COUNT
+        if typed.low is None or typed.high is None:
+            return Span(typed.name, name, unit, title, None, count)
+        angle = name in self.model.about["angles"]
+        for end in (typed.low, typed.high):
+            value = end / unit
+            if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
+                raise ParameterError(
+                    f"--vary {typed.text}: {title} = {end:g} is too far; give at most {LARGEST * unit:g} in size"
+                )
+            if not (allowed.contains(value) if values else allowed.low <= value <= allowed.high):
+                own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"
+                limits = in_degrees(allowed) if angle else allowed
+                raise ParameterError(f"--vary {typed.text}: {title} = {end:g}{own} is not in {limits}")
+        return Span(typed.name, name, unit, title, (typed.low / unit, typed.high / unit), count)
+
+    def box(self, texts: Sequence[Typed]) -> dict[str, tuple[float, float]]:
+        """Ranges of coordinates by name."""
+        found = {}
+        for typed in texts:
+            if typed.low is None or typed.high is None:
+                raise ParameterError(f"--within {typed.text} is no range; give it as {self.model.coordinates[0]}=0:1")
+            unit = self.of(typed.name)[1] if typed.name in self.model.coordinates else 1.0
+            found[typed.name] = (typed.low / unit, typed.high / unit)
+        return found
+
+    @property
+    def si(self) -> dict[str, str]:
+        """SI units of coordinates and their rates."""
+        entries = self.model.about["coordinates"]
+        rates = {entry["rate"]: "1/s" if entry["unit"] == "rad" else "m/s" for entry in entries}
+        return {entry["name"]: entry["unit"] for entry in entries} | rates
+
+    @property
+    def time(self) -> float:
+        """What one of a time is in the answer: seconds, with a file."""
+        return 1.0 if self.study is None else self.study.scales.time
+
+    def of(self, name: str, end: str = "") -> tuple[str, float]:
+        """What a column of states or a measure of motions is called, and what one of it is in the answer."""
+        for span in self.spans:
+            if span.name == name and name not in self.model.coordinates:
+                return span.title, span.unit
+        coordinate = self.si.get(name)
+        if coordinate is None and self.study is not None and name in (*RATES, "period"):
+            return (f"{name}_s", self.time) if name == "period" else (f"{name}_per_s", 1.0 / self.time)
+        si = "N" if name in FORCES else self.si[self.model.coordinates[0]] if name in MEASURED else coordinate or "1"
+        if coordinate is None and re.fullmatch(r"(theta|L)(_.*)?", name):  # of a spring
+            si = "rad" if name.startswith("theta") else "m"
+        return self._titled(name + end, si)
+
+    def row(self, values: Mapping[str, Any], end: str = "") -> dict[str, Any]:
+        """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
+        titles = ((self.of(name, end), value) for name, value in values.items())
+        return {title: _scaled(value, size) for (title, size), value in titles}
+
+    def rows(self, columns: Mapping[str, Any], end: str = "", **more: Sequence[Any]) -> list[dict[str, Any]]:
+        """Rows of columns of one length, and of those that have no unit."""
+        told = {**self.row(columns, end), **more}
+        return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
+
+    def varied(self, name: str) -> tuple[str, float, str]:
+        """A parameter, or with a file its quantity: the parameter, its unit in SI, and its title."""
+        entries = self.model.about["parameters"]
+        for entry in entries:
+            if name == entry["name"] and (self.study is None or name != entry["quantity"] or entry["quantity_unit"] == "1"):
+                title, unit = self._titled(name, entry["unit"])
+                return name, unit, title
+        for entry in entries:
+            if name == entry["quantity"]:
+                if self.study is None:
+                    cure = f"without --data the parameters have no units; give --vary {entry['name']}"
+                    raise ParameterError(f"--vary {name}: {cure}")
+                title, unit = self._titled(name, entry["quantity_unit"], name)
+                return entry["name"], unit, title
+        if any(name == entry["name"] for entry in self.model.about["units"]):
+            raise ParameterError(
+                f"--vary {name}: it is a unit of the model, and several parameters change with it; write a file for each value"
+            )
+        known = [entry[key] for key in ("name", "quantity") for entry in entries]
+        known = list(dict.fromkeys(known if self.study else self.model.parameters))
+        raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
+
+    def axis(self, name: str, before: str = "", after: str = "") -> tuple[str, float] | None:
+        """What an axis of a figure says of a parameter or a coordinate, and what one of the model's own is there.
+
+        None without a file, and of angles, which figures show in degrees.
+        """
+        if self.study is None or self.model.is_angle(name):
+            return None
+        from ..figures.style import symbol
+
+        entries = {entry["name"]: (entry["quantity"], entry["quantity_unit"]) for entry in self.model.about["parameters"]}
+        quantity, si = entries.get(name, (name, "m"))
+        unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity if name in entries else "")
+        return f"{before}${symbol(quantity)}${f' ({unit})' if unit else ''}{after}", size
+
+    def state(self, name: str) -> float:
+        """What one of a coordinate or of its rate is where a state is typed: angles are degrees, their rates are not."""
+        if name in self.model.rates:
+            return 1.0 if self.study is None else self.study.unit_of(self.si[name])[1]
+        return self.of(name)[1]
+
+    def said(self, remarks: Iterable[str]) -> list[str]:
+        """Remarks with what they say of parameters and coordinates in the units of the file."""
+        return [text.told(self._named) if self.study is not None and isinstance(text, Remark) else str(text) for text in remarks]
+
+    def _named(self, name: str) -> tuple[str, float]:
+        """A parameter, by its quantity, or a coordinate."""
+        quantities = {entry["name"]: entry["quantity"] for entry in self.model.about["parameters"]}
+        return self.varied(quantities[name])[:0:-1] if name in quantities else self.of(name)
+
+    def _titled(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
+        """A title with its unit, and what one of the model's own units is there."""
+        if si == "rad":
+            return f"{title}_deg", math.degrees(1.0)
+        if self.study is None or si == "1":
+            return title, 1.0
+        unit, size = self.study.unit_of(si, quantity)
+        return f"{title}_{unit}", size
+
+
+def _scaled(value: Any, size: float) -> Any:
+    """A value, or all of several, in a unit; a complex number as its two parts."""
+    if isinstance(value, np.ndarray | list | tuple):
+        return [_scaled(one, size) for one in value]
+    if isinstance(value, complex):
+        return [size * float(value.real), size * float(value.imag)]
+    value = value.item() if isinstance(value, np.generic) else value
+    return size * value if isinstance(value, float) else value
+
+
+def in_degrees(allowed: Range, remedy: str = "") -> Range:
+    return replace(allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy)
+
+
+def study_of(path: str | Path, model: str | None, trust: bool) -> Study:
+    """The data of a brake, for the model that the command names if it names one."""
+    from ..report import Study
+
+    study = Study.from_file(path, trust=trust or model or False)
+    if model not in (None, study.model):
+        raise ParameterError(f"--model {model}: {path} is about {study.model}; leave one of the two out")
+    return study

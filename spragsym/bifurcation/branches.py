@@ -119,7 +119,7 @@ def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ())
     K = linearization(balance, q, given)[2] if count else np.zeros((1, 1, 0))
     sides = np.zeros(count)
     if turned and count:
-        across = q - np.array(np.broadcast_arrays(*balance.mirrored(list(q), balance.floats(given))))
+        across = q - np.array(np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored()))
         known = np.abs(across[turned[0]]) > 4 * eq.error[stop, :count]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
     return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)

@@ -10,7 +10,7 @@ cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
 from typing import Any, Self
@@ -27,8 +27,8 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interval
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import Digits
-from ..statics.balance import AWAY, Balance, State, taken
-from ..statics.forces import Model, Values
+from ..statics.balance import AWAY, Balance
+from ..statics.forces import Model, State
 from ..statics.namespaces import XP
 from ..statics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.regions import by_hand
@@ -277,9 +277,7 @@ def _too_flat(at: State) -> BoolArray:
 
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however
 #: small it is, has no root.
-NO_SLOPE = Condition(
-    lambda at: (at.slope(),), hopeless=lambda at: at.balance.slope_has_a_sign(at.values, at.shape), given_up=_too_flat
-)
+NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_a_sign(), given_up=_too_flat)
 #: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
 KINDS = {"BT": bogdanov_takens, "ZH": zero_hopf, "HH": double_hopf}
 
@@ -363,28 +361,28 @@ class Augmented(System):
         """Boxes beyond the contact's border, or without what the condition asks for."""
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape)
-        out: BoolArray = self.balance.nothing_at(at.q, at.values, shape)
+        out: BoolArray = self.balance.nothing_at(at)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
         if self.condition.singular:
-            out = out | regular_at_anchors(self.balance, at.q, at.values, ~out)
+            out = out | regular_at_anchors(at, ~out)
 
         def no_root(rows: IntArray, sides: Sequence[int]) -> BoolArray:
             values = self._values(unknowns[:, rows], parameters[:, rows], sides)
             return ~np.logical_and.reduce(values.holds_zero())
 
-        return out | self.balance.beside_jumps(at.q, at.values, ~out, no_root)
+        return out | self.balance.beside_jumps(at, ~out, no_root)
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
         at = self.state(list(unknowns), parameters, unknowns.shape[1:])
-        poles: BoolArray = self.balance.at_poles(at.q, at.values, at.shape, width)
+        poles: BoolArray = self.balance.at_poles(at, width)
         return poles if self.condition.given_up is None else poles | self.condition.given_up(at)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""
         n, shape = self.balance.n, unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape, self.balance.anywhere)
-        ends = self.balance.with_directions(unknowns[:n], at.values, at.directions)
+        ends = self.balance.with_directions(at)
         return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)
 
 
@@ -419,30 +417,29 @@ class PreciseAugmented(Digits):
         return self.system.evaluated(unknowns, self.arguments, (), BALLS)
 
 
-def regular_at_anchors(balance: Balance, q: Sequence[Intervals], values: Values, among: BoolArray) -> BoolArray:
+def regular_at_anchors(at: State, among: BoolArray) -> BoolArray:
     """Boxes at an anchor in which det K is not 0, whatever the direction of the spring is."""
     out = np.zeros(among.shape, dtype=np.bool_)
-    if balance.torsions:
+    if at.balance.torsions:
         return out
-    for spring, (dx, dy) in enumerate(balance.anchors(q, values, among.shape)):
+    for spring, (dx, dy) in enumerate(at.anchors):
         near = np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)
         rows = np.flatnonzero(among & ~out & near)
         if rows.size:
-            out[rows] = _regular(balance, [part[rows] for part in q], taken(values, rows), rows.shape, spring)
+            out[rows] = _regular(at.some(rows), spring)
     return out
 
 
-def _regular(balance: Balance, q: Sequence[Intervals], values: Values, shape: Shape, spring: int) -> BoolArray:
-    every, place = np.tile(np.arange(shape[0]), ARCS), 3 * spring
-    q, values = [part[every] for part in q], taken(values, every)
-    directions = balance.directions(q, values, every.shape)
-    known, length = directions[place : place + 2], directions[place + 2]
-    arcs = [part[np.repeat(np.arange(ARCS), shape[0])] for part in _arcs()]
-    directions[place : place + 2] = arcs
+def _regular(at: State, spring: int) -> BoolArray:
+    count, place = at.shape[0], 3 * spring
+    every = np.tile(np.arange(count), ARCS)
+    at = at.some(every)
+    known, length = at.directions[place : place + 2], at.directions[place + 2]
+    arcs = [part[np.repeat(np.arange(ARCS), count)] for part in _arcs()]
 
-    def slopes(at: Any) -> list[Any]:
-        directions[place + 2] = at
-        return [list(row) for row in balance.call("forces_jacobian", q, directions, values)]
+    def slopes(length: Any) -> list[Any]:
+        fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
+        return [list(row) for row in replace(at, fixed=fixed).slopes()]
 
     K = slopes(ENDLESS[np.zeros_like(every)])
     R = slopes(Jet.variable(Intervals.point(np.ones(every.shape)), 0, 1))

@@ -19,6 +19,7 @@ from ..numerics.precise_roots import narrowed
 from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.balance import Balance
+from ..statics.forces import State
 from ..statics.precise_balance import PreciseBalance, once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
@@ -95,15 +96,14 @@ def _state(
     q = _narrowed(system, box, alone)
     if not _on_its_side(balance, system.gap(q)):
         return None
-    numbers, error, _ = as_numbers((*_columns(balance, q, system.arguments), *q), digits)
+    numbers, error, _ = as_numbers((*_columns(system.state(q)), *q), digits)
     named = dict(zip(columns_of(balance.model), numbers, strict=True))
     return PreciseEquilibrium(named, type_at(system, q), as_mpf(error))
 
 
-def _columns(balance: Balance, q: Sequence[Any], arguments: Mapping[str, Any]) -> list[Any]:
+def _columns(at: State) -> list[Any]:
     """Direction and length of each inclined spring."""
-    directions = balance.plain_directions(q, arguments, XP)
-    springs = (directions[3 * spring : 3 * spring + 3] for spring in range(balance.springs))
+    springs = (at.directions[3 * spring : 3 * spring + 3] for spring in range(at.balance.springs))
     return [value for c, s, length in springs for value in (_angle(c, s), length)]
 
 
@@ -169,7 +169,7 @@ def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatAr
     if not _on_its_side(balance, at.gap()):
         return None
     q, varied = root[: balance.n], root[balance.n :]
-    numbers, _, radius = as_numbers((*varied, *_columns(balance, q, at.values), *q), digits)
+    numbers, _, radius = as_numbers((*varied, *_columns(at), *q), digits)
     named = dict(zip((*augmented.family.vary, *columns_of(balance.model)), numbers, strict=True))
     return PreciseCusp(named, as_mpf(radius), versal=True)
 

@@ -217,18 +217,14 @@ class _Point:
 
     def _shift(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
         """Accelerations, linear in it, by what the friction of the equilibrium is larger than the law at the belt's speed."""
-        balance, statics = self.balance, self.model.algebra
+        balance = self.balance
         if self.model.about["friction"] is None or balance.law == "friction_at_speed":
             return [0] * self.n
-        constants = self._constants(values)
-        at_speed = undecorated(statics.friction_at_speed)(*constants, xp=XP)
-        more = balance.friction(values, XP) - at_speed
-        directions = balance.plain_directions(q, values, XP)
-        taken = [values[name] for name in self.model.about["arguments"]["statics"]]
-        forces = undecorated(statics.forces)
-        with_unit, without = (forces(*q, *directions, *taken, mu, balance.pushing, xp=XP) for mu in (1, 0))
+        at = balance.at(q, values, xp=XP)
+        more = at.friction - at.call("friction_at_speed", ())
+        with_unit, without = (at.call("forces", [*q, *at.directions], mu, balance.pushing, kind="statics") for mu in (1, 0))
         missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
-        mass = [[_number(entry) for entry in row] for row in balance.mass(q, values, XP)]
+        mass = [[_number(entry) for entry in row] for row in at.mass()]
         return _solved(mass, [_number(value) for value in missing])
 
 

@@ -29,8 +29,8 @@ from ..numerics.jets import Jet, constant, gradient, variables
 from ..progress import doing
 from ..results.points import Ended, Points
 from ..statics import stability
-from ..statics.balance import NOTHING, Balance, State
-from ..statics.forces import TURN
+from ..statics.balance import NOTHING, Balance
+from ..statics.forces import TURN, State
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_its_side, once_around
 from ..statics.reference_state import in_order
@@ -134,7 +134,7 @@ def is_affine(family: Family) -> bool:
     with np.errstate(all="ignore"):
         values = balance.over(family.over[:, :1])
         try:
-            rows = balance.by_coordinate("forces", variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), [], values)
+            rows = balance.at(variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)).rows("forces")
         except ZeroDivisionError:  # a law that has no value there
             return False
     pairs = list(itertools.combinations_with_replacement(range(balance.n), 2))
@@ -330,9 +330,8 @@ class _Chart(boxes.System):
         q: list[Any] = [Scaled(self.sign, 1, w)] * self.balance.n
         for i, part in zip(self.others, unknowns, strict=False):
             q[i] = part if i in self.balance.around else Scaled(part, 1, w)
-        directions = self.balance.plain_directions(q, values, SCALED)
-        rows = [*self.balance.by_coordinate("forces", q, directions, values, SCALED), self.balance.gap(q, values, SCALED)]
-        *forces, gap = (row.value if isinstance(row, Scaled) else row for row in rows)
+        at = self.balance.at(q, values, xp=SCALED)
+        *forces, gap = (row.value if isinstance(row, Scaled) else row for row in (*at.rows("forces"), at.gap()))
         return forces, gap
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:

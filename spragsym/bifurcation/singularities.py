@@ -38,9 +38,9 @@ from ..numerics.precise_roots import third_derivative
 from ..remarks import At, Remark
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
-from ..statics.balance import NOTHING, Balance, State
+from ..statics.balance import NOTHING, Balance
 from ..statics.equilibria import equilibria
-from ..statics.forces import Values
+from ..statics.forces import State, Values
 from ..statics.namespaces import follows
 from ..statics.precise_balance import PreciseBalance, clusters, on_side
 from ..statics.reference_state import nearest_state
@@ -187,7 +187,7 @@ class _OnMirror(boxes.System):
         image = self.mirror.image(q, values)
         for i in self.odd:
             q[i] = image[i] * 0.5 if not isinstance(image[i], int) else image[i] / 2
-        return State(self.balance, q, values, parameters.shape[1:], self.mirror.upright)
+        return State(self.balance, q, values, parameters.shape[1:], upright=self.mirror.upright)
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """Even rows of the balance, and the determinant of the turned block."""
@@ -198,14 +198,18 @@ class _OnMirror(boxes.System):
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
         at = self.completed(list(unknowns), parameters)
-        return self.balance.beyond_border(at.q, at.values, at.shape)
+        return self.balance.beyond_border(at)
 
 
 def _mirrors(family: Family) -> list[_Mirror]:
     """The page's mirror, and those that change signs of coordinates only, as of two springs that do not feel each other."""
     balance, over = family.balance, family.over
     odd = turned(balance, over)
-    found = [_Mirror(odd, balance.mirrored, balance.model.about["mirror"]["upright"])] if odd else []
+    found = (
+        [_Mirror(odd, lambda q, values: balance.at(q, values).mirrored(), balance.model.about["mirror"]["upright"])]
+        if odd
+        else []
+    )
     values = balance.over(over)
     for size in range(1, balance.n + 1):
         for some in itertools.combinations(range(balance.n), size):
@@ -218,7 +222,7 @@ def turned(balance: Balance, over: Intervals) -> list[int]:
     """Numbers of the coordinates that the mirror turns, if the model is its own image for these parameters, shape (P, 1)."""
     about = balance.model.about["mirror"]
     with np.errstate(all="ignore"):
-        mu = stacked([balance.friction(balance.over(over))], (1,)).magnitude.max()
+        mu = stacked([balance.at((), balance.over(over)).friction], (1,)).magnitude.max()
     zero = {name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()}
     zero |= {"mu"} if mu <= NOTHING else set()
     if not any(zero.issuperset(names) for names in about["zero"]):
@@ -330,7 +334,7 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
     with np.errstate(all="ignore"):
         at = system.state(variables(list(box), 1), system.fixed(1), (1,))
         K, n = at.stiffness(), balance.n
-        rows = balance.by_coordinate("forces", at.q, at.directions, at.values)
+        rows = at.rows("forces")
         adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
         sizes = np.abs([[stacked([entry], (1,))[0].middle[0] for entry in line] for line in adjugate])
         r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)

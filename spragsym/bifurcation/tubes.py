@@ -26,7 +26,7 @@ from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ..statics.balance import Balance
-from ..statics.namespaces import XP
+from ..statics.forces import State
 from ..statics.precise_balance import on_side
 
 #: The first step over the whole way, the least one, and most steps.
@@ -245,11 +245,9 @@ class Tubes:
 
     def slopes(self, parts: Parts, z: Intervals) -> Intervals:
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
-        bounds, shape = self._bounds(parts, z[self.n]), z.shape[1:]
-        q, values = list(z[: self.n]), self.balance.arguments(bounds)
+        at = self.balance.state(z[: self.n], self._bounds(parts, z[self.n]))
         with np.errstate(all="ignore"):
-            directions = self.balance.directions(q, values, shape)
-            return matrix(self._rows(q, directions, values, XP, self._moving(parts)), shape)
+            return matrix(self._rows(at, self._moving(parts)), at.shape)
 
     def over(self, parts: Parts, region: Region, pivot: int) -> Slopes:
         """Slopes over regions, solved for all unknowns but the pivot: affine where parameters have a width."""
@@ -270,23 +268,19 @@ class Tubes:
             terms[1 + k] = apart[k]
             values[name] = Affine(parts.centre[k], terms)
         values[self.vary] = z[self.n]
-        q, values = z[: self.n], self.balance.arguments_of(values, AFFINE)
-        directions = self.balance.plain_directions(q, values, AFFINE, self._turnings(parts, region))
-        return self._rows(q, directions, values, AFFINE, self._moving(parts))
+        at = self.balance.at(z[: self.n], self.balance.arguments_of(values, AFFINE), xp=AFFINE)
+        return self._rows(replace(at, turnings=self._turnings(parts, region)), self._moving(parts))
 
     def _turnings(self, parts: Parts, region: Region) -> list[Affine]:
         """Angles of torsion springs, from intervals."""
         if not self.balance.torsions:
             return []
-        values = self.balance.arguments(self._bounds(parts, region.box[self.n]))
-        found = self.balance.directions(list(region.box[: self.n]), values, parts.half.shape[1:])
+        found = self.balance.state(region.box[: self.n], self._bounds(parts, region.box[self.n])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
-    def _rows(self, q: list[Any], directions: list[Any], values: dict[str, Any], xp: Any, names: list[str]) -> list[list[Any]]:
-        stiffness = self.balance.by_coordinate("forces_jacobian", q, directions, values, xp)
-        moved = self.balance.by_parameters(names, q, directions, values, xp)
+    def _rows(self, at: State, names: list[str]) -> list[list[Any]]:
         none = [0] * (1 + len(self.free) - len(names))
-        return [[*row, *more, *none] for row, more in zip(stiffness, moved, strict=True)]
+        return [[*row, *more, *none] for row, more in zip(at.stiffness(), at.by_parameters(names), strict=True)]
 
     def _moving(self, parts: Parts) -> list[str]:
         """What moves, and the free parameters where any box has a width."""
@@ -296,11 +290,10 @@ class Tubes:
         """Forces and their slopes in the middle of the boxes, in floats."""
         columns = parts.fixed.copy()
         columns[self.moving], columns[self.places] = z[self.n], parts.centre
-        values, q = self.balance.floats(columns), list(z[: self.n])
+        at = self.balance.at(list(z[: self.n]), self.balance.floats(columns), xp=np)
         with np.errstate(all="ignore"):
-            directions = self.balance.plain_directions(q, values, np)
-            forces = self.balance.by_coordinate("forces", q, directions, values, np)
-            rows = self._rows(q, directions, values, np, self._moving(parts)) if slopes else []
+            forces = at.rows("forces")
+            rows = self._rows(at, self._moving(parts)) if slopes else []
         whole = np.zeros((self.n, self.n + 1 + len(self.free), z.shape[1]))
         for i, row in enumerate(rows):
             for j, entry in enumerate(row):
@@ -309,11 +302,10 @@ class Tubes:
 
     def _forces(self, parts: Parts, z: FloatArray) -> Intervals:
         """Enclosed, in the middle of the boxes."""
-        bounds, shape = self._bounds(parts.middles(), Intervals.point(z[self.n])), z.shape[1:]
-        q, values = list(Intervals.point(z[: self.n])), self.balance.arguments(bounds)
+        bounds = self._bounds(parts.middles(), Intervals.point(z[self.n]))
+        at = self.balance.state(Intervals.point(z[: self.n]), bounds, self.balance.anywhere)
         with np.errstate(all="ignore"):
-            directions = self.balance.directions(q, values, shape, sides=self.balance.anywhere)
-            return stacked(self.balance.by_coordinate("forces", q, directions, values), shape)
+            return stacked(at.rows("forces"), at.shape)
 
     def apart(self, parts: Parts) -> FloatArray:
         """How far the free parameters lie from their middles at most."""

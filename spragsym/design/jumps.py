@@ -170,16 +170,10 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     out = {name: np.full(value.shape, np.nan) for name in names}
     rows = np.flatnonzero(np.isfinite(state).all(axis=0))
     if rows.size:
-        at = p.replace(**{vary: np.where(np.isnan(value), 0.0, value).reshape(shape)})
-        values, q = balance.floats(np.stack([column.reshape(-1)[rows] for column in at.broadcast(*names)])), list(state[:, rows])
-        directions = balance.plain_directions(q, values, np)
-        K, moved = (
-            np.moveaxis(filled(matrix, rows.shape), -1, 0)
-            for matrix in (
-                balance.by_coordinate("forces_jacobian", q, directions, values, np),
-                balance.by_parameters(names, q, directions, values, np),
-            )
-        )
+        there = p.replace(**{vary: np.where(np.isnan(value), 0.0, value).reshape(shape)})
+        values = balance.floats(np.stack([column.reshape(-1)[rows] for column in there.broadcast(*names)]))
+        at = balance.at(list(state[:, rows]), values, xp=np)
+        K, moved = (np.moveaxis(filled(matrix, rows.shape), -1, 0) for matrix in (at.stiffness(), at.by_parameters(names)))
         w = np.linalg.svd(K)[0][:, :, -1]
         along = np.einsum("Ni,Nij->jN", w, moved)
         with np.errstate(all="ignore"):

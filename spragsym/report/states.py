@@ -322,10 +322,9 @@ def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
     values = balance.arguments_of(dict(zip(balance.parameters, p.scalars(*balance.parameters), strict=True)), np)
     free, q = np.delete(np.arange(place.size), held), place.copy()
     for _ in range(_STEPS if free.size else 0):
-        directions = balance.plain_directions(list(q), values, np)
-        rows, residual = (balance.by_coordinate(name, list(q), directions, values, np) for name in ("forces_jacobian", "forces"))
-        stiffness = np.array(rows, dtype=float)[np.ix_(free, free)]
-        q[free] -= np.linalg.solve(stiffness, np.array(residual, dtype=float)[free])
+        at = balance.at(list(q), values, xp=np)
+        stiffness = np.array(at.stiffness(), dtype=float)[np.ix_(free, free)]
+        q[free] -= np.linalg.solve(stiffness, np.array(at.rows("forces"), dtype=float)[free])
     return q
 
 

@@ -273,7 +273,7 @@ def friction_rises_with(study: Study) -> set[str]:
     of = {quantity: name for quantity, name in study.kind.parameters.items() if quantity in friction_depends_on(study)}
     jets = variables([prepared[law.balance.codes.index(name)] for name in of.values()], 1)
     arguments = law.balance.arguments(prepared, dict(zip(of.values(), jets, strict=True)))
-    slopes = gradient(law.balance.friction(arguments), len(of))
+    slopes = gradient(law.balance.at((), arguments).friction, len(of))
     return {name for name, slope in zip(of, slopes, strict=True) if (stacked([slope], shape).low >= 0).all()}
 
 
@@ -325,7 +325,7 @@ class _Law:
     def between(self, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Bounds of the law over boxes."""
         arguments = self.balance.over(Intervals.between(low, high))
-        found = stacked([self.balance.friction(arguments)], low.shape[1:])
+        found = stacked([self.balance.at((), arguments).friction], low.shape[1:])
         return found.low[0], found.high[0]
 
     def largest(self, sign: float, most: int = MOST) -> float:

@@ -2,8 +2,8 @@
 
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property, reduce
+from dataclasses import replace
+from functools import reduce
 from operator import mul
 from typing import Any, TypeAlias
 
@@ -13,8 +13,8 @@ from ..models.quantities import Unit
 from ..numerics import contractors, jets
 from ..numerics.arithmetic import Matrix
 from ..numerics.boxes import POLE, System
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
-from .forces import Forces, Model, Values
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
+from .forces import Forces, Model, State, Values, as_intervals
 from .namespaces import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
@@ -26,6 +26,8 @@ NOTHING = 1e-290
 
 #: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
 Excluded: TypeAlias = Callable[[IntArray, Sequence[int]], BoolArray]
+#: Rows of forces at a state.
+Rows: TypeAlias = Callable[[State], Sequence[Any]]
 Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
@@ -39,10 +41,13 @@ class Balance(Forces, System):
     #: Whether forces contain a length, once that was asked.
     _lengths: bool | None = None
 
+    def state(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+        """The evaluation over boxes."""
+        return State(self, list(unknowns), self.arguments(parameters), unknowns.shape[1:], sides=sides)
+
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""
-        q, values, shape = self._taken(unknowns, parameters)
-        return stacked(self.call("forces", q, self.directions(q, values, shape, sides=self.anywhere), values), shape)
+        return stacked(self.state(unknowns, parameters, self.anywhere).forces(), unknowns.shape[1:])
 
     @property
     def anywhere(self) -> list[int]:
@@ -54,56 +59,49 @@ class Balance(Forces, System):
         values = dict(zip(self.codes, parameters.middle, strict=True))
         q = middles
         for _ in range(GUESSES):
-            directions = self.plain_directions(list(q), values, np)
-            forces, rows = (self.call(name, list(q), directions, values, np) for name in ("forces", "forces_jacobian"))
-            J = contractors.inverse(np.array([[entry + 0.0 * q[0] for entry in row] for row in rows]))
-            q = q - (J * np.array([force + 0.0 * q[0] for force in forces])[None]).sum(axis=1)
+            at = self.at(list(q), values, xp=np)
+            J = contractors.inverse(np.array([[entry + 0.0 * q[0] for entry in row] for row in at.slopes()]))
+            q = q - (J * np.array([force + 0.0 * q[0] for force in at.forces()])[None]).sum(axis=1)
         return q
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Stiffness over boxes, shape (n, n, N)."""
-        q, values, shape = self._taken(unknowns, parameters)
-        rows = self.call("forces_jacobian", q, self.directions(q, values, shape), values)
-        return matrix(rows, shape)
+        return matrix(self.state(unknowns, parameters).slopes(), unknowns.shape[1:])
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
-        return self.nothing_at(*self._taken(unknowns, parameters))
+        return self.nothing_at(self.state(unknowns, parameters))
 
-    def nothing_at(self, q: Sequence[Intervals], values: Values, shape: Shape) -> BoolArray:
-        """Whether nothing acts at coordinates, with their arguments."""
-        out = self.beyond_border(q, values, shape)
-        for spring, (dx, dy) in enumerate(self.anchors(q, values, shape)):
+    def nothing_at(self, at: State) -> BoolArray:
+        """Whether nothing acts at coordinates."""
+        out = self.beyond_border(at)
+        for spring, (dx, dy) in enumerate(at.anchors):
             # Farther from the anchor the direction is known so well that the forces themselves tell.
             rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
             if rows.size:
-                out[rows] = self._no_direction([part[rows] for part in q], taken(values, rows), rows.shape, spring)
+                out[rows] = _no_direction(at.some(rows), spring)
 
         def unbalanced(rows: IntArray, sides: Sequence[int]) -> BoolArray:
-            place, some = [part[rows] for part in q], taken(values, rows)
-            forces = self.call("forces", place, self.directions(place, some, rows.shape, sides=sides), some)
+            forces = replace(at.some(rows), sides=sides).forces()
             return ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
 
-        return out | self.beside_jumps(q, values, ~out, unbalanced)
+        return out | self.beside_jumps(at, ~out, unbalanced)
 
-    def beside_jumps(self, q: Sequence[Intervals], values: Values, among: BoolArray, excluded: Excluded) -> BoolArray:
+    def beside_jumps(self, at: State, among: BoolArray, excluded: Excluded) -> BoolArray:
         """Boxes in which a turning jumps, and that are excluded on each side of the jump."""
         out = np.zeros(among.shape, dtype=np.bool_)
         if not self.torsions or not among.any():
             return out
-        turnings = self.directions(q, values, among.shape)[3 * self.springs :]
-        jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in turnings])
+        jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in at.directions[3 * self.springs :]])
         rows = np.flatnonzero(among & jumps)
         if rows.size:
             every = itertools.product((1, -1), repeat=len(self.torsions))
             out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
         return out
 
-    def beyond_border(self, q: Sequence[Any], values: Values, shape: Shape) -> BoolArray:
+    def beyond_border(self, at: State) -> BoolArray:
         """Boxes that lie on the other side of the contact's border."""
-        if not self.opens:
-            return np.zeros(shape, dtype=np.bool_)
-        return self.sides(stacked([self.gap(q, values)], shape)[0])[1]
+        return self.sides(as_intervals(at.gap(), at.shape))[1] if self.opens else np.zeros(at.shape, dtype=np.bool_)
 
     def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
         """Gaps on this side of the contact's border or on it, and gaps beyond it."""
@@ -113,160 +111,100 @@ class Balance(Forces, System):
 
     def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """The gap of the contact over boxes, shape (N,)."""
-        q, values, shape = self._taken(unknowns, parameters)
-        return stacked([self.gap(q, values)], shape)[0]
-
-    def _no_direction(self, q: Sequence[Intervals], values: Values, shape: Shape, spring: int) -> BoolArray:
-        """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
-        directions = self.directions(q, values, shape)
-        place = 3 * spring
-        cover = Intervals(np.ones((2, *shape)))
-        directions[place], directions[place + 1] = (jets.Jet.variable(cover, number, 1) for number in (0, 1))
-        rows = [jets.gradient(row, 2) for row in self.call("forces", q, directions, values)]
-        M = matrix(rows, shape)
-        directions[place] = directions[place + 1] = Intervals(np.zeros((2, *shape)))
-        G = stacked(self.call("forces", q, directions, values), shape)
-        return contractors.no_unit_vector(G, M)
+        return as_intervals(self.state(unknowns, parameters).gap(), unknowns.shape[1:])
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
-        return self.at_poles(*self._taken(unknowns, parameters), width)
+        return self.at_poles(self.state(unknowns, parameters), width)
 
-    def at_poles(self, q: Sequence[Any], values: Values, shape: Shape, width: float) -> BoolArray:
-        """Whether boxes up to a width hold a pole, with their arguments."""
-        out = np.zeros(shape, dtype=np.bool_)
-        if self._lengths:
-            for dx, dy in self.anchors(q, values, shape):
-                out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
+    def at_poles(self, at: State, width: float) -> BoolArray:
+        """Whether boxes up to a width hold a pole."""
+        out = np.zeros(at.shape, dtype=np.bool_)
+        for dx, dy in at.anchors if self._lengths else ():
+            out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
         return out
-
-    def anchors(self, q: Sequence[Any], values: Values, shape: Shape) -> list[tuple[Intervals, Intervals]]:
-        """The vectors from the mass to the anchors of all springs."""
-        return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in self.geometry(q, values)]
 
     # -------------------------------------------------------------------------------------------- contraction
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""
-        q, values, shape = self._taken(unknowns, parameters)
-        return self.with_directions(unknowns, values, self.directions(q, values, shape, sides=self.anywhere))
+        return self.with_directions(self.state(unknowns, parameters, self.anywhere))
 
-    def with_directions(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
+    def with_directions(self, at: State) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
-        step = contractors.newton(*self._linear(unknowns, unknowns.middle, values, directions))
+        unknowns = stacked(at.q, at.shape)
+        step = contractors.newton(*self._linear(at, unknowns.middle, State.forces, State.slopes))
         return np.fmin(step.ends, unknowns.ends)
 
-    def by_rows(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
+    def by_rows(self, at: State) -> FloatArray:
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
-        near = unknowns.nearest_to_zero
-        return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
-
-    def with_waves(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> FloatArray:
-        """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
-        near = unknowns.nearest_to_zero
-        given = self.linear(unknowns, near, lambda q: self.by_coordinate("forces", q, directions, values, FREE))
+        unknowns = stacked(at.q, at.shape)
+        given = self._linear(at, unknowns.nearest_to_zero, forces_apart, State.stiffness)
         return np.fmin(contractors.by_rows(*given), unknowns.ends)
 
-    def linear(self, unknowns: Intervals, at: FloatArray, forces: Callable[[list[Any]], Sequence[Any]]) -> Linear:
-        """What contractors take: forces at points of the boxes, slopes over the boxes, the points and distances from them."""
-        shape = unknowns.shape[1:]
-        slopes = matrix([jets.gradient(row, self.n) for row in forces(jets.variables(list(unknowns), 1))], shape)
-        return stacked(forces(list(Intervals.point(at))), shape), slopes, at, contractors.distance(unknowns.ends, at)
-
-    def _linear(
-        self,
-        unknowns: Intervals,
-        at: FloatArray,
-        values: Values,
-        directions: Sequence[Any],
-        call: Callable[..., Any] | None = None,
-    ) -> Linear:
-        """:meth:`linear` with directions and lengths fixed."""
-        shape, call = unknowns.shape[1:], call or self.call
-        if self._lengths_matter(unknowns, values, directions):
-            return self.linear(unknowns, at, lambda q: call("forces", q, directions, values))
+    def _linear(self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]) -> Linear:
+        """:meth:`linear` by the generated slopes, where no length counts."""
+        if self._lengths_matter(at):
+            return linear(at, near, forces)
         # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
         # for a derivative that its stiffness has in a sharper form.
-        endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
-        far = [endless if self._is_length(i) else part for i, part in enumerate(directions)]
-        slopes = matrix(call("forces_jacobian", list(unknowns), far, values), shape)
-        forces = stacked(call("forces", list(Intervals.point(at)), directions, values), shape)
-        return forces, slopes, at, contractors.distance(unknowns.ends, at)
+        endless = Intervals.between(np.full(at.shape, 1e290), np.full(at.shape, 1e308))
+        return _from(at, near, forces, matrix(slopes(_with_lengths(at, endless)), at.shape))
 
-    def _lengths_matter(self, unknowns: Intervals, values: Values, directions: Sequence[Any]) -> bool:
+    def _lengths_matter(self, at: State) -> bool:
         """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""
-        if self._lengths is None and unknowns.shape[1]:
+        if self._lengths is None and at.shape[0]:
             one = np.zeros(1, dtype=np.int64)
-            unknown = Intervals(np.full((2, 1), np.nan))
-            parts = [unknown if self._is_length(i) else part[one] for i, part in enumerate(directions)]
-            forces = self.call("forces", [part[one] for part in unknowns], parts, taken(values, one))
+            here = replace(at.some(one), fixed=[part[one] for part in at.directions])
+            forces = _with_lengths(here, Intervals(np.full((2, 1), np.nan))).forces()
             self._lengths = bool(np.isnan(stacked(forces, (1,)).ends).all(axis=(0, 2)).any())
         return bool(self._lengths)
 
-    def _is_length(self, place: int) -> bool:
-        return place < 3 * self.springs and place % 3 == 2
 
-    def _taken(self, unknowns: Intervals, parameters: Intervals) -> tuple[list[Intervals], dict[str, Any], tuple[int, ...]]:
-        return list(unknowns), self.arguments(parameters), unknowns.shape[1:]
-
-
-def taken(values: Values, rows: IntArray) -> dict[str, Any]:
-    """The arguments of some boxes."""
-    return {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}
+def with_waves(at: State) -> FloatArray:
+    """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
+    unknowns = stacked(at.q, at.shape)
+    given = linear(replace(at, xp=FREE), unknowns.nearest_to_zero, forces_apart)
+    return np.fmin(contractors.by_rows(*given), unknowns.ends)
 
 
-@dataclass
-class State:
-    """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
+def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
+    """What contractors take: forces at points of the boxes, slopes over the boxes, the points and distances from them.
 
-    balance: Balance
-    q: Sequence[Any]
-    values: Values
-    shape: Shape
-    upright: Sequence[int] = ()
-    xp: Any = XP
-    sides: Sequence[int] | None = None
+    Directions and lengths are those of the boxes.
+    """
+    moved = replace(at, q=jets.variables(at.q, 1), fixed=at.directions)
+    return _from(at, near, forces, matrix([jets.gradient(row, len(at.q)) for row in forces(moved)], at.shape))
 
-    @cached_property
-    def directions(self) -> list[Any]:
-        """Cosine, sine and length of every spring, and turnings."""
-        if self.xp is XP:
-            return self.balance.directions(self.q, self.values, self.shape, self.upright, self.sides)
-        return self.balance.plain_directions(self.q, self.values, self.xp)
 
-    def forces(self) -> Sequence[Any]:
-        """Rows of the balance."""
-        return self.balance.call("forces", self.q, self.directions, self.values, self.xp)
+def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linear:
+    there = replace(at, q=list(Intervals.point(near)), fixed=at.directions)
+    return stacked(forces(there), at.shape), slopes, near, contractors.distance(stacked(at.q, at.shape).ends, near)
 
-    def slopes(self) -> Matrix:
-        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
-        return self._slopes
 
-    @cached_property
-    def _slopes(self) -> Matrix:
-        return self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
+def forces_apart(at: State) -> Sequence[Any]:
+    """Forces by coordinate, those between coordinates among them."""
+    rows: Sequence[Any] = at.rows("forces")
+    return rows
 
-    def stiffness(self) -> Matrix:
-        """The stiffness matrix K."""
-        if not self.balance.sums:
-            return self._slopes
-        return self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)
 
-    def gap(self) -> Any:
-        """The gap of the contact."""
-        return self.balance.gap(self.q, self.values, self.xp)
+def _with_lengths(at: State, length: Intervals) -> State:
+    """The state with one length for all springs."""
+    lengths = range(2, 3 * at.balance.springs, 3)
+    return replace(at, fixed=[length if place in lengths else part for place, part in enumerate(at.directions)])
 
-    def mass(self) -> Matrix:
-        """The mass matrix M."""
-        return self.balance.mass(self.q, self.values, self.xp)
 
-    def damping(self) -> Matrix:
-        """C: dampers and slope of the friction law."""
-        return self.balance.damping(self.q, self.directions, self.values, xp=self.xp)
+def _no_direction(at: State, spring: int) -> BoolArray:
+    """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
+    place, cover = 3 * spring, Intervals(np.ones((2, *at.shape)))
 
-    def slope(self) -> Any:
-        """Slope of the friction law."""
-        return self.balance.slope(self.values, self.xp)
+    def forces(*direction: Any) -> Sequence[Any]:
+        fixed = [*at.directions[:place], *direction, *at.directions[place + 2 :]]
+        return replace(at, fixed=fixed).forces()
+
+    M = matrix([jets.gradient(row, 2) for row in forces(*jets.variables([cover, cover], 1))], at.shape)
+    none = Intervals(np.zeros((2, *at.shape)))
+    return contractors.no_unit_vector(stacked(forces(none, none), at.shape), M)
 
 
 class BalanceInUnits(Balance):
@@ -311,13 +249,11 @@ class BalanceInUnits(Balance):
         """Arguments by name, of any number type."""
         return super().arguments_of(self.scaled(values, xp, self.needed), xp)
 
-    def by_parameters(
-        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Values, xp: Any = XP
-    ) -> list[list[Any]]:
+    def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
-        rows = super().by_parameters(needed, q, directions, values, xp)
-        return [[self._slope(name, dict(zip(needed, row, strict=True)), values) for name in names] for row in rows]
+        rows = super().by_parameters(at, needed)
+        return [[self._slope(name, dict(zip(needed, row, strict=True)), at.values) for name in names] for row in rows]
 
     def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Any:
         if name in self.units:

@@ -1,14 +1,19 @@
-"""The generated functions of a model by their names, with arguments of any number type."""
+"""The generated functions of a model at a state, with arguments of any number type."""
+
+from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
 from ..models.field import undecorated
 from ..numerics import jets
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, atan2, length, stacked, unit_vector
+from ..numerics.arithmetic import Matrix
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
 from ..numerics.jets import Jet, argument, binomial_series, change, constant, turned
 from .namespaces import XP
 
@@ -128,154 +133,181 @@ class Forces:
         with np.errstate(all="ignore"):
             return self.arguments(self.prepared(bounds), changed)
 
-    def _listed(self, values: Values, kind: str) -> list[Any]:
-        return [values[name] for name in self.model.about["arguments"][kind]]
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+        """The evaluation at coordinates, which functions of parameters alone do not need."""
+        return State(self, q if len(q) else [0] * self.n, values, shape, xp)
 
-    def _of(self, name: str, first: Iterable[Any], values: Values, *last: Any, kind: str = "motion", xp: Any) -> Any:
+    def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
+        """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
+        law, own = at.call("friction_by_parameters", ()), self.model.about["by_parameters"]
+        return [
+            [(row[own.index(name)] if name in own else 0) + row[-1] * law[self.parameters.index(name)] for name in names]
+            for row in at.rows("forces_by_parameters")
+        ]
+
+
+@dataclass
+class State:
+    """Coordinates and arguments of one evaluation, all of one number type, and what follows from them.
+
+    ``upright`` are springs with dx = 0. ``sides`` tell for each torsion spring what its turning is in boxes that meet the ray
+    where it jumps: NaN without it, with 1 or −1 that on one side of the ray, with 0 anything from −π to π.
+    """
+
+    balance: Forces
+    q: Sequence[Any]
+    values: Values
+    shape: Shape = ()
+    xp: Any = XP
+    upright: Sequence[int] = ()
+    sides: Sequence[int] | None = None
+    #: Directions and turnings, or turnings alone, where these do not follow from the coordinates.
+    fixed: Sequence[Any] | None = None
+    turnings: Sequence[Any] | None = None
+
+    def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion", xp: Any = None) -> Any:
         """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
-        return undecorated(getattr(self.model.algebra, name))(*first, *self._listed(values, kind), *last, xp=xp)
+        listed = [self.values[name] for name in self.balance.model.about["arguments"][kind]]
+        return undecorated(getattr(self.balance.model.algebra, name))(*first, *listed, *last, xp=xp or self.xp)
 
-    # ---------------------------------------------------------------------------------------------- forces
+    def some(self, rows: IntArray) -> State:
+        """The evaluation at some of the boxes."""
+        values = {name: value[rows] if isinstance(value, Intervals) else value for name, value in self.values.items()}
+        return replace(self, q=[part[rows] for part in self.q], values=values, shape=rows.shape)
 
-    def geometry(self, q: Sequence[Any], values: Values, xp: Any = XP) -> Any:
+    # ------------------------------------------------------------------------------------------ directions
+
+    @cached_property
+    def geometry(self) -> Any:
         """Vector and undeformed length of every line."""
-        return self._of("geometry", q, values, kind="statics", xp=xp)
+        return self.call("geometry", self.q, kind="statics")
 
-    def of_no_place(self, name: str, values: Values, xp: Any = XP) -> Sequence[Any]:
-        """A function that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
-        return self._of(name, [0] * self.n, values, kind="statics", xp=xp)
+    def of_springs(self, name: str) -> Sequence[Any]:
+        """A function of parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
+        return self.call(name, self.q, kind="statics")
 
-    def at_rest(self, values: Values, xp: Any = XP) -> list[tuple[Any, Any]]:
+    @property
+    def at_rest(self) -> list[tuple[Any, Any]]:
         """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
-        pairs = self._of("turnings", [0] * self.n + [1, 0, 1] * self.springs, values, kind="statics", xp=xp)
+        pairs = self.call("turnings", [*self.q, *[1, 0, 1] * self.balance.springs], kind="statics")
         return [(cosine, -sine) for cosine, sine in pairs]
 
-    def directions(
-        self,
-        q: Sequence[Any],
-        values: Values,
-        shape: Shape,
-        upright: Sequence[int] = (),
-        sides: Sequence[int] | None = None,
-    ) -> list[Any]:
-        """Cosine, sine and length of every spring, then the turning of every torsion spring; dx = 0 where ``upright``.
+    @cached_property
+    def anchors(self) -> list[tuple[Intervals, Intervals]]:
+        """The vectors from the mass to the anchors of all springs, over boxes."""
+        return [(as_intervals(dx, self.shape), as_intervals(dy, self.shape)) for dx, dy, _ in self.geometry]
 
-        ``sides`` tell for each torsion spring what its turning is in boxes that meet the ray where it jumps: NaN without it, with
-        1 or −1 that on one side of the ray, with 0 anything from −π to π.
-        """
-        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry(q, values))]
-        squares = self._squared_lengths(q, values)
-        parts = [part for (dx, dy), square in zip(steps, squares, strict=True) for part in direction(dx, dy, shape, square)]
-        return parts + self._turnings(q, values, shape, steps, parts, sides) if self.torsions else parts
+    @cached_property
+    def directions(self) -> list[Any]:
+        """Cosine, sine and length of every spring, then the turning of every torsion spring."""
+        if self.fixed is not None:
+            return list(self.fixed)
+        steps = [(0 if place in self.upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry)]
+        squares = self._squared_lengths()
+        parts = [part for step, square in zip(steps, squares, strict=True) for part in self.direction(*step, square)]
+        if self.turnings is not None or not self.balance.torsions:
+            return [*parts, *(self.turnings or ())]
+        return parts + self._turnings(steps, parts)
 
-    def _squared_lengths(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
+    def direction(self, dx: Any, dy: Any, square: Any = None) -> tuple[Any, Any, Any]:
+        """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers quotients."""
+        return direction(dx, dy, self.shape, square) if self.xp is XP else quotients(dx, dy, self.xp)
+
+    def _squared_lengths(self) -> Sequence[Any]:
         """l² of every spring without its changes, where an angle is so wide that its form counts; else None."""
-        if not any(_is_wide(values[code]) for parts in self.angles.values() for code in parts):
-            return [None] * self.springs
-        fixed = [jets.constant(part) for part in (*q, *self._listed(values, "statics"))]
-        return undecorated(self.model.algebra.squared_lengths)(*fixed, xp=XP)
+        if self.xp is not XP or not any(_is_wide(self.values[code]) for parts in self.balance.angles.values() for code in parts):
+            return [None] * self.balance.springs
+        return self._constant.call("squared_lengths", self._constant.q, kind="statics")
 
-    def _turnings(
-        self,
-        q: Sequence[Any],
-        values: Values,
-        shape: Shape,
-        steps: Sequence[tuple[Any, Any]],
-        directions: Sequence[Any],
-        sides: Sequence[int] | None,
-    ) -> list[Any]:
-        """φ of every torsion spring; 0 where its stiffness is."""
-        fixed = [jets.constant(part) for part in (*q, *directions, *self._listed(values, "statics"))]
-        turned = undecorated(self.model.algebra.turnings)(*fixed, xp=XP)
-        rests, stiffnesses = self.at_rest(values), self.of_no_place("torsions", values)
+    @property
+    def _constant(self) -> State:
+        """The state without its changes."""
+        values = {name: jets.constant(value) for name, value in self.values.items()}
+        return replace(self, q=[jets.constant(part) for part in self.q], values=values)
+
+    def _turnings(self, steps: Sequence[tuple[Any, Any]], directions: Sequence[Any]) -> list[Any]:
+        """φ of every torsion spring; over boxes 0 where its stiffness is."""
+        if self.xp is not XP:
+            pairs = self.call("turnings", [*self.q, *directions], kind="statics")
+            return [self.xp.atan2(sine, cosine) for cosine, sine in pairs]
+        turned = self._constant.call("turnings", [*self._constant.q, *map(jets.constant, directions)], kind="statics")
+        rests, stiffnesses = self.at_rest, self.of_springs("torsions")
         found = []
         for place, value in enumerate(turned):
             if _is_none(stiffnesses[place]):
-                found.append(Intervals(np.zeros((2, *shape))))
+                found.append(Intervals(np.zeros((2, *self.shape))))
                 continue
-            side = None if sides is None else sides[place]
-            found.append(turning(value, steps[self.torsions[place]], rests[place], shape, side))
+            side = None if self.sides is None else self.sides[place]
+            found.append(turning(value, steps[self.balance.torsions[place]], rests[place], self.shape, side))
         return found
 
-    def plain_directions(
-        self, q: Sequence[Any], values: Values, xp: Any, turnings: Sequence[Any] = ()
-    ) -> list[Any]:  # fmt: skip
-        """Cosine, sine and length of every spring, then turnings if not given, for numbers that are narrow: quotients."""
-        directions = [part for dx, dy, _ in self.geometry(q, values, xp) for part in quotients(dx, dy, xp)]
-        if len(turnings) == len(self.torsions):
-            return [*directions, *turnings]
-        pairs = self._of("turnings", [*q, *directions], values, kind="statics", xp=xp)
-        return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
+    # ---------------------------------------------------------------------------------------------- forces
 
-    def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Values, xp: Any = XP) -> Any:
-        """A function that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
-        return self.by_coordinate(self.sums.get(name, name), q, directions, values, xp)
+    def rows(self, name: str, pushing: Any = None) -> Any:
+        """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0 as in lift-off."""
+        pushing = self.balance.pushing if pushing is None else pushing
+        return self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
 
-    def by_coordinate(
-        self,
-        name: str,
-        q: Sequence[Any],
-        directions: Sequence[Any],
-        values: Values,
-        xp: Any = XP,
-        pushing: Any = None,
-    ) -> Any:
-        """Rows by coordinate; with ``pushing`` 0 as in lift-off."""
-        pushing = self.pushing if pushing is None else pushing
-        return self._of(name, [*q, *directions], values, self.friction(values, xp), pushing, kind="statics", xp=xp)
+    def forces(self) -> Sequence[Any]:
+        """Rows of the balance."""
+        return self.rows(self.balance.sums.get("forces", "forces"))
 
-    def contact_force(self, q: Sequence[Any], values: Values, pushing: Any, xp: Any = XP) -> Any:
+    def slopes(self) -> Matrix:
+        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
+        return self._slopes
+
+    @cached_property
+    def _slopes(self) -> Matrix:
+        return self.rows(self.balance.sums.get("forces_jacobian", "forces_jacobian"))
+
+    def stiffness(self) -> Matrix:
+        """The stiffness matrix K."""
+        return self.rows("forces_jacobian") if self.balance.sums else self._slopes
+
+    def by_parameters(self, names: Sequence[str]) -> list[list[Any]]:
+        """Derivatives of the forces by parameters."""
+        return self.balance.by_parameters(self, names)
+
+    def contact_force(self, pushing: Any) -> Any:
         """The normal force of the contact."""
-        return self._of("contact_force", q, values, pushing, xp=xp)
+        return self.call("contact_force", self.q, pushing)
 
-    def by_parameters(
-        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Values, xp: Any = XP
-    ) -> list[list[Any]]:
-        """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
-        law = self._of("friction_by_parameters", (), values, xp=xp)
-        own = self.model.about["by_parameters"]
-        return [
-            [(row[own.index(name)] if name in own else 0) + row[-1] * law[self.parameters.index(name)] for name in names]
-            for row in self.by_coordinate("forces_by_parameters", q, directions, values, xp)
-        ]
-
-    def friction(self, values: Values, xp: Any = XP) -> Any:
+    @cached_property
+    def friction(self) -> Any:
         """The friction coefficient at steady sliding."""
-        return self._of(self.law, (), values, xp=xp)
+        return self.call(self.balance.law, ())
 
-    def mass(self, q: Sequence[Any], values: Values, xp: Any = XP) -> Any:
+    def mass(self) -> Matrix:
         """M of the kinetic energy."""
-        return self._of("mass_matrix", q, values, xp=xp)
+        return self.call("mass_matrix", self.q)
 
-    def damping(
-        self, q: Sequence[Any], directions: Sequence[Any], values: Values, pushing: int | None = None, xp: Any = XP
-    ) -> Any:
+    def damping(self, pushing: int | None = None) -> Matrix:
         """C of dampers and of the slope of the friction law."""
-        pushing = self.pushing if pushing is None else pushing
-        return self._of("damping", [*q, *directions[: 3 * self.springs]], values, pushing, xp=xp)
+        pushing = self.balance.pushing if pushing is None else pushing
+        return self.call("damping", [*self.q, *self.directions[: 3 * self.balance.springs]], pushing)
 
-    def slope(self, values: Values, xp: Any = XP) -> Any:
+    def slope(self) -> Any:
         """Slope of the friction law at steady sliding."""
-        return self._of("friction_slope", (), values, xp=xp)
+        return self.call("friction_slope", ())
 
-    def slope_has_a_sign(self, values: Values, shape: Shape) -> BoolArray:
+    def slope_has_a_sign(self) -> BoolArray:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
-        out = np.zeros(shape, dtype=np.bool_)
-        if not self.slope_is_a_sum:
+        out = np.zeros(self.shape, dtype=np.bool_)
+        if not self.balance.slope_is_a_sum:
             return out
-        for terms in self._of("friction_slope_by_sizes", (), values, xp=XP):
-            kept = [(factor, power) for factor, power in terms if stacked([factor], shape)[0].ends.any()]
-            total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(shape)))
+        for terms in self.call("friction_slope_by_sizes", ()):
+            kept = [(factor, power) for factor, power in terms if as_intervals(factor, self.shape).ends.any()]
+            total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(self.shape)))
             out |= ~total.holds_zero()
         return out
 
-    def gap(self, q: Sequence[Any], values: Values, xp: Any = XP) -> Any:
+    def gap(self) -> Any:
         """The gap of the contact."""
-        return self._of("contact_gap", q, values, kind="statics", xp=xp)
+        return self.call("contact_gap", self.q, kind="statics")
 
-    def mirrored(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
-        """The image of a state in the model's mirror."""
-        return self._of("mirror", q, values, kind="statics", xp=XP)
+    def mirrored(self) -> Sequence[Any]:
+        """The image of the state in the model's mirror."""
+        return self.call("mirror", self.q, kind="statics", xp=XP)
 
 
 def _is_nothing(values: Intervals) -> bool:

@@ -209,7 +209,6 @@ def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
     xp: Any = _ParityFunctions()
     q = [Parity(i in odd) for i in range(balance.n)]
     given = {name: 0 if isinstance(value, int) and value == 0 else Parity(False) for name, value in values.items()}
-    rows = balance.by_coordinate("forces", q, balance.plain_directions(q, given, xp), given, xp)
-    gap = balance.gap(q, given, xp) if balance.opens else 0
-    wanted = [*((row, i in odd) for i, row in enumerate(rows)), (gap, False)]
+    at = balance.at(q, given, xp=xp)
+    wanted = [*((row, i in odd) for i, row in enumerate(at.rows("forces"))), (at.gap() if balance.opens else 0, False)]
     return all((row.odd is side) if isinstance(row, Parity) else (row == 0 or not side) for row, side in wanted)

@@ -35,22 +35,22 @@ from one on the border are undecided.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from ..numerics import boxes, certified_roots, contractors, jets
-from ..numerics.balls import XP as BALLS
 from ..numerics.balls import ball
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, stacked
 from ..numerics.interval_arrays import length as interval_length
 from ..numerics.precise_roots import Digits
 from .balance import Balance
-from .forces import Values, direction, quotients
+from .forces import State, as_intervals
 from .namespaces import XP
 from .precise_balance import PreciseBalance, refined, settled_by_digits
 
@@ -71,22 +71,6 @@ TURN, TURN_ERROR = 2 * np.pi, 1e-14
 ROOM = 1.0 + 2.0**-10
 #: Steps of interval Newton on lengths that are small parts of the largest one.
 STEPS = 6
-#: Coordinates, directions, elongation.
-Place: TypeAlias = tuple[list[Any], list[Any], Any]
-
-
-@dataclass(frozen=True)
-class Given:
-    """Arguments of the forces, the scale, and the kind of all numbers: intervals of a shape and jets of them, or balls."""
-
-    values: Values
-    scale: Any
-    shape: Shape = ()
-    xp: Any = XP
-
-    def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
-        """Cosine, sine and length of a vector."""
-        return direction(dx, dy, self.shape) if self.xp is XP else quotients(dx, dy, self.xp)
 
 
 @dataclass(frozen=True)
@@ -108,108 +92,103 @@ class Polar(boxes.System):
         """Prepared parameters of the balance, with the scale last."""
         return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
 
-    def place(self, unknowns: Sequence[Any], given: Given) -> Place:
-        """Coordinates, directions and lengths with φ behind, and the elongation."""
+    def place(self, unknowns: Sequence[Any], nowhere: State, scale: Any) -> tuple[State, Any]:
+        """The state with φ as its turning, and the elongation; ``nowhere`` is the evaluation at the coordinates 0."""
         angle, part, *others = unknowns
-        c, s = self._direction(angle, given)
-        q: list[Any] = [0] * self.balance.n
+        c, s = self._direction(angle, nowhere)
+        q = list(nowhere.q)
         for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
             q[number] = value
-        *anchor, rest = self.balance.geometry(q, given.values, given.xp)[self.spring]
-        far = part * given.scale
+        *anchor, rest = replace(nowhere, q=q).geometry[self.spring]
+        far = part * scale
         length, elongation = (far + rest, far) if self.tight else (far, far - rest)
         for number, end, share in zip(self.chart, anchor, (c, s), strict=True):
             q[number] = -(length * share) + end
-        directions: list[Any] = []
-        for number, (dx, dy, _) in enumerate(self.balance.geometry(q, given.values, given.xp)):
-            directions += [c, s, length] if number == self.spring else given.direction(dx, dy)
-        return q, self.turned(directions, angle), elongation
+        at = replace(nowhere, q=q)
+        lines = [
+            (c, s, length) if number == self.spring else at.direction(dx, dy) for number, (dx, dy, _) in enumerate(at.geometry)
+        ]
+        return replace(at, fixed=self.turned(itertools.chain(*lines), angle)), elongation
 
-    def _direction(self, angle: Any, given: Given) -> tuple[Any, Any]:
+    def _direction(self, angle: Any, at: State) -> tuple[Any, Any]:
         """Cosine and sine of the line's direction at φ, from the one at φ = 0."""
-        cosine, sine = given.xp.cos(angle), given.xp.sin(angle)
-        c0, s0 = self.balance.at_rest(given.values, given.xp)[0] if self.turns else (1, 0)
+        cosine, sine = at.xp.cos(angle), at.xp.sin(angle)
+        c0, s0 = at.at_rest[0] if self.turns else (1, 0)
         return cosine * c0 - sine * s0, sine * c0 + cosine * s0
 
-    def turned(self, directions: Sequence[Any], angle: Any) -> list[Any]:
+    def turned(self, directions: Iterable[Any], angle: Any) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def rows(self, q: Sequence[Any], directions: Sequence[Any], elongation: Any, given: Given) -> list[Any]:
+    def rows(self, at: State, elongation: Any) -> list[Any]:
         """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
-        stiffnesses = self.balance.of_no_place("stiffnesses", given.values, given.xp)
-        c, s, length = directions[3 * self.spring : 3 * self.spring + 3]
-        forces = self.other_forces(q, directions, given, stiffnesses)
+        c, s, length = at.directions[3 * self.spring : 3 * self.spring + 3]
+        forces = self.other_forces(at)
         x, y = self.chart
-        tension, across = elongation * stiffnesses[self.spring], forces[y] * c - forces[x] * s
+        tension, across = elongation * at.of_springs("stiffnesses")[self.spring], forces[y] * c - forces[x] * s
         out = list(forces)
         out[x] = forces[x] * c + forces[y] * s - tension
         out[y] = across
         if self.turns:
-            (torsion,) = self.balance.of_no_place("torsions", given.values, given.xp)
-            out[y] = length * across - directions[-1] * torsion
+            (torsion,) = at.of_springs("torsions")
+            out[y] = length * across - at.directions[-1] * torsion
         if self.balance.n > 2:
-            a, b = end_slopes(self.balance, given.values)[self.spring]
+            a, b = end_slopes(at)[self.spring]
             for row in set(range(self.balance.n)) - set(self.chart):
                 out[row] = forces[row] + tension * (c * a[row] + s * b[row]) + (c * b[row] - s * a[row]) * across
         return out
 
-    def other_forces(
-        self, q: Sequence[Any], directions: Sequence[Any], given: Given, stiffnesses: Sequence[Any]
-    ) -> list[Any]:  # fmt: skip
+    def other_forces(self, at: State) -> list[Any]:
         """All but those of this line."""
-        forces = list(self.balance.call("forces_apart", q, directions, given.values, given.xp))
+        forces = list(at.rows("forces_apart"))
         if self.balance.springs == 1:
             return forces
-        rests = [row[2] for row in self.balance.geometry(q, given.values, given.xp)]
-        slopes = end_slopes(self.balance, given.values)
-        for place, (k, rest, (a, b)) in enumerate(zip(stiffnesses, rests, slopes, strict=True)):
+        lines = zip(at.of_springs("stiffnesses"), at.geometry, end_slopes(at), strict=True)
+        for place, (k, (*_, rest), (a, b)) in enumerate(lines):
             if place != self.spring:
-                c, s, length = directions[3 * place : 3 * place + 3]
+                c, s, length = at.directions[3 * place : 3 * place + 3]
                 tension = (length - rest) * k
                 forces = [force + tension * (c * a[row] + s * b[row]) for row, force in enumerate(forces)]
         return forces
 
     # ------------------------------------------------------------------------------------------ over boxes
 
-    def _given(self, parameters: Intervals) -> Given:
-        return Given(self.balance.arguments(parameters), parameters[-1], parameters.shape[1:])
+    def _placed(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[State, Any]:
+        return self.place(unknowns, self.balance.at((), self.balance.arguments(parameters), parameters.shape[1:]), parameters[-1])
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """The equations over boxes."""
-        given = self._given(parameters)
-        return self.rows(*self.place(unknowns, given), given)
+        return self.rows(*self._placed(unknowns, parameters))
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
-        given = self._given(parameters)
-        return self.balance.beyond_border(self.place(list(unknowns), given)[0], given.values, given.shape)
+        return self.balance.beyond_border(self._placed(list(unknowns), parameters)[0])
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes: the coordinates that balance the forces with these directions, and the directions towards these.
 
         A stiff straight guide is thin in the coordinates, and bent in angle and length.
         """
-        given = self._given(parameters)
-        q, directions, elongation = self.place(list(unknowns), given)
-        places = Intervals(self.balance.with_directions(stacked(q, given.shape), given.values, directions))
-        rows = stacked(self.rows(list(places), directions, elongation, given), given.shape)
+        at, elongation = self._placed(list(unknowns), parameters)
+        places = Intervals(self.balance.with_directions(at))
+        at = replace(at, q=list(places))
+        rows = stacked(self.rows(at, elongation), at.shape)
         empty = ~np.logical_and.reduce(rows.holds_zero()) | np.logical_or.reduce(places.ends[0] + places.ends[1] < 0)
-        ends = self._towards(places, unknowns, given)
+        ends = self._towards(at, unknowns, parameters[-1])
         ends[:, :, empty] = -1.0
         return ends
 
-    def _towards(self, places: Intervals, unknowns: Intervals, given: Given) -> FloatArray:
+    def _towards(self, at: State, unknowns: Intervals, scale: Intervals) -> FloatArray:
         """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
-        dx, dy, rest = self.balance.geometry(list(places), given.values, given.xp)[self.spring]
-        c, s = self._direction(Intervals.point(unknowns[0].middle), given)
+        dx, dy, rest = at.geometry[self.spring]
+        c, s = self._direction(Intervals.point(unknowns[0].middle), at)
         along, across = dx * c + dy * s, dy * c - dx * s
         lengths = interval_length(dx, dy)
-        part = ((lengths - rest) if self.tight else lengths) / given.scale
+        part = ((lengths - rest) if self.tight else lengths) / scale
         # What the tangent is known of turns by less than a quarter from the middle of the box.
         slope = (across / along).ends
         turned = raised(np.arctan(slope), ARCTAN_ULPS) + np.stack([-unknowns[0].middle, unknowns[0].middle])
-        length = unknowns[1] * given.scale + rest if self.tight else unknowns[1] * given.scale
+        length = unknowns[1] * scale + rest if self.tight else unknowns[1] * scale
         ahead = (length.low > 0) & (along.low > 0) & (unknowns[0].width < 3)
         ends = unknowns.ends.copy()
         ends[:, 0] = np.where(ahead, np.fmin(raised(turned), ends[:, 0]), ends[:, 0])
@@ -218,7 +197,7 @@ class Polar(boxes.System):
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
-        return stacked(self.place(list(Intervals(ends)), self._given(parameters))[0], ends.shape[2:]).ends
+        return stacked(self._placed(list(Intervals(ends)), parameters)[0].q, ends.shape[2:]).ends
 
     def precise(self, given: FloatArray, bits: int) -> _PrecisePolar:
         """The equations of balls."""
@@ -229,24 +208,25 @@ class _PrecisePolar(Digits):
     """The equations at one point, of balls or jets of balls."""
 
     def __init__(self, system: Polar, given: FloatArray, bits: int) -> None:
-        arguments = PreciseBalance(system.balance, given[:-1], bits).arguments
-        self.system, self.bits, self.given = system, bits, Given(arguments, ball(float(given[-1]), bits), xp=BALLS)
+        nowhere = PreciseBalance(system.balance, given[:-1], bits).state(())
+        self.system, self.bits, self.given = system, bits, (nowhere, ball(float(given[-1]), bits))
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The equations."""
-        return self.system.rows(*self.system.place(unknowns, self.given), self.given)
+        return self.system.rows(*self.system.place(unknowns, *self.given))
 
 
-def end_slopes(balance: Balance, values: Values, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(at: State, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
-    rows = balance.geometry(jets.variables([near] * balance.n, 1), values)
-    return [(jets.gradient(dx, balance.n), jets.gradient(dy, balance.n)) for dx, dy, _ in rows]
+    n = at.balance.n
+    rows = replace(at, q=jets.variables([near] * n, 1), xp=XP).geometry
+    return [(jets.gradient(dx, n), jets.gradient(dy, n)) for dx, dy, _ in rows]
 
 
 def ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     """Whether the ends of all springs are linear in the coordinates."""
-    values = balance.over(Intervals.point(given))
-    slopes = end_slopes(balance, values, Intervals.between(np.array([-2.0]), np.array([3.0])))
+    at = balance.at((), balance.over(Intervals.point(given)))
+    slopes = end_slopes(at, Intervals.between(np.array([-2.0]), np.array([3.0])))
     every = [entry for pair in slopes for row in pair for entry in row]
     return bool((stacked(every, (1,)).width < 1e-12).all()) if every else True
 
@@ -286,9 +266,8 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
     """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs, points)."""
-    values = balance.over(Intervals.point(given))
     with np.errstate(all="ignore"):
-        return stacked(balance.of_no_place(name, values), given.shape[1:])
+        return stacked(balance.at((), balance.over(Intervals.point(given))).of_springs(name), given.shape[1:])
 
 
 def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, points: IntArray) -> tuple[Roots, BoolArray]:
@@ -336,17 +315,16 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
 def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
     """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
-    values = balance.over(Intervals.point(given))
-    stiffnesses = balance.of_no_place("stiffnesses", values)
-    k = stacked(stiffnesses, shape)[system.spring]
+    nowhere = balance.at((), balance.over(Intervals.point(given)), shape)
+    k = as_intervals(nowhere.of_springs("stiffnesses")[system.spring], shape)
     q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
-    *anchor, rest = stacked(balance.geometry(q, values)[system.spring], shape)
+    *anchor, rest = stacked(replace(nowhere, q=q).geometry[system.spring], shape)
     reach = [np.maximum(*raised(around[:, i] + end.ends[::-1])) for i, end in zip(system.chart, anchor, strict=True)]
     length = raised(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
-    whole = list(Intervals(around))
-    directions = system.turned(balance.directions(whole, values, shape)[: 3 * balance.springs], Intervals.point(np.zeros(shape)))
-    forces = stacked(system.other_forces(whole, directions, Given(values, 1, shape), stiffnesses), shape)
+    whole = replace(nowhere, q=list(Intervals(around)))
+    directions = system.turned(whole.directions[: 3 * balance.springs], Intervals.point(np.zeros(shape)))
+    forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
     most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
     tight = most < 0.5 * rest.low

@@ -24,7 +24,8 @@ from ..numerics.boxes import POLE, System
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ..numerics.precise_roots import Digits, Reduced, as_intervals, narrowed, outward, reduced_roots
-from .balance import Balance, State
+from .balance import Balance
+from .forces import State
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
@@ -69,7 +70,7 @@ class PreciseBalance(Digits):
 
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at coordinates."""
-        return State(self.balance, unknowns, self.arguments, (), xp=XP)
+        return self.balance.at(unknowns, self.arguments, xp=XP)
 
 
 def renewed(found: Roots, around: FloatArray, points: IntArray, parts: Sequence[Roots]) -> Roots:

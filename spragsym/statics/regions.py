@@ -16,6 +16,7 @@ beside the forces of lift-off. So no slope is needed of what is cut off, which h
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,8 +25,8 @@ from ..errors import ParameterError, ParameterTypeError
 from ..models.parameters import as_numbers
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
-from .balance import Balance
-from .forces import Values
+from .balance import Balance, linear, with_waves
+from .forces import State, as_intervals
 from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
@@ -97,24 +98,22 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
     count = bounds.shape[1]
     with np.errstate(all="ignore"):
         parameters = balance.prepared(bounds)
-        values = balance.arguments(parameters)
         border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
         ends = np.minimum(FAR, border)
         # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds everything.
         nowhere = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
-        directions = _any_direction(balance, count)
+        at = replace(balance.state(Intervals(ends), parameters), fixed=_any_direction(balance, count))
+        steps = [balance.by_rows, balance.with_directions]
+        steps += [with_waves] if balance.model.about.get("waves") else []
+        steps += [_closed, _by_contact_force] if _presses(balance) else []
         for _ in range(ROUNDS):
             before = ends
-            ends = balance.by_rows(Intervals(ends), values, directions)
-            ends = balance.with_directions(Intervals(ends), values, directions)
-            if balance.model.about.get("waves"):
-                ends = balance.with_waves(Intervals(ends), values, directions)
-            if _presses(balance):
-                ends = _by_contact_force(balance, ends, values, directions)
+            for step in steps:
+                ends = step(replace(at, q=list(Intervals(ends))))
             widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
             if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break
-        ends = np.maximum(ends, _near_anchors(balance, ends, values))
+        ends = np.maximum(ends, _near_anchors(at, ends))
         ends = np.where(nowhere, np.minimum(NEAR, border), ends)
     return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
 
@@ -151,11 +150,9 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
     scale = np.ones(bounds.shape[1])
     origin = np.zeros((balance.n, bounds.shape[1]))
     with np.errstate(all="ignore"):
-        for at in (bounds.low, bounds.middle, bounds.high):
-            parameters = balance.prepared(Intervals.point(at))
-            lengths = [
-                part for line in balance.geometry(list(Intervals.point(origin)), balance.arguments(parameters)) for part in line
-            ]
+        for given in (bounds.low, bounds.middle, bounds.high):
+            parameters = balance.prepared(Intervals.point(given))
+            lengths = [part for line in balance.state(Intervals.point(origin), parameters).geometry for part in line]
             found = [balance.guessed(origin, parameters), *(stacked([part], scale.shape).magnitude for part in lengths)]
             sizes = np.abs(np.concatenate(found))
             scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))
@@ -171,8 +168,9 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
-def _near_anchors(balance: Balance, ends: FloatArray, values: Values) -> FloatArray:
+def _near_anchors(at: State, ends: FloatArray) -> FloatArray:
     """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without bounds where that is not known."""
+    balance = at.balance
     hull = np.full(ends.shape, -np.inf)
     for spring in balance.torsions:
         chart = balance.model.about["springs"][spring]["chart"]
@@ -181,7 +179,7 @@ def _near_anchors(balance: Balance, ends: FloatArray, values: Values) -> FloatAr
             hull[:] = np.inf
             break
         q: list[Any] = [0] * balance.n
-        anchor = balance.anchors(q, values, ends.shape[2:])[spring]
+        anchor = replace(at, q=q).anchors[spring]
         for place, end in zip(places, anchor, strict=True):
             hull[:, place] = np.maximum(hull[:, place], raised(end.ends + LENGTH))
     return np.minimum(hull, balance.border[:, :, None])
@@ -232,42 +230,40 @@ def _presses(balance: Balance) -> bool:
     )
 
 
-def _by_contact_force(balance: Balance, ends: FloatArray, values: Values, directions: Sequence[Any]) -> FloatArray:
+def _by_contact_force(at: State) -> FloatArray:
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and sines left free."""
-    ends = _closed(balance, ends, values)
-    unknowns = Intervals(ends)
-    near, shape = unknowns.nearest_to_zero, unknowns.shape[1:]
-    force = _cut_off(stacked([balance.contact_force(list(unknowns), values, _Pressed(), FREE)], shape)[0])
+    at = replace(at, xp=FREE)
+    unknowns, shape = stacked(at.q, at.shape), at.shape
+    force = _cut_off(as_intervals(at.contact_force(_Pressed()), shape))
     # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each coordinate.
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
-    of_touch = balance.by_coordinate("forces", list(unknowns), directions, values, FREE, pushing=pushing)
-    touch = jets.gradient(balance.contact_force(list(unknowns), values, pushing, FREE), 1)[0]
-    along = stacked([jets.gradient(row, 1)[0] / touch for row in of_touch], shape)
-    apart = stacked(balance.by_coordinate("forces", list(unknowns), directions, values, FREE, pushing=0), shape)
-    force = _balancing(force, apart, along)
-    at_near, slopes, near, reach = balance.linear(
-        unknowns, near, lambda q: balance.by_coordinate("forces", q, directions, values, FREE, pushing=0)
-    )
+    touch = jets.gradient(at.contact_force(pushing), 1)[0]
+    along = stacked([jets.gradient(row, 1)[0] / touch for row in at.rows("forces", pushing)], shape)
+    force = _balancing(force, stacked(_in_lift_off(at), shape), along)
+    at_near, slopes, near, reach = linear(at, unknowns.nearest_to_zero, _in_lift_off)
     given = at_near + along * force, slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
-    return np.fmin(found, ends)
+    return np.fmin(found, unknowns.ends)
 
 
-def _closed(balance: Balance, ends: FloatArray, values: Values) -> FloatArray:
+def _in_lift_off(at: State) -> Sequence[Any]:
+    rows: Sequence[Any] = at.rows("forces", 0)
+    return rows
+
+
+def _closed(at: State) -> FloatArray:
     """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and the others."""
-    unknowns = Intervals(ends)
-    near, shape = unknowns.nearest_to_zero, unknowns.shape[1:]
-    at_near = stacked([balance.gap(list(Intervals.point(near)), values, FREE)], shape)[0]
-    slopes = stacked(jets.gradient(balance.gap(jets.variables(list(unknowns), 1), values, FREE), balance.n), shape)
+    unknowns = stacked(at.q, at.shape)
+    near, ends = unknowns.nearest_to_zero, unknowns.ends
+    at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap()])
     shift = unknowns - Intervals.point(near)
     found = ends.copy()
-    for place in range(balance.n):
-        others = sum((slopes[j] * shift[j] for j in range(balance.n) if j != place), at_near)
-        most = Intervals.point(near[place]) - others / slopes[place]
-        upper = slopes.ends[0, place] < 0
-        lower = slopes.ends[1, place] < 0
-        found[1, place] = np.where(upper, np.fmin(ends[1, place], most.ends[1]), ends[1, place])
-        found[0, place] = np.where(lower, np.fmin(ends[0, place], most.ends[0]), ends[0, place])
+    for place in range(len(at.q)):
+        others = sum((slopes[0, j] * shift[j] for j in range(len(at.q)) if j != place), at_near[0])
+        most = Intervals.point(near[place]) - others / slopes[0, place]
+        for side in (0, 1):  # where the gap grows towards that side
+            grows = slopes.ends[1 - side, 0, place] < 0
+            found[side, place] = np.where(grows, np.fmin(ends[side, place], most.ends[side]), ends[side, place])
     return np.where(found[0] + found[1] >= 0, found, ends)
 
 

@@ -13,13 +13,13 @@ from ..models.field import SETTLED, apart
 from ..models.parameters import ParameterSet
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals
 from ..questions import question
 from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided
 from . import stability
 from .balance import NOTHING, Balance
-from .forces import Model
+from .forces import Model, as_intervals
 from .polar import around_anchors, stiff_points, turned_points
 from .precise_balance import PreciseBalance, clustered, on_its_side, once_around, refined, settled_by_digits
 from .reference_state import in_order
@@ -197,12 +197,12 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     if not count:
         return []
     with np.errstate(all="ignore"):
-        q = list(Intervals(left[:, :n]))
         values = balance.over(Intervals.point(np.nan_to_num(given)), varied)
-        pole, anchor = balance.at_poles(q, values, (count,), np.inf), np.zeros(count, dtype=np.bool_)
-        for dx, dy in balance.anchors(q, values, (count,)):
+        at = balance.at(list(Intervals(left[:, :n])), values, (count,))
+        pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)
+        for dx, dy in at.anchors:
             anchor |= dx.holds_zero() & dy.holds_zero()
-        gap = stacked([balance.gap(q, values)], (count,))[0]
+        gap = as_intervals(at.gap(), at.shape)
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
         relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
         free: BoolArray = np.zeros(count, dtype=np.bool_)

@@ -8,7 +8,7 @@ their elementary symmetric functions is. Signs come from intervals around the st
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz
-from ..numerics.balls import XP as BALLS
 from ..numerics.balls import Undecided, ball
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results.equilibria import Equilibria, Stability
-from .balance import NOTHING, Balance, State
+from .balance import NOTHING, Balance
+from .forces import State, as_intervals
 from .precise_balance import PreciseBalance
 
 #: Imaginary part of a λ that is real to floats, over its size.
@@ -141,7 +141,7 @@ def frequency(roots: ComplexArray) -> float:
 
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
-    at = State(balance, list(states), balance.floats(given), states.shape[1:], xp=np)
+    at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
     return filled(at.mass(), at.shape), filled(at.damping(), at.shape), filled(at.stiffness(), at.shape)
 
 
@@ -184,7 +184,7 @@ def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray
 
 def _over(balance: Balance, parameters: Intervals, ends: FloatArray) -> tuple[Int8Array, Int8Array, BoolArray]:
     """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
-    at = State(balance, list(Intervals(ends)), balance.arguments(parameters), ends.shape[2:])
+    at = balance.state(Intervals(ends), parameters)
     elementary, minors = invariants(*(_rows(matrix(part, at.shape)) for part in (at.stiffness(), at.mass())))
     return _signs(elementary, at.shape), _signs(minors, at.shape), without_flutter(balance, parameters)
 
@@ -192,7 +192,7 @@ def _over(balance: Balance, parameters: Intervals, ends: FloatArray) -> tuple[In
 def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric, or one number."""
     shape = parameters.shape[1:]
-    friction = stacked([balance.friction(balance.arguments(parameters))], shape)[0].magnitude
+    friction = as_intervals(balance.at((), balance.arguments(parameters), shape).friction, shape).magnitude
     # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
     symmetric = bool(balance.model.about.get("symmetric"))
     frictionless = (friction <= NOTHING) | (balance.opens and not balance.contact)
@@ -212,7 +212,7 @@ def decay(
     """
     shape = ends.shape[2:]
     with np.errstate(all="ignore"):
-        at = State(balance, list(Intervals(ends)), balance.over(Intervals.point(given)), shape)
+        at = balance.state(Intervals(ends), balance.prepared(Intervals.point(given)))
         M, C, K = (matrix(part, shape) for part in (at.mass(), at.damping(), at.stiffness()))
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
@@ -305,7 +305,7 @@ def _with_digits(
 def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     """The type of a state of balls; :class:`Undecided` where a sign that it takes is not decided."""
     balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
-    low, high = balls.ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
+    low, high = balls.ends(as_balls([[precise.state(q).friction]], precise.bits)[0][0])
     without = (low == 0 == high) | (balance.opens and not balance.contact)
     code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
     if not proved[0]:
@@ -324,17 +324,16 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
 
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
-    C = _entries(balance, balance.over(over))
+    C = _damping(balance, over)
     entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not (isinstance(entry, int) and entry == 0)]
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
 
 
-def _entries(balance: Balance, values: dict[str, Any], pushing: int | None = None) -> Any:
+def _damping(balance: Balance, over: Intervals, pushing: int | None = None) -> Matrix:
     """C at states of all kinds."""
-    states = [Intervals.between(np.full((1,), -FAR), np.full((1,), FAR)) for _ in range(balance.n)]
-    directions = [Intervals(np.ones((2, 1))) for _ in range(3 * balance.springs)]
+    at = balance.at([Intervals(np.full((2, 1), FAR))] * balance.n, balance.over(over), (1,))
     with np.errstate(all="ignore"):
-        return balance.damping(states, directions, values, pushing)
+        return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(pushing)
 
 
 def is_damped(balance: Balance, over: Intervals) -> bool:
@@ -352,7 +351,7 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
     if friction is None or friction["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
-        C = matrix(_entries(balance, balance.over(over), pushing=0), (1,))
+        C = matrix(_damping(balance, over, pushing=0), (1,))
         # They are known on their own in lift-off.
         if not balance.opens or not C.magnitude.max() <= NOTHING:
             return None
@@ -362,7 +361,7 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
 def slope_over(balance: Balance, over: Intervals) -> Intervals:
     """The slope of the friction law over the ranges."""
     with np.errstate(all="ignore"):
-        return stacked([balance.slope(balance.over(over))], over.shape[1:])[0]
+        return as_intervals(balance.at((), balance.over(over)).slope(), over.shape[1:])
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:

@@ -16,6 +16,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from .numerics.interval_arrays import IntArray
+
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
@@ -175,24 +177,19 @@ def caption(said: Words, name: str, single: Mapping[str, Any], size: str) -> str
     return ", ".join([name, *(f"{said.heading(key)} = {said.cell(key, value)}" for key, value in single.items()), size])
 
 
-def shown(count: int) -> tuple[list[int], int | None]:
-    """Rows to show, and the place of the gap if rows are left out."""
-    if count <= ROWS:
-        return list(range(count)), None
-    half = ROWS // 2
-    return [*range(half), *range(count - half, count)], half
+def in_rows(title: str, said: Words, count: int, columns: Callable[[IntArray], Mapping[str, Any]]) -> Table:
+    """A row for each of so many things, the first and the last ones of many; ``columns`` are those of some rows, by name."""
+    some, half = np.arange(count), ROWS // 2
+    taken = columns(some if count <= ROWS else np.delete(some, slice(half, -half)))
+    rows = [tuple(map(said.cell, taken, row)) for row in zip(*taken.values(), strict=True)]
+    if count > ROWS:
+        rows.insert(half, ("…",) * len(taken))
+    return Table(title, tuple(map(said.heading, taken)), tuple(rows))
 
 
-def with_cut(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]], cut: int | None) -> Table:
-    """A table with a row of dots where others are left out."""
-    if cut is not None:
-        rows = [*rows[:cut], ("…",) * len(header), *rows[cut:]]
-    return Table(title, header, tuple(rows))
-
-
-def index(place: tuple[int, ...]) -> str:
-    """Where in an array a row is of."""
-    return ", ".join(map(str, place))
+def points(places: Sequence[IntArray]) -> dict[str, list[str]]:
+    """A column that says where in an array rows are of; none for an array of no axis."""
+    return {"point": [", ".join(map(str, place)) for place in zip(*places, strict=True)]} if places else {}
 
 
 def named_fields(thing: Any) -> dict[str, Any]:
@@ -201,7 +198,7 @@ def named_fields(thing: Any) -> dict[str, Any]:
     for each in fields(thing):
         value = getattr(thing, each.name)
         # Private attributes are not shown, columns that are held in a mapping are.
-        if not each.repr and each.name != getattr(type(thing), "held_in", None):
+        if not each.repr and each.name != getattr(thing, "held_in", ""):
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
@@ -213,14 +210,13 @@ def named_fields(thing: Any) -> dict[str, Any]:
 
 
 def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], said: Words) -> Table:
-    some, cut = shown(math.prod(shape))
     used = {key: value for key, value in columns.items() if value.dtype.kind != "U" or (value != "").any()}
-    header = (*(["point"] if len(shape) > 1 else []), *map(said.heading, used))
-    rows = []
-    for row in some:
-        place = tuple(int(i) for i in np.unravel_index(row, shape))
-        rows.append((*([index(place)] if len(shape) > 1 else []), *(said.cell(key, value[place]) for key, value in used.items())))
-    return with_cut(title, header, rows, cut)
+
+    def taken(some: IntArray) -> dict[str, Any]:
+        places = np.unravel_index(some, shape)
+        return {**points(places if len(shape) > 1 else ()), **{key: value[places] for key, value in used.items()}}
+
+    return in_rows(title, said, math.prod(shape), taken)
 
 
 def _sequence(key: str, things: Sequence[Any], above: Words) -> Iterator[Table]:
@@ -228,12 +224,11 @@ def _sequence(key: str, things: Sequence[Any], above: Words) -> Iterator[Table]:
     if not things:
         yield Table(f"{key}: none")
         return
-    said = words(things[0], above)
-    rows = [_extents(named_fields(thing)) if is_dataclass(thing) else {"": thing} for thing in things]
-    some, cut = shown(len(rows))
-    header = ("", *map(said.heading, rows[0]))
-    body = [(str(i), *(said.cell(name, value) for name, value in rows[i].items())) for i in some]
-    yield with_cut(key, header, body, cut)
+    rows = [_extents(named_fields(thing)) if is_dataclass(thing) else {" ": thing} for thing in things]
+    yield in_rows(
+        key, words(things[0], above), len(rows),
+        lambda some: {"": map(str, some), **{name: [rows[i].get(name, "") for i in some] for name in rows[0]}},
+    )  # fmt: skip
 
 
 def _extents(values: Mapping[str, Any]) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, Range, as_numbers
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
-from ..results.result import Columns
+from ..results.result import Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import reference_state
@@ -322,12 +322,14 @@ class Followed:
 
 
 @dataclass(frozen=True, eq=False)
-class JumpGradient(Columns, held_in="slopes"):
+class JumpGradient(Named):
     """A jump value and its derivatives by the parameters, each of the shape of the points; NaN where nothing jumps.
 
     The derivative by the parameter that varies is 0: where it jumps does not depend on where it started. Each derivative is an
     attribute under the name of its parameter.
     """
+
+    held_in = "slopes"
 
     vary: str
     value: FloatArray

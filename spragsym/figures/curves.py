@@ -22,7 +22,7 @@ from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.chains import link, walked
 from ..numerics.interval_arrays import ComplexArray, IntArray
-from ..results import Columns, Equilibria, Path, Points, Stability
+from ..results import Equilibria, Named, Path, Points, Stability
 from ..statics.stability import NEUTRAL, REAL
 from .style import (
     BLACK,
@@ -53,11 +53,13 @@ States: TypeAlias = tuple[IntArray, ...]
 
 
 @dataclass(frozen=True)
-class Branch(Columns, held_in="states"):
+class Branch(Named):
     """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
 
     ``states`` are the columns of :class:`spragsym.Equilibria` that say where a state is, by name, each an attribute too.
     """
+
+    held_in = "states"
 
     model: Model
     vary: str

@@ -132,8 +132,8 @@ class Field:
         ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
-    again : tuple of str
-        Module, function and arguments that make the field once more in another process; empty where none do.
+    where : str
+        What :func:`spragsym.load` takes for its model, by which it is made once more in another process; empty where none does.
     ways : int
         How many numbers at the end of a mode go with the place alone.
     curved : bool
@@ -159,7 +159,7 @@ class Field:
     parameter_set: Callable[..., Any]
     exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
-    again: tuple[str, ...] = ()
+    where: str = ""
     ways: int = 0
     curved: bool = False
     around: tuple[int, ...] = ()
@@ -226,7 +226,7 @@ def field_of(model: Model, reach: float) -> Field:
         tuple(itertools.product((1, 0), (1, -1), *((1, 0),) * motion.layers, *((1, -1),) * (motion.turns + motion.torsions))),
         model.Parameters,
         lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
-        again=(__name__, "exact_field", model.where),
+        where=model.where,
         ways=motion.torsions,
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),

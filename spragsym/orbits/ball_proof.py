@@ -3,7 +3,6 @@
 ``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes what was proved to standard output.
 """
 
-import importlib
 import json
 import math
 import sys
@@ -14,7 +13,7 @@ import numpy as np
 from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
-from ..models.field import Field, Mode
+from ..models.field import Field, Mode, exact_field
 from .ball_flow import (
     APART,
     XP,
@@ -275,9 +274,7 @@ def main() -> None:
     """Read a claim, write what was proved or why not."""
     claim = json.load(sys.stdin)
     try:
-        module, function, *given = claim["field"]
-        field = getattr(importlib.import_module(module), function)(*given)
-        found = {"proved": True, **shown(field, claim)}
+        found = {"proved": True, **shown(exact_field(claim["field"]), claim)}
     except (NotProved, ParameterError) as reason:
         found = {"proved": False, "reason": str(reason)}
     json.dump(found, sys.stdout)

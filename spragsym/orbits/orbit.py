@@ -112,7 +112,7 @@ class Cycle(Result):
     def require(self, field: Field, name: str) -> None:
         """Raise unless this is a cycle of that field: another's would be taken for what it is not."""
         own = self.field
-        if own is not field and not (own.again and own.again == field.again):
+        if own is not field and not (own.where and own.where == field.where):
             one, other = (each.name.partition(":")[0] for each in (own, field))
             raise ParameterTypeError(f"{name} is a cycle of {one}, not of {other}; give one of the same model")
 

@@ -123,7 +123,7 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
         raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
     if isinstance(digits, bool) or not isinstance(digits, int) or not 10 <= digits <= 200:
         raise ParameterError(f"digits = {digits!r} is not an integer in [10, 200]")
-    if not cycle.field.again:
+    if not cycle.field.where:
         return _unproved(cycle, "the field of this cycle can't be made again in the process that proves")
     found = _run(claim_of(cycle, digits), patience)
     if not found["proved"]:
@@ -159,7 +159,7 @@ def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
     flow = rate(cycle.field, cycle.state, cycle.loop.constants)
     slopes = np.column_stack([(cycle.loop.monodromy - np.eye(m))[:, moved], flow])
     return {
-        "field": cycle.field.again, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
+        "field": cycle.field.where, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
         "digits": digits, "slopes": slopes.tolist(),
         "crossings": [[crossing.t, crossing.border] for crossing in cycle.loop.crossings()],
     }  # fmt: skip

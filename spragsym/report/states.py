@@ -16,7 +16,7 @@ from ..models.parameters import FloatArray
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..orbits import cycle
-from ..results import Columns, Equilibria, Result, Stability
+from ..results import Equilibria, Named, Result, Stability
 from ..statics.balance import Balance
 from ..statics.stability import NEUTRAL, linearization, roots
 from .study import Study
@@ -50,7 +50,7 @@ OfSprings: TypeAlias = float | Mapping[str, float] | None
 
 
 @dataclass(frozen=True)
-class State(Columns, held_in="places"):
+class State(Named):
     """A state of steady sliding in contact.
 
     ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too. Direction, length and force of
@@ -61,6 +61,8 @@ class State(Columns, held_in="places"):
     and (28), which leave the damping out. ``settles`` is None where that calls it stable, and so little damps or drives it that
     what the model leaves out decides.
     """
+
+    held_in = "places"
 
     current: bool
     stable: bool
@@ -82,7 +84,7 @@ class State(Columns, held_in="places"):
 
 
 @dataclass(frozen=True)
-class JumpPeak(Columns, held_in="ranges"):
+class JumpPeak(Named):
     """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or degrees.
 
     ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates on the fold and of the state
@@ -91,6 +93,8 @@ class JumpPeak(Columns, held_in="ranges"):
     comes to: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over which it was looked
     at; ``lifts_off`` whether the contact opens.
     """
+
+    held_in = "ranges"
 
     at: float
     before: Mapping[str, float]

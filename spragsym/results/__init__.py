@@ -3,9 +3,9 @@
 from .equilibria import Equilibria, Stability, Undecided
 from .paths import Jump, LowestEnd, Path
 from .points import BifurcationSet, Curve, Points
-from .result import Columns, Named, Result, Rows
+from .result import Named, Result, Rows
 
 __all__ = [
-    "BifurcationSet", "Columns", "Curve", "Equilibria", "Jump", "LowestEnd", "Named", "Path", "Points", "Result", "Rows",
+    "BifurcationSet", "Curve", "Equilibria", "Jump", "LowestEnd", "Named", "Path", "Points", "Result", "Rows",
     "Stability", "Undecided",
 ]  # fmt: skip

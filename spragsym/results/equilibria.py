@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Table, counted, index, not_all, shown, with_cut, words
+from ..display import Table, counted, in_rows, not_all, points, words
 from ..errors import ConvergenceError
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
@@ -152,22 +152,17 @@ class Equilibria(OfStates):
 
     def as_table(self) -> Table:
         """A row for each equilibrium, with the parameters that vary over the points."""
-        shape, said, every = self.count.shape, words(self), self.states
-        some, cut = shown(every[0].size)
-        states = tuple(part[some] for part in every)
-        columns = self._rows(states)
-        rows = [
-            (
-                *([index(tuple(int(part[row]) for part in states[:-1]))] if shape else []),
-                *(f"{values[row]:.1e}" if key == "growth" else said.cell(key, values[row]) for key, values in columns.items()),
-            )
-            for row in range(len(some))
-        ]
+        every, number = self.states, math.prod(self.count.shape)
+
+        def columns(some: IntArray) -> dict[str, Any]:
+            states = tuple(part[some] for part in every)
+            rows = self._rows(states)
+            return {**points(states[:-1]), **rows, "growth": [f"{rate:.1e}" for rate in rows["growth"]]}
+
         where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
-        number = counted(every[0].size, "equilibrium", "equilibria")
-        caption = f"{number} {where}" + (f" of {math.prod(shape)} points" if shape else "")
-        header = (*(["point"] if shape else []), *map(said.heading, columns))
-        return with_cut(caption + not_all(self), header, rows, cut)
+        caption = f"{counted(every[0].size, 'equilibrium', 'equilibria')} {where}"
+        caption += f" of {number} points" * bool(self.count.shape)
+        return in_rows(caption + not_all(self), words(self), every[0].size, columns)
 
     def data(self) -> dict[str, NDArray[Any]]:
         """A row for each equilibrium: the parameters that vary over the points, its stability and place, growth and error."""

@@ -10,7 +10,7 @@ import hashlib
 import importlib
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -89,6 +89,29 @@ def _digest(body: str) -> str:
     return hashlib.sha256(body.encode("ascii")).hexdigest()
 
 
+def _array(thing: Any) -> list[Any]:
+    array = np.ascontiguousarray(thing)
+    if array.dtype.hasobject:
+        raise ParameterError(f"{array.dtype} is no kind of numbers or words that a file holds; write its columns to *.csv")
+    return [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]
+
+
+#: Kinds of numbers: what they are in Python, how they are written, and how they are read.
+_NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
+    "float": (float, float.hex, float.fromhex),
+    "array": (
+        np.ndarray | np.generic, _array,
+        lambda held: np.frombuffer(base64.b64decode(held[2]), np.dtype(held[0])).reshape(held[1]).copy(),
+    ),
+    "mpf": (mpmath.mpf, lambda number: [*map(int, number._mpf_)], lambda held: mpmath.make_mpf(tuple(held))),
+    "mpc": (
+        mpmath.mpc, lambda number: [[*map(int, part)] for part in number._mpc_],
+        lambda held: mpmath.make_mpc(tuple(map(tuple, held))),
+    ),
+    "fraction": (Fraction, str, Fraction),
+}  # fmt: skip
+
+
 def _written(thing: Any) -> Any:
     """What JSON knows as it is, all else under the name of its kind."""
     match thing:
@@ -98,21 +121,6 @@ def _written(thing: Any) -> Any:
             return {"enum": [*_place(type(thing)), _written(thing.value)]}
         case int():
             return int(thing)
-        case float():
-            return {"float": float(thing).hex()}
-        case np.ndarray() | np.generic():
-            array = np.ascontiguousarray(thing)
-            if array.dtype.hasobject:
-                raise ParameterError(
-                    f"{array.dtype} is no kind of numbers or words that a file holds; write its columns to *.csv"
-                )
-            return {"array": [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]}
-        case mpmath.mpf():
-            return {"mpf": [int(part) for part in thing._mpf_]}
-        case mpmath.mpc():
-            return {"mpc": [[int(part) for part in each] for each in thing._mpc_]}
-        case Fraction():
-            return {"fraction": str(thing)}
         case Mapping():
             return {"dict": [[_written(key), _written(value)] for key, value in thing.items()]}
         case Model():
@@ -121,9 +129,12 @@ def _written(thing: Any) -> Any:
             values = {name: getattr(thing, name) for name in thing.ranges}
             return {"parameters": [_written(part) for part in (thing.model, values, thing.followed)]}
         case Field():
-            return {"field": thing.again[2]}
+            return {"field": thing.where}
         case tuple() | list() if not hasattr(thing, "_fields"):
             return {type(thing).__name__: [_written(part) for part in thing]}
+    for kind, (numbers, write, _) in _NUMBERS.items():
+        if isinstance(thing, numbers):
+            return {kind: write(thing)}
     whole: Any = thing._for_file() if isinstance(thing, Result) else thing
     names = getattr(thing, "_fields", None) or [each.name for each in fields(whole)]
     return {"class": [*_place(type(thing)), {name: _written(getattr(whole, name)) for name in names}]}
@@ -149,21 +160,13 @@ def _read(held: Any, given: Model | None) -> Any:
     def read(part: Any) -> Any:
         return _read(part, given)
 
+    if kind in _NUMBERS:
+        return _NUMBERS[kind][2](value)
     match kind:
-        case "float":
-            return float.fromhex(value)
-        case "array":
-            return np.frombuffer(base64.b64decode(value[2]), np.dtype(value[0])).reshape(value[1]).copy()
         case "tuple" | "list":
             return (tuple if kind == "tuple" else list)(map(read, value))
         case "dict":
             return {read(key): read(part) for key, part in value}
-        case "fraction":
-            return Fraction(value)
-        case "mpf":
-            return mpmath.make_mpf(tuple(value))
-        case "mpc":
-            return mpmath.make_mpc(tuple(map(tuple, value)))
         case "model":
             return model(value[0]).search if value[1] else model(value[0])
         case "field":

@@ -14,7 +14,7 @@ from ..display import Shown
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import Int8Array, Shape
 from .equilibria import Equilibria, Stability
-from .result import Columns, OfStates, Result, Rows
+from .result import OfStates, Result, Rows
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ _OF_STATES = ("growth", "growth_sign", "damped")
 
 
 @dataclass(frozen=True, eq=False)
-class Path(OfStates, Columns, Rows, held_in="places"):
+class Path(OfStates, Rows):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the direction and the length of each
@@ -45,6 +45,7 @@ class Path(OfStates, Columns, Rows, held_in="places"):
     ``growth_sign`` and ``damped`` are those of the full linearization, made when they are asked for.
     """
 
+    held_in = "places"
     table_codes: ClassVar[Mapping[str, type[Stability]]] = {"stability": Stability}
 
     parameters: Any
@@ -57,10 +58,10 @@ class Path(OfStates, Columns, Rows, held_in="places"):
 
     @property
     def offered(self) -> tuple[str, ...]:
-        return (*self.places, *_OF_STATES)
+        return (*super().offered, *_OF_STATES)
 
     def _asked(self, name: str) -> Any:
-        return getattr(self._along, name)[:, 0] if name in _OF_STATES else self.places.get(name)
+        return getattr(self._along, name)[:, 0] if name in _OF_STATES else super()._asked(name)
 
 
 def followed(

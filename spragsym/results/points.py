@@ -10,11 +10,11 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Table, counted, not_all, shown, with_cut, words
+from ..display import Table, counted, in_rows, not_all, words
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray
-from .result import Columns, OfStates, Result, Rows
+from .result import Named, OfStates, Result, Rows
 
 
 @dataclass(frozen=True)
@@ -129,15 +129,13 @@ class Points(OfStates, Rows):
             columns |= {"ends": self.ends, "when": self.when}
             columns |= {f"{name}_after": column for name, column in after_if_known(self).items()}
         columns["error"] = error
-        some, cut = shown(len(self))
-        rows = [tuple(said.cell(name, column[row]) for name, column in columns.items()) for row in some]
         ends = self.region[-len(self.vary) :].tolist()
         spans = (
             f"{said.heading(name)} from {said.cell(name, low)} to {said.cell(name, high)}"
             for name, (low, high) in zip(self.vary, ends, strict=True)
         )
         caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
-        return with_cut(caption, tuple(map(said.heading, columns)), rows, cut)
+        return in_rows(caption, said, len(self), lambda some: {name: column[some] for name, column in columns.items()})
 
     def select(self, which: BoolArray) -> Self:
         """The points that ``which`` marks."""
@@ -200,13 +198,15 @@ def in_closed_form(
 
 
 @dataclass(frozen=True, eq=False)
-class Curve(Columns, held_in="values"):
+class Curve(Named):
     """Folds in order along a curve: the parameters that vary and the coordinates are attributes under their own names.
 
     Curves of closed forms also say what ends there and where it jumps to: ``upper``, that the stable state that ends is the upper
     one of the two in θ, which changes at a cusp; ``when_theta0`` and ``when_mu0``, 1 where it ends as that parameter rises and −1
     where it ends as it falls; and ``theta_after``, ``x_after``, ``y_after``. Angles are radians.
     """
+
+    held_in = "values"
 
     values: Mapping[str, NDArray[Any]] = field(repr=False)
 

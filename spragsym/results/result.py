@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -128,11 +128,29 @@ class Rows(Result):
 
 
 class Named(Result):
-    """A result whose columns are attributes under their names, each made when it is first asked for."""
+    """A result whose columns are attributes under their names, each made when it is first asked for.
+
+    Examples
+    --------
+    >>> from dataclasses import dataclass
+    >>> @dataclass(frozen=True)
+    ... class Path(Named):
+    ...     held_in = "coordinates"
+    ...     coordinates: dict
+    >>> Path({"x": 1.5}).x
+    1.5
+    """
+
+    #: The field with a mapping of names to columns, of a result that does not make them otherwise.
+    held_in = ""
+
+    @property
+    def offered(self) -> tuple[str, ...]:
+        return tuple(self.__dict__.get(self.held_in, ()))
 
     def _asked(self, name: str) -> Any:
-        """A column; None if there is none of this name. Every result says it itself."""
-        raise NotImplementedError
+        """A column; None if there is none of this name."""
+        return self.__dict__.get(self.held_in, {}).get(name)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or (column := self._asked(name)) is None:
@@ -156,31 +174,3 @@ class OfStates(Named):
     def coordinates(self) -> dict[str, FloatArray]:
         """The model's coordinates by their names."""
         return {name: getattr(self, name) for name in self.parameters.model.coordinates}
-
-
-class Columns(Named):
-    """A result with a mapping of names to arrays in one of its fields: each array is an attribute under its name too.
-
-    Examples
-    --------
-    >>> from dataclasses import dataclass
-    >>> @dataclass(frozen=True)
-    ... class Path(Columns, held_in="coordinates"):
-    ...     coordinates: dict
-    >>> Path({"x": 1.5}).x
-    1.5
-    """
-
-    #: The field that holds them.
-    held_in: ClassVar[str]
-
-    def __init_subclass__(cls, held_in: str, **options: Any) -> None:
-        super().__init_subclass__(**options)
-        cls.held_in = held_in
-
-    @property
-    def offered(self) -> tuple[str, ...]:
-        return tuple(self.__dict__.get(self.held_in, ()))
-
-    def _asked(self, name: str) -> Any:
-        return self.__dict__.get(self.held_in, {}).get(name)

@@ -23,7 +23,7 @@ from ...models.field import field_of
 from ...models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_count, as_number, degrees
 from ...numerics.interval_arrays import Int8Array, Shape
 from ...questions import model_of
-from ...results.result import Columns
+from ...results.result import Named
 from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
@@ -148,7 +148,7 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
 
 
 @dataclass(frozen=True, eq=False)
-class Sweep(Columns, held_in="measured"):
+class Sweep(Named):
     """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
 
     Attributes
@@ -183,6 +183,8 @@ class Sweep(Columns, held_in="measured"):
     model : Model
         The model.
     """
+
+    held_in = "measured"
 
     table_codes: ClassVar[Mapping[str, type[Regime]]] = {"regime": Regime}
 

@@ -28,7 +28,7 @@ from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array
 from ..questions import NotInClosedForm
 from ..results.equilibria import Equilibria, Stability
 from . import fold_arrays, kernel
-from .fold_arrays import friction_sextic, sharpened
+from .fold_arrays import friction_sextic
 from .folds import folds
 from .quartic.solver import equilibria
 
@@ -99,16 +99,22 @@ def _block(
     others = {name: column[0] if (column == column[0]).all() else column for name, column in given.items() if name != vary}
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | ~eq.decided | eq.fold
-    value, theta, coarse = _walk(found, start, forward, small(eq), eq.count, undecided)
+    jumped = _walk(found, start, forward, small(eq), eq.count, undecided)
+    value, theta = np.full(size, np.nan), np.full(size, np.nan)
+    points = np.flatnonzero((jumped >= 0) & ~undecided)
+    there = found.rows(jumped[points])
+    value[points], theta[points] = there.value.value, 2 * np.arctan(there.t.value)
     if marks is not None:
-        at = found.row[coarse]
-        wide = ~(np.abs(found.value.value[coarse] - marks[at]) > 1.01 * found.value.error[coarse])
-        value[at] = np.where(wide, value[at], found.value.value[coarse])
-        coarse = coarse[wide]
-    if vary != "theta0":
-        _with_more_digits(vary, given, found, coarse, value)
-        coarse = coarse[np.isnan(value[found.row[coarse]])]
-    undecided[found.row[coarse]] = True
+        near = np.flatnonzero(~(np.abs(value[points] - marks[points]) > 1.01 * there.value.error))
+        points, there = points[near], there.rows(near)
+    t, best = fold_arrays.sharpened(vary, {name: column[points] for name, column in given.items()}, there)
+    value[points] = best.value
+    for k in np.flatnonzero(~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))):
+        point = {name: float(column[points[k]]) for name, column in given.items()}
+        try:
+            value[points[k]] = fold_arrays.with_more_digits(vary, point, t.rows(k), best.rows(k))
+        except Undecided:
+            undecided[points[k]] = True
     reasons = {}
     for i in np.flatnonzero(undecided):
         try:
@@ -129,10 +135,10 @@ def small(eq: Equilibria) -> IndexArray:
 def _walk(
     found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: IndexArray, count: Int8Array,
     undecided: BoolArray,
-) -> tuple[FloatArray, FloatArray, IndexArray]:  # fmt: skip
-    """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``.
+) -> IndexArray:  # fmt: skip
+    """The fold at which each point jumps, −1 for none: ranks are carried over the folds in their order.
 
-    Gives the value and θ of each jump, and which folds among those jumped at are known to too few digits.
+    Points whose order is not certain are added to ``undecided``.
     """
     ahead = forward * (found.value.value - start[found.row])
     near = np.abs(ahead) <= found.value.error * 1.01 + 1e-300
@@ -140,44 +146,21 @@ def _walk(
     keep = np.flatnonzero((ahead > 0) & ~near)
     keep = keep[np.lexsort((ahead[keep], found.row[keep]))]
     kept = found.rows(keep)
-    row, value, best = kept.row, kept.value, kept.best
+    row, value = kept.row, kept.value
     same = row[1:] == row[:-1]
     apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
     undecided[row[1:][same & ~apart]] = True
-    result, theta = np.full(start.size, np.nan), np.full(start.size, np.nan)
-    rank, count = rank.astype(np.int64), count.astype(np.int64)
+    rank, count, jumped = rank.astype(np.int64), count.astype(np.int64), np.full(start.size, -1)
     place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
-    at = 2 * np.arctan(kept.t.value)
-    opens, upper = forward * kept.side, kept.upper
-    done = np.zeros(start.size, dtype=np.bool_)
-    wide = ~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))
-    coarse = np.zeros(row.size, dtype=np.bool_)
     for k in range(int(place.max(initial=-1)) + 1):
         now = np.flatnonzero(place == k)
-        points, grows = row[now], opens[now] > 0
+        points, grows, upper = row[now], forward * kept.side[now] > 0, kept.upper[now]
         undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
-        jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
-        result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
-        coarse[now[jumps]] = wide[now[jumps]]
-        done[points[jumps]] = True
-        rank[points] = np.where(grows & ~upper[now], 2, 0)
+        jumps = ~grows & (jumped[points] < 0) & np.where(upper, rank[points] >= 1, rank[points] <= 1)
+        jumped[points[jumps]] = keep[now[jumps]]
+        rank[points] = np.where(grows & ~upper, 2, 0)
         count[points] = np.where(grows, 3, 1)
-    return result, theta, keep[coarse & ~undecided[row]]
-
-
-def _with_more_digits(
-    vary: str, given: Mapping[str, FloatArray], found: fold_arrays.FoldArrays, coarse: IndexArray, value: FloatArray
-) -> None:
-    """Put the values of some folds in place to the digits that are wanted, NaN where that fails."""
-    for k in coarse:
-        row = found.row[k]
-        point = {name: float(column[row]) for name, column in given.items() if name != vary}
-        t, old = ((float(one.value[k]), float(one.error[k])) for one in (found.t, found.value))
-        try:
-            new, error = sharpened(vary, point, t, old)
-        except Undecided:
-            new, error = math.nan, math.inf
-        value[row] = new if error <= _LARGEST_ERROR * max(abs(new), 1.0) else math.nan
+    return jumped
 
 
 def point_at(given: Mapping[str, FloatArray], i: Any) -> Parameters:

@@ -22,7 +22,7 @@ import mpmath
 
 from .errors import ParameterError, ParameterTypeError, hint
 from .models.load import USUAL, load
-from .models.parameters import ParameterSet, Range
+from .models.parameters import ParameterSet, Range, Ranges
 from .numerics import balls
 from .numerics.balls import Interval
 from .numerics.decimals import exactly
@@ -140,7 +140,7 @@ def equilibria(
 
 
 def cusps(
-    p: ParameterSet | None = None, *, vary: Sequence[str] | None = None, between: Mapping[str, tuple[float, float]] | None = None,
+    p: ParameterSet | None = None, *, vary: Sequence[str] | None = None, between: Ranges | None = None,
     dps: int = 40, method: Method = "auto", **exact: Exact,
 ) -> CuspProof:  # fmt: skip
     """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that there are no more.

@@ -7,13 +7,13 @@ for, as often as makes the curve smooth, and behind its last point it is followe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from ..models.parameters import ParameterSet, as_count
+from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.certified_roots import concatenated
 from ..numerics.chains import link, walked
@@ -63,8 +63,8 @@ def bifurcation_set(
     vary: Sequence[str] | None = None,
     n: int | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
-    within: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
+    within: Ranges | None = None,
     method: Method = "auto",
 ) -> BifurcationSet:
     """Where the number of equilibria in contact changes in the plane of two parameters: every curve of folds, and the cusps.
@@ -134,8 +134,8 @@ def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator
 
 
 def extrema(
-    p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]],
-    within: Mapping[str, tuple[float, float]] | None = None,
+    p: Any, vary: Sequence[str], between: Ranges,
+    within: Ranges | None = None,
 ) -> Iterator[tuple[str, Points]]:  # fmt: skip
     """Where curves of folds have extreme values of the second parameter or end, by kind, each proved; arguments as of ``folds``.
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import FloatArray, ParameterSet, as_number
+from ..models.parameters import FloatArray, ParameterSet, Ranges, as_number
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
@@ -51,7 +51,7 @@ def critical_friction(
     vary: str | None = None,
     over: str | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
     method: Method = "auto",
 ) -> LowestEnd:
     """The least friction at which the followed state ends at any inclination, or the least ``vary`` for any value of ``over``.
@@ -126,7 +126,7 @@ def cusp_friction(
     vary: str | None = None,
     over: str | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:
     """The least friction at a cusp over friction and inclination, or over ``vary`` and ``over``; infinite without a cusp.
@@ -172,7 +172,7 @@ def cusp_friction(
     return np.array([_lowest_cusp(point, vary, over, between) for point in points]).reshape(shape)
 
 
-def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Mapping[str, tuple[float, float]] | None) -> float:
+def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) -> float:
     found = cusps(p, (over, vary), between=between)
     inside = [
         all(p.ranges[name].contains(float(getattr(found, name)[row])) for name in (vary, over)) for row in range(len(found))
@@ -194,7 +194,7 @@ def critical_value(
     *,
     along: str | None = None,
     over: str | None = None,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
     method: Method = "auto",
 ) -> float:
     """The value of a parameter at which :func:`critical_friction` equals the friction of p.

@@ -18,7 +18,7 @@ from typing import Any, Self
 import numpy as np
 
 from ..errors import ParameterError, ParameterTypeError
-from ..models.parameters import as_numbers
+from ..models.parameters import Ranges, as_numbers
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.balls import XP as BALLS
 from ..numerics.boxes import POLE, System
@@ -65,8 +65,8 @@ class Family:
 
     @classmethod
     def of(
-        cls, p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]] | None = None,
-        within: Mapping[str, tuple[float, float]] | None = None, *, room: float = 0.0,
+        cls, p: Any, vary: Sequence[str], between: Ranges | None = None,
+        within: Ranges | None = None, *, room: float = 0.0,
     ) -> Self:  # fmt: skip
         """Of a set of parameters; ``room`` is how far beyond the border of the contact states count, too."""
         balance, between = Balance(p.model, contact=True, room=room), between or {}
@@ -92,7 +92,7 @@ class Family:
         return Intervals.between(self.begin, self.at(self.spans[:, 1:]))
 
 
-def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> FloatArray:
+def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
     if not isinstance(between, Mapping):
         raise ParameterTypeError(f'between = {between!r:.60} is no mapping; give the ends by name, as {{"mu0": (0, 1)}}')
@@ -119,7 +119,7 @@ def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float,
     return np.array(rows, dtype=float).reshape(-1, 2)
 
 
-def endless(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
+def endless(model: Model, vary: Sequence[str], between: Ranges) -> tuple[str, ...]:
     """Parameters without an end, of which nobody has said how far they are searched."""
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     return tuple(name for name in vary if name not in between and None in (entries[name]["low"], entries[name]["high"]))

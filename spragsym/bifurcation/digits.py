@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.forces import columns_of
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Ranges
 from ..numerics import balls, certified_roots
 from ..numerics.arithmetic import cofactor
 from ..numerics.balls import FIRST_BITS, XP, Undecided, as_mpf, as_numbers, with_enough_bits
@@ -117,7 +117,7 @@ def _angle(c: Any, s: Any) -> Any:
 @question
 def precise_cusps(
     p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, *,
-    between: Mapping[str, tuple[float, float]] | None = None, method: Method = "auto",
+    between: Ranges | None = None, method: Method = "auto",
 ) -> CuspProof:  # fmt: skip
     """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.catastrophe.cusps.cusps`.
 

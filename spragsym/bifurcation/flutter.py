@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 from itertools import chain
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated
@@ -79,8 +79,8 @@ def flutter_onsets(
     vary: str | None = None,
     *,
     damping: bool | None = None,
-    between: Mapping[str, tuple[float, float]] | None = None,
-    within: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
+    within: Ranges | None = None,
     method: Method = "auto",
 ) -> Onsets:
     """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether these are all.

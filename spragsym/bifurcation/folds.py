@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Ranges
 from ..questions import Method, question
 from ..results.points import Points
 
@@ -14,8 +14,8 @@ def folds(
     p: ParameterSet,
     vary: str | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
-    within: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
+    within: Ranges | None = None,
     method: Method = "auto",
 ) -> Points:
     """Folds in contact along one parameter, the others fixed; ``complete`` of the result says whether these are all.
@@ -77,8 +77,8 @@ def cusps(
     p: ParameterSet,
     vary: Sequence[str] | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
-    within: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
+    within: Ranges | None = None,
     method: Method = "auto",
 ) -> Points:
     """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether these are all.

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..models.parameters import ParameterSet, as_count
+from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
@@ -79,7 +79,7 @@ class OnsetCurves(Result):
 
     vary: tuple[str, ...]
     damping: bool
-    between: Mapping[str, tuple[float, float]]
+    between: Ranges
     curves: tuple[Curve, ...]
     points: Points
     changes: Mapping[str, FloatArray]
@@ -98,7 +98,7 @@ def onset_curves(
     n: int = 30,
     *,
     damping: bool | None = None,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
 ) -> OnsetCurves:
     """Curves of Hopf points in the plane of two parameters, each point supercritical (gentle) or subcritical (dangerous).
 

@@ -28,6 +28,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.parameters import Ranges
 from ..numerics import balls, boxes, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
@@ -60,7 +61,7 @@ UNDECIDED = "undecided"
 #: Errors of a fold beyond it where its two states are gone for certain.
 BEYOND = 4.0
 #: Ranges of parameters or coordinates by name.
-Ranges: TypeAlias = Mapping[str, tuple[float, float]] | None
+Ranges: TypeAlias = Ranges | None
 
 
 def folds_of(p: Any, vary: str, between: Ranges, within: Ranges) -> Points:

@@ -26,7 +26,7 @@ from ..files.storage import put
 from ..models import Model
 from ..models.field import Field
 from ..models.load import USUAL, load
-from ..models.parameters import ARTICLE
+from ..models.parameters import ARTICLE, Ranges
 from ..results import Points, Stability
 
 #: Widths of one column and of two, inches.
@@ -212,7 +212,7 @@ HIDDEN_TEXT = "Thin dashes lie behind a sheet."
 
 
 #: Range of a parameter, by its name.
-Between = Mapping[str, tuple[float, float]]
+Between = Ranges
 #: What is shown beyond the farthest cusp.
 ROOM = 1.25
 

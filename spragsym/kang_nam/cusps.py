@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import Parameters
+from ..models.parameters import Parameters, Ranges
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
 from ..numerics.polynomials import roots_on_the_line
@@ -24,7 +24,7 @@ def cusps(
     p: Parameters,
     vary: Sequence[str] | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
 ) -> Points:
     """The closed form of :func:`spragsym.cusps` in the plane of θ₀ and μ₀: proved complete.
 

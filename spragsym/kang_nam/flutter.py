@@ -14,7 +14,7 @@ An onset is never a fold, nor the middle one of three equilibria: in contact the
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from ..bifurcation.flutter import Onsets
 from ..generated import kernel as solver
 from ..generated import stability as _stability
-from ..models.parameters import FloatArray, Parameters, as_count
+from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, sign_or_zero, with_enough_bits
 from ..numerics.interval_arrays import IntArray
@@ -48,7 +48,7 @@ def flutter_onsets(
     vary: str | None = None,
     *,
     damping: bool | None = None,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
 ) -> Onsets:
     """The closed form of :func:`spragsym.flutter_onsets` without damping, along θ₀: proved complete.
 

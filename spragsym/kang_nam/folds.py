@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias, TypeVar
@@ -18,7 +18,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import NAMES, RANGES, Parameters
+from ..models.parameters import NAMES, RANGES, Parameters, Ranges
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, sign_or_zero, with_enough_bits
 from ..numerics.polynomials import ChartRoot, in_t, on_circle, roots_on_the_line
@@ -36,7 +36,7 @@ def folds(
     p: Parameters,
     vary: str | None = None,
     *,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
 ) -> Points:
     """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
 
@@ -61,7 +61,7 @@ def folds(
     return in_ranges(every, between)
 
 
-def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None) -> PointsT:
+def in_ranges(found: PointsT, between: Ranges | None) -> PointsT:
     """Points in the ranges of what varies, if ranges are given."""
     if between is None:
         return found

@@ -7,7 +7,7 @@ import importlib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,9 @@ from ..numerics.interval_arrays import FloatArray as FloatArray
 
 if TYPE_CHECKING:
     from .quantities import Quantities
+
+#: Lower and upper ends by name, of parameters or coordinates.
+Ranges: TypeAlias = Mapping[str, tuple[float, float]]
 
 #: How far inside an end that a range does not hold a value is taken, over its length.
 INSIDE = 2.0**-40

@@ -12,7 +12,7 @@ from ..bifurcation.paths import quasi_static_path
 from ..design.jumps import jump_value
 from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, Ranges
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..orbits import cycle
@@ -99,7 +99,7 @@ class JumpPeak(Named):
     at: float
     before: Mapping[str, float]
     after: Mapping[str, float]
-    ranges: Mapping[str, tuple[float, float]]
+    ranges: Ranges
     spring_force_N: Any
     contact_force_N: tuple[float, float] | None
     lifts_off: bool
@@ -164,7 +164,7 @@ def _of_springs(study: Study, values: Sequence[Any]) -> Any:
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
-def _forces(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any, Any]:
+def _forces(study: Study, ends: Ranges) -> tuple[Any, Any]:
     told = {name: (low * study.scales.force, high * study.scales.force) for name, (low, high) in ends.items()}
     contact = told.pop("contact_force", None)
     return _of_springs(study, list(told.values())), contact

@@ -18,7 +18,7 @@ from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError, hint
 from ..models.load import USUAL
-from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
+from ..models.parameters import POSITIVE, PhysicalParameters, Range, Ranges, Scales, as_number
 from ..models.quantities import Quantities, factor, quantities, share
 from ..progress import doing, show_progress
 from .units import Measured, read, shown_in
@@ -138,14 +138,14 @@ class Study:
     correlation: Correlation = MappingProxyType({})
     rise: Rise | None = None
     state: Mapping[str, float] = MappingProxyType({})
-    may_change: Mapping[str, tuple[float, float]] = MappingProxyType({})
+    may_change: Ranges = MappingProxyType({})
     title: str = ""
     date: str = ""
 
     def __init__(
         self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
         correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
-        state: Mapping[str, float] | None = None, may_change: Mapping[str, tuple[float, float]] | None = None,
+        state: Mapping[str, float] | None = None, may_change: Ranges | None = None,
     ) -> None:  # fmt: skip
         kind, off = quantities(model), dict(tolerance or {})
         given, allowed = _given(parameters, kind, model), kind.ranges()

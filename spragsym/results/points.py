@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..display import Table, counted, in_rows, not_all, words
 from ..models.forces import told_of_states
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, Ranges
 from ..numerics.interval_arrays import BoolArray
 from .result import Named, OfStates, Result, Rows
 
@@ -185,7 +185,7 @@ def after_if_known(points: Points) -> Mapping[str, FloatArray]:
 
 def in_closed_form(
     p: Any, vary: tuple[str, ...], kind: NDArray[np.str_], error: FloatArray, values: Mapping[str, NDArray[Any]],
-    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Mapping[str, tuple[float, float]] | None = None,
+    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Ranges | None = None,
 ) -> dict[str, Any]:  # fmt: skip
     """The fields of :class:`Points` that closed forms give: all there are, in the whole range of what varies, or in ``spans``."""
     allowed = [(spans or {}).get(name, (p.ranges[name].low, p.ranges[name].high)) for name in vary]

@@ -10,6 +10,7 @@ from typing import Any
 
 import mpmath
 
+from ..models.parameters import Ranges
 from ..numerics.decimals import Decimal, around, exactly
 from .equilibria import Stability
 
@@ -85,7 +86,7 @@ class PreciseEquilibria(Sequence[PreciseEquilibrium]):
 
     states: tuple[PreciseEquilibrium, ...]
     complete: bool
-    region: Mapping[str, tuple[float, float]]
+    region: Ranges
 
     def __getitem__(self, index: Any) -> Any:
         return self.states[index]
@@ -132,7 +133,7 @@ class CuspProof(Sequence[PreciseCusp]):
 
     cusps: tuple[PreciseCusp, ...]
     complete: bool
-    region: Mapping[str, tuple[float, float]]
+    region: Ranges
     polynomial: tuple[Fraction, ...] = ()
     sines: tuple[tuple[Fraction, Fraction], ...] = ()
     count: int | None = None  # type: ignore[assignment]  # not Sequence's count

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from ..errors import ConvergenceError
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Ranges
 from ..numerics.interval_arrays import Int8Array
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
 
 
 @question
-def equilibria(
-    p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None, *, method: Method = "auto"
-) -> Equilibria:
+def equilibria(p: ParameterSet, contact: bool = True, within: Ranges | None = None, *, method: Method = "auto") -> Equilibria:
     """All equilibria: steady sliding in contact, or at rest in lift-off, each proved, with its stability.
 
     Parameters

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ParameterError, ParameterTypeError
-from ..models.parameters import as_numbers
+from ..models.parameters import Ranges, as_numbers
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
 from .balance import Balance, linear, with_waves
@@ -72,7 +72,7 @@ def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None)
     return np.where(given & apart, box, both), whole
 
 
-def by_hand(coordinates: Sequence[str], within: Mapping[str, tuple[float, float]] | None) -> FloatArray | None:
+def by_hand(coordinates: Sequence[str], within: Ranges | None) -> FloatArray | None:
     """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
     if within is None:
         return None

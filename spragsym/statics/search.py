@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import ParameterError, ParameterTypeError
 from ..models.field import SETTLED, apart
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals
@@ -40,7 +40,7 @@ SMALL = 1e-3
 UNBOUNDED = 1e12
 
 
-def searched(p: ParameterSet, contact: bool, within: Mapping[str, tuple[float, float]] | None) -> Equilibria:
+def searched(p: ParameterSet, contact: bool, within: Ranges | None) -> Equilibria:
     """The equilibria of :func:`spragsym.equilibria`, by the search."""
     balance = balance_of(p.model, contact)
     given = columns(p, balance.parameters)

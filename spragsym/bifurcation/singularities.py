@@ -23,7 +23,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
@@ -60,11 +60,9 @@ NEAR = 2.0**-12
 UNDECIDED = "undecided"
 #: Errors of a fold beyond it where its two states are gone for certain.
 BEYOND = 4.0
-#: Ranges of parameters or coordinates by name.
-Ranges: TypeAlias = Ranges | None
 
 
-def folds_of(p: Any, vary: str, between: Ranges, within: Ranges) -> Points:
+def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -> Points:
     """All folds and pitchforks along one parameter; arguments as of :func:`spragsym.folds`."""
     family = Family.of(p, (vary,), between, within)
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
@@ -87,7 +85,7 @@ def _of_ends(family: Family, found: Found) -> tuple[str, ...]:
     return tuple(remarks)
 
 
-def cusps_of(p: Any, vary: Sequence[str], between: Ranges, within: Ranges) -> Points:
+def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges | None) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
     family = Family.of(p, vary, between, within)
     found = isolated(family)

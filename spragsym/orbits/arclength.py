@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -31,8 +32,8 @@ from ..motion.shooting import (
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6
 
-#: Largest angle between a step of a branch and its tangents, as its cosine.
-STRAIGHT = 0.97
+#: Largest angle between a step of a branch and its tangents, as its cosine; a smaller one, at which steps become longer.
+STRAIGHT, STRAIGHTER = 0.97, 0.995
 
 #: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
 FINE = 1e-15
@@ -40,8 +41,8 @@ FINE = 1e-15
 #: A zero of a test function is located to this, in units of the arc.
 LOCATED = 1e-11
 
-#: A branch is not followed to a value of the parameter by steps that are a smaller share of the way.
-LEAST_SHARE = 1e-3
+#: Steps to a value of the parameter, in shares of the way: the first, all of it where the branch is straight, and the shortest.
+WHOLE, LEAST_SHARE = 2.0, 1e-3
 
 
 @dataclass(frozen=True)
@@ -195,6 +196,32 @@ def turning(point: Point) -> float:
     return float(point.tangent[-len(point.setting.free)])
 
 
+def steps(
+    point: Point, ahead: Callable[[Point, float], Point], first: float, longest: float, shortest: float, kink: float = 0.0,
+    look: Callable[[Point, Point, float], Any] = lambda _, found, length: found,
+) -> Iterator[Any]:  # fmt: skip
+    """What is seen at points by steps that are shorter where one fails or the branch bends, longer where it is straight; no end.
+
+    ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by default the point; a
+    ConvergenceError of either ends the steps once they are the shortest. A bend within ``kink`` is a kink of the branch.
+    """
+    length = first
+    while True:
+        try:
+            found = ahead(point, length)
+            straight = min(angle(point, found), aligned(point, found))
+            if straight < STRAIGHT and length > kink:
+                raise ConvergenceError("it bends within the shortest step")
+            seen = look(point, found, length)
+        except (ConvergenceError, ZeroDivisionError, np.linalg.LinAlgError):
+            length /= 3
+            if length < shortest:
+                raise
+            continue
+        yield seen
+        point, length = cut_finer(found), min(longest, length * (1.6 if straight > STRAIGHTER else 1.1))
+
+
 def zero_of(test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED) -> Point:
     """Where a test function is zero between two points, by bracketing along the arc; ConvergenceError, ValueError without."""
     from scipy.optimize import brentq
@@ -216,24 +243,23 @@ def along(point: Point, value: float) -> Point:
     By steps each of which agrees with the tangents at both of its ends: Newton's method alone may find another sheet, or another
     branch. ConvergenceError where there is no such way.
     """
-    length = whole = abs(value - point.value)
-    direction = 1.0 if value > point.value else -1.0
-    point = point.turned(1.0 if point.tangent[-1] * direction > 0 else -1.0)
-    while point.value != value:
-        ahead = value if abs(value - point.value) <= length else point.value + direction * length
-        try:
-            found = placed(point, ahead)
-            agrees = found.tangent[-1] * direction > 0 and aligned(point, found) > STRAIGHT
-        except (ConvergenceError, ZeroDivisionError):
-            agrees = False
-        if agrees:
-            point, length = cut_finer(found), 2 * length
-        elif length < LEAST_SHARE * whole:
-            name = point.setting.field.parameters[point.setting.free[0]]
-            what = "cycle" if point.setting.event is None else "equilibrium"
-            raise ConvergenceError(f"the {what} ends near {name} = {point.value:.10g} on the way")
-        else:
-            length /= 3
+    setting, direction = point.setting, math.copysign(1.0, value - point.value)
+    to = (min(point.value, value), max(point.value, value))
+
+    def ahead(point: Point, length: float) -> Point:
+        found = within(point, length, to)
+        if not turning(found) * direction > 0:
+            raise ConvergenceError("it turns back")
+        return found
+
+    try:
+        for found in steps(point.turned(direction * math.copysign(1.0, turning(point))), ahead, WHOLE, np.inf, LEAST_SHARE):
+            point = found
+            if point.value == value:
+                break
+    except (ConvergenceError, ZeroDivisionError) as error:
+        name, what = setting.field.parameters[setting.free[0]], "cycle" if setting.event is None else "equilibrium"
+        raise ConvergenceError(f"the {what} ends near {name} = {point.value:.10g} on the way") from error
     return point
 
 

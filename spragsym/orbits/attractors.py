@@ -12,10 +12,10 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import apart
 from ..models.parameters import FloatArray
-from ..motion.regimes import Outcome, Regime
+from ..motion.regimes import SAME, Outcome, Regime
 from .arclength import Setting, along, started
 from .finding import cycle_at
-from .orbit import Cycle, cycle_of
+from .orbit import Cycle, cycle_of, same_cycle
 from .system import Rest, System, rounding_of
 
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
@@ -29,12 +29,6 @@ PARTED, BESIDE = 1e-3, 4
 
 #: What a motion comes to, where that is told, and its word.
 KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
-
-#: Equilibria, and averages over cycles, that differ by less than this are one.
-SAME = 1e-6
-
-#: A cycle's state lies on another one, of the same averages, if it is nearer to its samples than this share of its extent.
-ON = 0.05
 
 
 @dataclass(frozen=True)
@@ -182,14 +176,6 @@ def same(one: Attractor, other: Attractor) -> bool:
     if one.orbit is None or other.orbit is None:
         return bool(np.abs(apart(one.state, other.state, one.system.field.around)).max() < SAME * (1 + np.abs(one.state).max()))
     return same_cycle(one.orbit, other.orbit)
-
-
-def same_cycle(one: Cycle, other: Cycle) -> bool:
-    """Whether two cycles at the same values of the parameters are one."""
-    size = max(one.amplitude, other.amplitude)
-    if abs(one.period / other.period - 1) >= SAME or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= SAME * size:
-        return False
-    return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)
 
 
 def _at_rest(system: System, state: FloatArray) -> Attractor:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 
 import numpy as np
 
@@ -15,13 +16,13 @@ from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
-from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, cut_finer, placed, started, within
-from .events import MERGES, Finding, NotLocated, Seen, findings, vertical
-from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
+from .arclength import Point, Setting, between, placed, started, steps, turning, within
+from .events import MERGES, Finding, Seen, findings, vertical
+from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, same_cycle, sampled
 from .switching import NEAREST, between_halves, halved, in_halves, meets, switched
 
-#: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
-FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
+#: Lengths of a step along the arc: the first, the longest, the one below which a branch is given up, and that of a kink of it.
+FIRST, LONGEST, SHORTEST, KINK = 0.004, 0.08, 1e-9, 1e-6
 
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
@@ -38,10 +39,6 @@ SHRUNK = 0.1
 
 #: Slowest part of an orbit that is said to come to rest.
 STILL = 2e-3
-
-
-#: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
-ALIKE = 1e-7
 
 #: Kinds of event at which stability may change.
 CHANGING = ("fold", "period_doubling", "torus")
@@ -238,106 +235,67 @@ class _Trace:
 
     def follow(self, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
-        start = point = self.start.turned(direction)
-        length, before, count = FIRST, None, 0
-        seen = Seen(point)
-        while count < self.points:
-            try:
-                with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, point.value):
-                    ahead = within(point, length, self.to, _reach(point))
-            except ConvergenceError as error:
-                length /= 3
-                if length < SHORTEST:
-                    yield self._lost(point, error)
-                    return
-                continue
-            straight = angle(point, ahead)
-            if straight < STRAIGHT and length > 1e-6:
-                length /= 2.5
-                continue
-            stops = ahead.value in self.to
-            if stops and aligned(point, ahead) < STRAIGHT and length > 1e-6:
-                length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
-                continue
-            arc = between(point, ahead) if stops else length
-            met = meets(point, ahead)
-            if met is not None and arc > NEAREST * extent(ahead.loop):
-                length = arc / 2  # what happens on the way is to be seen
-                continue
-            merged = None if met is None else halved(point.setting, *between_halves(point, ahead, met))
-            if merged is not None:
-                yield Finding("end", *merged, how=MERGES)
-                return
-            after = Seen(ahead)
-            try:
-                happened = list(findings(seen, after, arc, before))
-            except NotLocated:
-                length = arc / 3
-                continue
-            for found in happened:
-                if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
-                    yield self._shrunk(before, seen.point)
-                    return
-                yield found
-            yield ahead
-            count += 1
-            if vertical(seen, after, arc):
-                yield Finding("end", ahead.loop, abs(ahead.value - point.value), how=VERTICAL)
-                return
-            if stops:
-                yield Finding("end", ahead.loop, 0.0, how="the range ends")
-                return
-            end = self._ends(start, point, ahead, count)
-            if end is not None:
-                yield end
-                return
-            finer = cut_finer(ahead)
-            before = seen if finer is ahead else None
-            point, seen = finer, after if finer is ahead else Seen(finer)
-            length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
-        yield Finding("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+        start = self.start.turned(direction)
+        seen = [Seen(start)]  # the last points, as long as they are cut alike
 
-    def _shrunk(self, before: Seen | None, last: Point) -> Finding:
+        def ahead(point: Point, length: float) -> Point:
+            with doing("the branch of cycles beside {:.6g}", point.value):
+                return within(point, length, self.to, min(FAR, SHARE * extent(point.loop)))
+
+        def look(point: Point, found: Point, length: float) -> list[Point | Finding]:
+            nonlocal seen
+            if seen[-1].point is not point:
+                seen = [Seen(point)]
+            arc = between(point, found) if found.value in self.to else length
+            met = meets(point, found)
+            if met is not None and arc > NEAREST * extent(found.loop):
+                raise ConvergenceError("the halves of the orbit meet on the way")
+            merged = None if met is None else halved(point.setting, *between_halves(point, found, met))
+            if merged is not None:
+                return [Finding("end", *merged, how=MERGES)]
+            after, items = Seen(found), list[Point | Finding]()
+            for happened in findings(seen[-1], after, arc, seen[-2] if len(seen) > 1 else None):
+                if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
+                    return [*items, self._shrunk(*(each.point for each in seen[-2:]))]
+                items.append(happened)
+            vertically = vertical(seen[-1], after, arc)
+            seen = [seen[-1], after]
+            return [*items, found, *self._ends(start, point, found, vertically)]
+
+        try:
+            for items in islice(steps(start, ahead, FIRST, self.longest, SHORTEST, KINK, look), self.points):
+                yield from items
+                if isinstance(items[-1], Finding):
+                    return
+        except ConvergenceError as error:
+            yield self._lost(seen[-1].point, error)
+            return
+        last = seen[-1].point
+        moved = abs(last.value - seen[0].point.value)
+        yield Finding("end", last.loop, moved, how=f"{self.points} points were followed")
+
+    def _shrunk(self, *points: Point) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-        how = "it shrinks onto an equilibrium"
-        if before is None:
+        how, last = "it shrinks onto an equilibrium", points[-1]
+        if len(points) == 1:
             return Finding("end", last.loop, abs(last.value), how=how)
-        first, square = (extent(each.loop) ** 2 for each in (before.point, last))
-        off = square * (last.value - before.point.value) / (square - first)
+        first, square = (extent(each.loop) ** 2 for each in points)
+        off = square * (last.value - points[0].value) / (square - first)
         return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
 
-    def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
+    def _ends(self, start: Point, point: Point, ahead: Point, vertically: bool) -> Iterator[Finding]:
+        """The end of the branch at a point, if it is one."""
         loop, moved = ahead.loop, abs(ahead.value - point.value)
-        if extent(loop) < LEAST * min(1.0, extent(start.loop)):
-            return Finding("end", loop, moved, how="it shrinks onto an equilibrium")
-        if loop.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
-            return Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=_rests(loop))
-        return Finding("closed", loop, 0.0) if count > 10 and self._passes(start, point, ahead) else None
-
-    def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
-        """Whether the start's cycle lies on the step from one point to the next, passed the same way: a branch that closes.
-
-        Its states need not be those of the start: on the way round they may have gone on along the orbit.
-        """
-        loop, way = start.loop, ahead.value - point.value
-        share = (start.value - point.value) / way if way else -1.0
-        if not 0 <= share <= 1 or way * float(start.tangent[-1]) <= 0:
-            return False
-        expected = (1 - share) * point.loop.period + share * ahead.loop.period
-        if abs(expected - loop.period) > 1e-3 * loop.period:
-            return False
-        try:
-            met = placed(point, start.value).loop
-        except ConvergenceError:
-            return False
-        return bool(
-            abs(met.period / loop.period - 1) < ALIKE
-            and np.abs(np.subtract(self._shape(met), self._shape(loop))).max() < ALIKE * extent(loop)
-        )
-
-    def _shape(self, loop: Loop) -> tuple[float, ...]:
-        """What does not depend on where a round begins: range and averages."""
-        return (*range_of(loop), *moments(loop))
+        if vertically:
+            yield Finding("end", loop, moved, how=VERTICAL)
+        elif ahead.value in self.to:
+            yield Finding("end", loop, 0.0, how="the range ends")
+        elif extent(loop) < LEAST * min(1.0, extent(start.loop)):
+            yield Finding("end", loop, moved, how="it shrinks onto an equilibrium")
+        elif loop.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
+            yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=_rests(loop))
+        elif point is not start and _passes(start, point, ahead):
+            yield Finding("closed", loop, 0.0)
 
     def _lost(self, point: Point, error: ConvergenceError) -> Finding:
         loop = point.loop
@@ -346,9 +304,18 @@ class _Trace:
         return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
-def _reach(point: Point) -> float:
-    """How far the states of the next point may lie."""
-    return min(FAR, SHARE * extent(point.loop))
+def _passes(start: Point, point: Point, ahead: Point) -> bool:
+    """Whether the start's cycle lies on the step from one point to the next, passed the same way: a branch that closes.
+
+    Its states need not be those of the start: on the way round they may have gone on along the orbit.
+    """
+    way = ahead.value - point.value
+    if not (start.value - point.value) * (start.value - ahead.value) <= 0 < way * turning(start):
+        return False
+    try:
+        return same_cycle(cycle_of(placed(point, start.value).loop), cycle_of(start.loop))
+    except ConvergenceError:
+        return False
 
 
 def stillest(loop: Loop) -> tuple[float, FloatArray]:

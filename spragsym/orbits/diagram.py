@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 from typing import Any, ClassVar
 
 import numpy as np
@@ -25,9 +25,9 @@ from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
-from .arclength import Point, angle, between, placed, turning, within, zero_of
-from .attractors import same_cycle
+from .arclength import Point, between, placed, steps, turning, within, zero_of
 from .finding import cycle_near
+from .orbit import same_cycle
 from .system import Rest, System
 
 #: Values of the parameter at which the statics say where equilibria are.
@@ -214,21 +214,19 @@ def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str
 
 def _followed(rest: Rest, point: Point, to: tuple[float, float]) -> Iterator[Point]:
     """Points ahead, to the end of the range, of the mode, or of the steps."""
-    length = LONGEST / 8
-    for _ in range(STEPS):
-        try:
-            ahead = within(point, length, to, reach=0.5)
-            agrees = angle(point, ahead) > 0.98 and rest.inside(ahead)
-        except ConvergenceError:
-            agrees = False
-        if agrees:
-            if ahead.value != point.value or ahead.value not in to:
-                yield ahead
-            if ahead.value in to:
+
+    def ahead(point: Point, length: float) -> Point:
+        found = within(point, length, to, reach=0.5)
+        if not rest.inside(found):
+            raise ConvergenceError("the mode ends")
+        return found
+
+    with suppress(ConvergenceError):
+        for found in islice(steps(point, ahead, LONGEST / 8, LONGEST, SHORTEST), STEPS):
+            if (found.coordinates != point.coordinates).any():  # as it is where the range ends at the first point
+                yield found
+            if found.value in to:
                 return
-            point, length = ahead, min(1.5 * length, LONGEST)
-        elif (length := length / 2) < SHORTEST:
-            return
 
 
 def _located(one: Point, other: Point, test: Callable[[Point], float]) -> Point | None:

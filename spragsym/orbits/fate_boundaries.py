@@ -33,12 +33,12 @@ from .attractors import (
     followed_cycle,
     judged,
     same,
-    same_cycle,
     surely,
 )  # fmt: skip
 from .branch import cycle_branch
 from .events import MERGES
 from .finding import cycle_at
+from .orbit import same_cycle
 from .system import Saddle, System, growth_of_cycle, saddle_near
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.

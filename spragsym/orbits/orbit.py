@@ -14,7 +14,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
-from ..models.field import Field
+from ..models.field import Field, apart
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
@@ -46,6 +46,10 @@ OPEN = 1e-10
 
 #: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
 UNRESOLVED = 1e-4
+
+#: Periods, and averages as shares of the extent, that differ by less are of one cycle, if the state of one is as near the other's
+#: samples as this share of its extent.
+ALIKE, ON = 1e-6, 0.05
 
 #: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
@@ -196,6 +200,14 @@ def cycle_of(loop: Loop) -> Cycle:
         rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=loop.flow.backend,
         loop=loop,
     )  # fmt: skip
+
+
+def same_cycle(one: Cycle, other: Cycle) -> bool:
+    """Whether two cycles at the same values of the parameters are one."""
+    size = max(one.amplitude, other.amplitude)
+    if abs(one.period / other.period - 1) >= ALIKE or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= ALIKE * size:
+        return False
+    return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)
 
 
 @dataclass(frozen=True, eq=False)

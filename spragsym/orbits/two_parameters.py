@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import islice
 
 import numpy as np
 
@@ -14,13 +15,13 @@ from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop
 from ..progress import doing
 from ..results.result import Result
-from .arclength import Point, Setting, angle, at_zero, corrected, point_of
+from .arclength import Point, Setting, at_zero, corrected, point_of, steps
 from .branch import CycleEvent
 from .events import touching
 from .orbit import Cycle, cycle_of
 
 #: Lengths of a step, in states, shares of the period and spans of the parameters.
-FIRST, LONGEST, SHORTEST = 0.01, 0.1, 1e-6
+FIRST, LONGEST, SHORTEST, KINK = 0.01, 0.1, 1e-6, 1e-4
 
 #: Spans of a parameter whose range is not given: of its value, and at least.
 SPAN, LEAST = 0.25, 0.02
@@ -126,24 +127,18 @@ def _followed(
 ) -> tuple[list[Loop], str]:  # fmt: skip
     """Loops in one direction, and why they end."""
     found: list[Loop] = []
-    point, length = first.turned(direction), FIRST
-    while len(found) < points:
-        try:
-            with doing("point {} in one direction of the curve", len(found) + 1):
-                ahead = corrected(point, length, reach=0.5, iterations=9)
-        except (ConvergenceError, np.linalg.LinAlgError) as error:
-            length /= 3
-            if length < SHORTEST:
-                return found, f"it could not be followed farther: {error}"
-            continue
-        straight = angle(point, ahead)
-        if straight < 0.95 and length > 1e-4:
-            length /= 2.5
-            continue
-        if not all(low <= ahead.loop.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
-            return found, "the range ends"
-        if kind == "torus" and not is_complex_pair(ahead.loop):
-            return found, "its multipliers become real"
-        found.append(ahead.loop)
-        point, length = ahead, min(LONGEST, length * (1.6 if straight > 0.995 else 1.1))
+
+    def ahead(point: Point, length: float) -> Point:
+        with doing("point {} in one direction of the curve", len(found) + 1):
+            return corrected(point, length, reach=0.5, iterations=9)
+
+    try:
+        for point in islice(steps(first.turned(direction), ahead, FIRST, LONGEST, SHORTEST, KINK), points):
+            if not all(low <= point.loop.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
+                return found, "the range ends"
+            if kind == "torus" and not is_complex_pair(point.loop):
+                return found, "its multipliers become real"
+            found.append(point.loop)
+    except (ConvergenceError, np.linalg.LinAlgError) as error:
+        return found, f"it could not be followed farther: {error}"
     return found, f"{points} points were followed"

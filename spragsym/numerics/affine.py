@@ -34,52 +34,63 @@ class Rounded(Arithmetic):
     __slots__ = ("error", "value")
     __array_ufunc__ = None  # an array on the left leaves the operation to the right
 
+    #: None.
+    terms: Any = 0.0
+
     def __init__(self, value: Any, error: Any = 0.0) -> None:
         self.value, self.error = value, error
 
     def radius(self) -> Any:
         """How far from ``value`` the numbers reach."""
-        return self.error
+        return (_spread(self) + self.error) * _SLACK
 
-    def __add__(self, other: Any) -> Rounded:
-        if isinstance(other, Rounded):
-            value = self.value + other.value
-            return Rounded(value, (self.error + other.error + UNIT * abs(value)) * _SLACK)
-        value = self.value + other
-        return Rounded(value, (self.error + UNIT * abs(value)) * _SLACK)
+    def __add__(self, other: Any) -> Any:
+        other = _as_number(other)
+        return _rounded(self.value + other.value, self.terms + other.terms, self.error + other.error)
 
-    def __neg__(self) -> Rounded:
-        return Rounded(-self.value, self.error)
+    def __neg__(self) -> Any:
+        return _number(-self.value, -self.terms, self.error)
 
-    def __mul__(self, other: Any) -> Rounded:
-        if isinstance(other, Rounded):
-            value, size = self.value * other.value, abs(other.value)
-            carried = abs(self.value) * other.error + (size + other.error) * self.error
-            return Rounded(value, (carried + UNIT * abs(value)) * _SLACK + _TINY)
-        value = self.value * other
-        return Rounded(value, (abs(other) * self.error + UNIT * abs(value)) * _SLACK + _TINY)
+    def __mul__(self, other: Any) -> Any:
+        if not isinstance(other, Rounded):
+            return _rounded(self.value * other, self.terms * other, self.error * np.abs(other) + _TINY)
+        value = self.value * other.value
+        left, right = np.abs(self.value), np.abs(other.value)
+        own, others = _spread(self), _spread(other)
+        carried = left * other.error + right * self.error + (own + self.error) * (others + other.error)
+        rounding = UNIT * (np.abs(value) + 3 * (left * others + right * own))
+        terms = self.value * other.terms + other.value * self.terms
+        return _number(value, terms, (carried + rounding) * _SLACK + _TINY)
 
-    def __truediv__(self, other: Any) -> Rounded:
-        divisor = other if isinstance(other, Rounded) else Rounded(other)
-        value = self.value / divisor.value
-        least = abs(divisor.value) - divisor.error
-        # |a/b − v/w| ≤ (|δa| + |v/w| |δb|) / (|w| − |δb|), and v/w is rounded.
-        carried = (self.error + abs(value) * divisor.error) / least
-        error = (carried + UNIT * abs(value)) * _SLACK**3 + _TINY
-        return Rounded(value, np.where(least > 0, error, np.inf))
+    def __truediv__(self, other: Any) -> Any:
+        other = _as_number(other)
+        value = self.value / other.value
+        size, reach, quotient = np.abs(other.value), other.radius(), np.abs(value)
+        least = size - reach
+        # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w) for q = v/w, and |1/y − 1/w| ≤ |y − w| / (|w| (|w| − |y − w|)).
+        rounding = 4 * UNIT * (_spread(self) + quotient * _spread(other))
+        own = (self.error + quotient * other.error + rounding) / size
+        found = _number(value, (self.terms - value * other.terms) / other.value, own)
+        error = (own + (_spread(found) + own) * (reach / least) + UNIT * quotient) * _SLACK**3 + _TINY
+        found.error = np.where(least > 0, error, np.inf)
+        return found
 
-    def __rtruediv__(self, other: Any) -> Rounded:
+    def __rtruediv__(self, other: Any) -> Any:
         return Rounded(other) / self
+
+    def reciprocal(self) -> Any:
+        """1/x, with an infinite error where 0 may be in x."""
+        return 1.0 / self
 
     __pow__ = repeated_product
 
     def sqrt(self) -> Rounded:
         """Square roots; an infinite error where negative numbers may be among them."""
-        least = self.value - self.error
+        reach = self.radius()
         value = np.sqrt(np.maximum(self.value, 0.0))
         # |√a − √m| ≤ |a − m|/√m
-        error = (self.error / value + UNIT * value) * _SLACK**2
-        return Rounded(value, np.where(least > 0, error, np.inf))
+        error = (reach / value + UNIT * value) * _SLACK**2
+        return Rounded(value, np.where(self.value > reach, error, np.inf))
 
     def rows(self, index: Any) -> Rounded:
         """Some of the numbers; of a single number, that."""
@@ -102,55 +113,6 @@ class Affine(Rounded):
     def __init__(self, value: Any, terms: Any, error: Any = 0.0) -> None:
         super().__init__(value, error)
         self.terms = terms
-
-    def _spread(self) -> Any:
-        return np.abs(self.terms).sum(axis=0)
-
-    def radius(self) -> Any:
-        """How far from ``value`` the numbers reach."""
-        return (self._spread() + self.error) * _SLACK
-
-    def __add__(self, other: Any) -> Affine:
-        if not isinstance(other, Affine):
-            value = self.value + other
-            return Affine(value, self.terms, (self.error + UNIT * np.abs(value)) * _SLACK)
-        value, terms = self.value + other.value, self.terms + other.terms
-        return Affine(value, terms, (self.error + other.error + _rounding(value, terms)) * _SLACK)
-
-    def __neg__(self) -> Affine:
-        return Affine(-self.value, -self.terms, self.error)
-
-    def __mul__(self, other: Any) -> Affine:
-        if not isinstance(other, Affine):
-            value, terms = self.value * other, self.terms * other
-            return Affine(value, terms, (np.abs(other) * self.error + _rounding(value, terms)) * _SLACK + _TINY)
-        value = self.value * other.value
-        left, right = np.abs(self.value), np.abs(other.value)
-        own, others = self._spread(), other._spread()
-        carried = left * other.error + right * self.error + (own + self.error) * (others + other.error)
-        rounding = UNIT * (np.abs(value) + 3 * (left * others + right * own))
-        terms = self.value * other.terms + other.value * self.terms
-        return Affine(value, terms, (carried + rounding) * _SLACK + _TINY)
-
-    def __truediv__(self, other: Any) -> Affine:
-        if isinstance(other, Affine):
-            return self.__mul__(other.reciprocal())
-        value, terms = self.value / other, self.terms / other
-        return Affine(value, terms, (self.error / np.abs(other) + _rounding(value, terms)) * _SLACK + _TINY)
-
-    def __rtruediv__(self, other: Any) -> Affine:
-        return self.reciprocal().__mul__(other)
-
-    def reciprocal(self) -> Affine:
-        """1/x: 1/m − (x − m)/m² and (x − m)²/(m² x) beyond that; an infinite error where 0 may be in x."""
-        inverse = 1.0 / self.value
-        reach = self.radius()
-        least = np.abs(self.value) - reach
-        size = np.abs(inverse)  # its square may be below the smallest float
-        beyond = (reach * inverse) ** 2 / least
-        # What the terms lose is below three of these units where they are small, and below what is of second order elsewhere.
-        error = (size * (size * self.error) + beyond + 4 * UNIT * size) * _SLACK
-        return Affine(inverse, -inverse * (inverse * self.terms), np.where(least > 0, error, np.inf))
 
     @classmethod
     def between(cls, interval: Intervals) -> Affine:
@@ -176,8 +138,24 @@ class Affine(Rounded):
         return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))
 
 
-def _rounding(value: Any, terms: Any) -> Any:
-    return UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
+def _number(value: Any, terms: Any, error: Any) -> Rounded:
+    return Affine(value, terms, error) if np.ndim(terms) > np.ndim(value) else Rounded(value, error)
+
+
+def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
+    """A number with the error of one rounding added."""
+    found = _number(value, terms, error)
+    found.error = (error + UNIT * (np.abs(value) + _spread(found))) * _SLACK
+    return found
+
+
+def _as_number(value: Any) -> Rounded:
+    return value if isinstance(value, Rounded) else Rounded(value)
+
+
+def _spread(number: Rounded) -> Any:
+    """What the terms reach together."""
+    return np.abs(number.terms).sum(axis=0) if isinstance(number, Affine) else 0.0
 
 
 def sides(low: FloatArray, high: FloatArray) -> list[Affine]:

@@ -1,13 +1,12 @@
 """Cycles: closed orbits of piecewise smooth motion, their branches, events and boundaries."""
 
 from .basin_boundaries import BasinBoundary, basin_boundary
-from .branch import CycleBranch, CycleEvent, cycle_branch
+from .branch import CycleBranch, CycleEvent, EventCurve, cycle_branch, cycle_events
 from .exponents import Lyapunov, lyapunov
 from .fate_boundaries import FateBoundary, fate_boundary
 from .fates import Fate, FateMap, fate, fate_map
 from .finding import cycle
 from .orbit import Cycle
-from .two_parameters import EventCurve, cycle_events
 
 __all__ = [
     "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "Fate", "FateBoundary", "FateMap", "Lyapunov",

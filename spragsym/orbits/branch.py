@@ -1,9 +1,10 @@
-"""Branches of cycles in one parameter, with all that happens on them."""
+"""Branches of cycles in one parameter, with all that happens on them, and curves of these events in two parameters."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import islice
 
 import numpy as np
@@ -11,18 +12,22 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
-from ..motion.shooting import Loop, extent, rate
+from ..motion.multipliers import CRITERIA, is_complex_pair
+from ..motion.shooting import Loop, extent, rate, recut
 from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
-from .arclength import Point, Setting, between, placed, started, steps, turning, within
-from .events import MERGES, Finding, Seen, findings, vertical
+from .arclength import Point, Setting, at_zero, between, corrected, placed, point_of, started, steps, turning, within
+from .events import MERGES, Finding, Seen, findings, touching, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, same_cycle, sampled
-from .switching import NEAREST, between_halves, halved, in_halves, meets, switched
+from .switching import NEAREST, halved, meets, switched
 
 #: Lengths of a step along the arc: the first, the longest, the one below which a branch is given up, and that of a kink of it.
 FIRST, LONGEST, SHORTEST, KINK = 0.004, 0.08, 1e-9, 1e-6
+
+#: The same along a curve of events.
+OF_EVENTS = 0.01, 0.1, 1e-6, 1e-4
 
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
@@ -44,6 +49,9 @@ STILL = 2e-3
 CHANGING = ("fold", "period_doubling", "torus")
 
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
+
+#: Spans of a parameter whose range is not given: of its value, and at least.
+SPAN, NARROWEST = 0.25, 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,7 +203,9 @@ def cycle_branch(
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
-    trace = _Trace(started(setting, in_halves(cycle.loop, setting).guess), (low, high), points, longest)
+    pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
+    begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
+    trace = _Trace(started(setting, begun), (low, high), points, longest)
     back, forth = (list(trace.follow(sign)) for sign in (-1.0, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), trace.start, *([] if closed else forth)]
@@ -250,7 +260,7 @@ class _Trace:
             met = meets(point, found)
             if met is not None and arc > NEAREST * extent(found.loop):
                 raise ConvergenceError("the halves of the orbit meet on the way")
-            merged = None if met is None else halved(point.setting, *between_halves(point, found, met))
+            merged = None if met is None else halved(point, found, met)
             if merged is not None:
                 return [Finding("end", *merged, how=MERGES)]
             after, items = Seen(found), list[Point | Finding]()
@@ -330,3 +340,120 @@ def _rests(loop: Loop) -> str:
     names, place = loop.field.coordinates, np.round(stillest(loop)[1], 6) + 0.0
     told = [At(name, (float(value),), "g", " rad" * loop.field.is_angle(name)) for name, value in zip(names, place, strict=False)]
     return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)
+
+
+@dataclass(frozen=True, eq=False)
+class EventCurve(Result):
+    """A curve of events in the plane of two parameters.
+
+    Attributes
+    ----------
+    kind : str
+    vary : tuple of str
+    values : ndarray, shape (n, 2)
+    periods : ndarray, shape (n,)
+    how : tuple of str
+        Why the curve ends, at its first and at its last point.
+    cycles : tuple of Cycle
+    """
+
+    kind: str
+    vary: tuple[str, str]
+    values: FloatArray
+    periods: FloatArray
+    how: tuple[str, str]
+    cycles: tuple[Cycle, ...] = field(repr=False)
+
+    @property
+    def table_model(self) -> Field | None:
+        """It knows which parameters are angles."""
+        return self.cycles[0].field if self.cycles else None
+
+
+def cycle_events(
+    event: CycleEvent, vary: tuple[str, str], *, to: dict[str, tuple[float, float]] | None = None, points: int = 60
+) -> EventCurve:  # fmt: skip
+    """Follow a fold, doubling, torus or grazing of cycles in two parameters.
+
+    Parameters
+    ----------
+    event : CycleEvent
+        Of a branch.
+    vary : tuple of str
+        Two parameters.
+    to : dict, optional
+        Parameter → range; the curve ends where it leaves it.
+    points : int
+        Most points each way.
+
+    Returns
+    -------
+    EventCurve
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and events of another kind.
+
+    Notes
+    -----
+    Newton's method on the closed orbit, with the event's test function as one more equation: for a fold det(1 − R) = 0 and for
+    a doubling det(1 + R) = 0, R the monodromy matrix across the flow; for a grazing level and rate of the border at the start.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(43.1)), V=0.5, d=10.0, near=(2.54, 3.36, 0, 0.36))
+    >>> (doubling,) = ss.cycle_branch(found, "theta0", np.radians([43.09, 43.13])).of("period_doubling")
+    >>> curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
+    >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
+    ([43.03, 43.12, 43.21], 0.5)
+    """
+    if event.loop is None or event.kind not in (*CRITERIA, "grazing"):
+        raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
+    model = event.cycle.field
+    for name in vary:
+        if name not in model.parameters:
+            raise ParameterError(f"vary = {vary!r}: {name!r} is not one of {', '.join(model.parameters)}")
+    if len(vary) != 2 or vary[0] == vary[1]:
+        raise ParameterError(f"vary = {vary!r} is not two parameters")
+    free = (model.parameters.index(vary[0]), model.parameters.index(vary[1]))
+    ranges = to or {}
+    spans = []
+    for name, index in zip(vary, free, strict=True):
+        low, high = ranges.get(name, (0.0, 0.0))
+        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.values[index]), NARROWEST))
+    holds = partial(touching, event.border) if event.border >= 0 else partial(at_zero, event.kind)
+    setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans), event=holds)
+    bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
+    first = point_of(setting, setting.looped(event.loop.guess))
+    (back, why_back), (forth, why_forth) = (_events_followed(event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
+    loops = [*reversed(back), first.loop, *forth]
+    cycles = tuple(cycle_of(each) for each in loops)
+    return EventCurve(
+        event.kind, vary, np.array([[each.values[i] for i in free] for each in loops]),
+        np.array([each.period for each in loops]), (why_back, why_forth), cycles,
+    )  # fmt: skip
+
+
+def _events_followed(
+    kind: str, bounds: list[tuple[float, float]], points: int, first: Point, direction: float
+) -> tuple[list[Loop], str]:  # fmt: skip
+    """Loops in one direction, and why they end."""
+    found: list[Loop] = []
+
+    def ahead(point: Point, length: float) -> Point:
+        with doing("point {} in one direction of the curve", len(found) + 1):
+            return corrected(point, length, reach=0.5, iterations=9)
+
+    try:
+        for point in islice(steps(first.turned(direction), ahead, *OF_EVENTS), points):
+            if not all(low <= point.loop.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
+                return found, "the range ends"
+            if kind == "torus" and not is_complex_pair(point.loop):
+                return found, "its multipliers become real"
+            found.append(point.loop)
+    except (ConvergenceError, np.linalg.LinAlgError) as error:
+        return found, f"it could not be followed farther: {error}"
+    return found, f"{points} points were followed"

@@ -29,7 +29,7 @@ MODULES = sorted(
 
 #: Modules whose examples take long, or seconds: tests have the same calls.
 LONG = (
-    "spragsym.orbits.branch", "spragsym.orbits.two_parameters", "spragsym.orbits.diagram", "spragsym.bifurcation.hopf_curves",
+    "spragsym.orbits.branch", "spragsym.orbits.diagram", "spragsym.bifurcation.hopf_curves",
     "spragsym.figures.curves", "spragsym.design.probability", "spragsym.design.jumps", "spragsym.design.tube_certificates",
 )  # fmt: skip
 SECONDS = ("spragsym.orbits.fate_boundaries", "spragsym.orbits.basin_boundaries", "spragsym.bifurcation.critical")

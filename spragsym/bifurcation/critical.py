@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import FloatArray, ParameterSet, Ranges, as_number
+from ..models.parameters import FloatArray, ParameterSet, Ranges, as_range
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
@@ -251,10 +251,7 @@ def critical_value(
             raise ConvergenceError(f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
         return float(found.value)
 
-    allowed = p.ranges[vary]
-    low, high = (as_number(f"bracket[{i}]", value, allowed) for i, value in enumerate(bracket))
-    if not low < high:
-        raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
+    low, high = as_range("bracket", bracket, p.ranges[vary])
 
     def excess(value: float) -> float:
         return math.atan(lowest(value)) - math.atan(level)  # finite where there is no fold
@@ -264,7 +261,7 @@ def critical_value(
         raise ParameterError(f"bracket: the critical {rising} is {ends}, both on one side of {rising} = {level:g}; widen it")
     root = float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=1000))
     if abs(excess(root)) > 1e-9:
-        below, above = (lowest(max(float(np.nextafter(root, end)), allowed.low)) for end in (-math.inf, math.inf))
+        below, above = (lowest(max(float(np.nextafter(root, end)), p.ranges[vary].low)) for end in (-math.inf, math.inf))
         raise ConvergenceError(
             f"the critical {rising} jumps across {level:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
             f"{_in_words(above)}: there it has no value between; try a bracket on one side"

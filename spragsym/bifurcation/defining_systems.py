@@ -17,8 +17,9 @@ from typing import Any, Self
 
 import numpy as np
 
-from ..errors import ParameterError, ParameterTypeError
-from ..models.parameters import Ranges, as_numbers
+from ..errors import ParameterError
+from ..models import Model
+from ..models.parameters import Ranges, as_ranges
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.balls import XP as BALLS
 from ..numerics.boxes import POLE, System
@@ -28,7 +29,7 @@ from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import Digits
 from ..statics.balance import AWAY, Balance
-from ..statics.forces import Model, State
+from ..statics.forces import State
 from ..statics.namespaces import XP
 from ..statics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.regions import by_hand
@@ -94,28 +95,21 @@ class Family:
 
 def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
-    if not isinstance(between, Mapping):
-        raise ParameterTypeError(f'between = {between!r:.60} is no mapping; give the ends by name, as {{"mu0": (0, 1)}}')
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
-    rows = []
     for name in vary:
-        if not isinstance(name, str) or name not in entries:
-            raise ParameterError(f"vary = {name!r} is not a parameter of this model; choose one of {', '.join(entries)}")
+        model.require_parameter(name)
+    given, rows = as_ranges("between", between, vary), []
+    for name in vary:
         entry = entries[name]
         low, high = (entry[end] for end in ("low", "high"))
         far = FAR * max(1.0, abs(entry["base"] or 0.0))
         default = (-far if low is None else low, far if high is None else high)
-        ends = as_numbers(f"between[{name!r}]", between[name]) if name in between else np.array(default)
-        if ends.shape != (2,) or not ends[0] < ends[1]:
-            raise ParameterError(f"between[{name!r}] = {between[name]} is no range; give its lower and upper end")
+        ends = given.get(name, default)
         if (ends[0] < default[0] and low is not None) or (ends[1] > default[1] and high is not None):
             raise ParameterError(
                 f"between[{name!r}] = {between[name]} leaves the range of {name}, {entry['domain']}; stay within it"
             )
         rows.append(ends)
-    for name in between:
-        if name not in vary:
-            raise ParameterError(f"between has a range for {name!r}, which does not vary; {', '.join(vary)} does")
     return np.array(rows, dtype=float).reshape(-1, 2)
 
 

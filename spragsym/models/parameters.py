@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import importlib
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias, TypeVar
 
@@ -140,10 +140,29 @@ def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
     return float(array)
 
 
-def as_count(name: str, value: object, least: int = 1) -> int:
-    """``value`` as an integer of at least so much."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-        raise ParameterError(f"{name} = {value!r} is not an integer of {least} or more")
+def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[float, float]:
+    """``value`` as the lower and the upper end of a range; errors as of :func:`as_numbers`, and one for anything else."""
+    ends = as_numbers(name, value, allowed)
+    if ends.shape != (2,) or not ends[0] < ends[1]:
+        raise ParameterError(f"{name} = {value!r:.60} is no range; give its lower and upper end")
+    return float(ends[0]), float(ends[1])
+
+
+def as_ranges(name: str, given: Ranges | None, allowed: Sequence[str]) -> dict[str, tuple[float, float]]:
+    """``given`` ranges by name, of some of those ``allowed``."""
+    if not isinstance(given or {}, Mapping):
+        raise ParameterTypeError(f'{name} = {given!r:.60} is no mapping; give the ends by name, as {{"{allowed[0]}": (0, 1)}}')
+    for one in given or {}:
+        if one not in allowed:
+            raise ParameterError(f"{name} has a range for {one!r}; {', '.join(allowed)} may have one")
+    return {one: as_range(f"{name}[{one!r}]", ends) for one, ends in (given or {}).items()}
+
+
+def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -> int:
+    """``value`` as an integer of at least so much, and no more than ``most``."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= most:
+        allowed = f"of {least} or more" if most == math.inf else f"in [{least}, {most}]"
+        raise ParameterError(f"{name} = {value!r} is not an integer {allowed}")
     return int(value)
 
 

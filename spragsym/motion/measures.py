@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..errors import ParameterError
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, as_count
 from ..numerics.interval_arrays import IndexArray
 from ..results.result import Result
 from .lobatto import PiecewisePolynomial
@@ -110,8 +109,7 @@ class Spectrum(Result):
 
 def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum:
     """The amplitude spectrum of one component, about its mean, with Hann's window."""
-    if isinstance(points, bool) or not isinstance(points, int | np.integer) or not 16 <= points <= MOST_POINTS:
-        raise ParameterError(f"points = {points!r} is not between 16 and {MOST_POINTS}; 4096 suits most motions")
+    points = as_count("points", points, 16, MOST_POINTS)
     t = np.linspace(samples.t[0], samples.t[-1], points, endpoint=False)
     values = samples(t)[row]
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(points) / points)

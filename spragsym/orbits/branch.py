@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
-from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
+from ..models.parameters import POSITIVE, FloatArray, as_count, as_number, as_range
 from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop, extent, rate, recut
 from ..numerics.interval_arrays import BoolArray
@@ -195,12 +195,12 @@ def cycle_branch(
     if vary not in model.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
     index = model.parameters.index(vary)
-    low, high = (as_number("to", value, FINITE) for value in to)
+    low, high = as_range("to", to)
     for bound in (low, high):
         model.check(vary, bound)
     points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
     value = cycle.values[index]
-    if not low <= value <= high or low == high:
+    if not low <= value <= high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen

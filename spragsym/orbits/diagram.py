@@ -18,7 +18,7 @@ import numpy as np
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.field import apart
-from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
+from ..models.parameters import FloatArray, ParameterSet, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
 from ..questions import model_of
 from ..remarks import At, Remark
@@ -167,9 +167,7 @@ def diagram(
     model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))
     points, doublings = as_count("points", points), as_count("doublings", doublings, 0)
-    low, high = (as_number("to", value, FINITE) for value in to)
-    if not low < high:
-        raise ParameterError(f"to = ({low:g}, {high:g}) is no range; give its lower end first")
+    low, high = as_range("to", to)
     motion, remarks = model.field, list[str]()
     for start in starts:
         if isinstance(start, Cycle):

@@ -12,7 +12,8 @@ import mpmath
 import numpy as np
 
 from ..display import Table
-from ..errors import ConvergenceError, MissingExtraError, ParameterError
+from ..errors import ConvergenceError, MissingExtraError
+from ..models.parameters import as_count
 from ..motion.shooting import rate
 from ..numerics.balls import as_mpf
 from ..numerics.decimals import Decimal, around, float_above
@@ -121,8 +122,7 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
     """
     if not importlib.util.find_spec("flint"):
         raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 10 <= digits <= 200:
-        raise ParameterError(f"digits = {digits!r} is not an integer in [10, 200]")
+    digits = as_count("digits", digits, 10, 200)
     if not cycle.field.where:
         return _unproved(cycle, "the field of this cycle can't be made again in the process that proves")
     found = _run(claim_of(cycle, digits), patience)

@@ -18,7 +18,7 @@ from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError, hint
 from ..models.load import USUAL
-from ..models.parameters import POSITIVE, PhysicalParameters, Range, Ranges, Scales, as_number
+from ..models.parameters import POSITIVE, PhysicalParameters, Range, Ranges, Scales, as_number, as_range
 from ..models.quantities import Quantities, factor, quantities, share
 from ..progress import doing, show_progress
 from .units import Measured, read, shown_in
@@ -81,10 +81,7 @@ def spanned(kind: Quantities, name: str, ends: tuple[float, float]) -> tuple[flo
     if name not in kind.balanced:
         cure = hint(name, kind.balanced) or f"; give some of {', '.join(kind.balanced)}"
         raise ParameterError(f"may_change: no state depends on {name}{cure}")
-    low, high = (as_number(f"may_change of {name}", end, kind.ranges()[name]) for end in ends)
-    if not low < high:
-        raise ParameterError(f"may_change of {name} from {low:g} to {high:g} is empty; give two ends, the smaller first")
-    return low, high
+    return as_range(f"may_change of {name}", ends, kind.ranges()[name])
 
 
 class Study:

@@ -9,12 +9,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..models.model import Model
 from ..models.quantities import Unit
 from ..numerics import contractors, jets
 from ..numerics.arithmetic import Matrix
 from ..numerics.boxes import POLE, System
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
-from .forces import Forces, Model, State, Values, as_intervals
+from .forces import Forces, State, Values, as_intervals
 from .namespaces import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.

@@ -6,11 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..models.field import undecorated
+from ..models.model import Model
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
@@ -23,16 +24,6 @@ Values: TypeAlias = Mapping[str, Any]
 TURN = np.pi + 0.02
 #: Of the cosine of an angle a width that is rounding.
 ROUNDED = 1e-9
-
-
-class Model(Protocol):
-    """What is needed of a model: generated functions, and what its model page says."""
-
-    about: Mapping[str, Any]
-
-    @property
-    def algebra(self) -> Any:
-        """Generated functions of the balance of forces, and of small motions about it."""
 
 
 class Forces:

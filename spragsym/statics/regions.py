@@ -15,14 +15,14 @@ beside the forces of lift-off. So no slope is needed of what is cut off, which h
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from ..errors import ParameterError, ParameterTypeError
-from ..models.parameters import Ranges, as_numbers
+from ..errors import ParameterError
+from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
 from .balance import Balance, linear, with_waves
@@ -76,21 +76,9 @@ def by_hand(coordinates: Sequence[str], within: Ranges | None) -> FloatArray | N
     """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
     if within is None:
         return None
-    if not isinstance(within, Mapping):
-        raise ParameterTypeError(
-            f'within = {within!r:.60} is no mapping; give the ends by name, as {{"{coordinates[0]}": (-5, 5)}}'
-        )
-    asked = np.full((2, len(coordinates)), np.inf)
-    for name, value in within.items():
-        if name not in coordinates:
-            raise ParameterError(
-                f"within has a range for {name!r}, which is no coordinate; {', '.join(coordinates)} may have one"
-            )
-        ends = as_numbers(f"within[{name!r}]", value)
-        if ends.shape != (2,) or not ends[0] < ends[1]:
-            raise ParameterError(f"within[{name!r}] = {value} is no range; give its lower and upper end")
-        asked[:, list(coordinates).index(name)] = -ends[0], ends[1]
-    return asked
+    given = as_ranges("within", within, coordinates)
+    low, high = np.array([given.get(name, (-np.inf, np.inf)) for name in coordinates]).T
+    return np.stack([-low, high])
 
 
 def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArray]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import ParameterError, ParameterTypeError
 from ..models.field import SETTLED, apart
+from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
@@ -19,7 +20,7 @@ from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided
 from . import stability
 from .balance import NOTHING, Balance
-from .forces import Model, as_intervals
+from .forces import as_intervals
 from .polar import around_anchors, stiff_points, turned_points
 from .precise_balance import PreciseBalance, clustered, on_its_side, once_around, refined, settled_by_digits
 from .reference_state import in_order

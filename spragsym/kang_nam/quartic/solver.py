@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...errors import BackendError, ConvergenceError, ParameterError
 from ...generated import stability as _stability
-from ...models.parameters import NAMES, Parameters
+from ...models.parameters import NAMES, Parameters, as_count
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
@@ -295,8 +295,7 @@ def set_backend(name: str, threads: int = 1) -> None:
     """
     if name not in ("auto", "numpy", "compiled"):
         raise ParameterError(f"backend = {name!r} is not one of 'auto', 'numpy' and 'compiled'")
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
-        raise ParameterError(f"threads = {threads!r} is not a number of threads; give an integer of 1 or more")
+    threads = as_count("threads", threads)
     if name == "compiled" and not compiled.available():
         raise BackendError(
             "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "

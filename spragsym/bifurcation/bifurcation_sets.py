@@ -77,8 +77,7 @@ def bifurcation_set(
         Two parameters, θ₀ and μ₀ unless told otherwise.
     n : int, optional
         Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes between two extrema of
-        curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000, 600 at
-        least.
+        curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000 at least.
     between, within, method
         As for :func:`spragsym.folds`, ranges of the two.
 

@@ -121,16 +121,15 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     from ..figures.style import window
 
     p, ranges = case.set(*vary), case.between
-    closed = case.has_closed_form(ss.bifurcation_set, p) and vary == case.model.axes and not ranges
     shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
-    if undamped or len(found["onsets"]) or not (closed or len(found["folds"]) or len(found["cusps"])):
+    if undamped or len(found["onsets"]) or not (len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):
             onsets = ss.onset_curves(p, vary, min(n, 30), damping=False if undamped else None, between=shown)
     else:
         click.echo("the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in", err=True)
     axes = [(case.axis(vary[0]), case.axis(vary[1]))]
     drawing = f"drawing folds{', onsets' if onsets else ''} and cusps in the plane of {plane}"
-    drawn(path, drawing, lambda: bifurcation_figure(p, vary, between=None if closed else shown, n=n, onsets=onsets), axes)
+    drawn(path, drawing, lambda: bifurcation_figure(p, vary, between=shown, n=n, onsets=onsets), axes)
 
 
 @o.of_model(statics=True, spanned=2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +16,6 @@ from click.core import ParameterSource
 from ..errors import ParameterError, hint
 from ..models.model import options_of
 from ..models.parameters import FloatArray, Range
-from ..questions import has_closed_form
 from ..remarks import Remark
 
 if TYPE_CHECKING:
@@ -85,7 +84,7 @@ class Case:
         """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
         self.require([name for name in values if name not in spanned and values[name] is None])
-        return self.model.Parameters(**values)
+        return (self.model.search if self.ask.get("method") == "search" else self.model).Parameters(**values)
 
     def require(self, missing: Sequence[str] | None = None) -> None:
         """An error that names the option of a parameter that has no value."""
@@ -93,10 +92,6 @@ class Case:
             flag, number = options_of(self.model.about, name)[0], "DEGREES" if name in self.model.about["angles"] else "NUMBER"
             varying = f" while {' and '.join(span.name for span in self.spans)} varies" if self.spans else ""
             raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
-
-    def has_closed_form(self, question: Callable[..., Any], p: ParameterSet) -> bool:
-        """Whether the model brings a closed form of a question, and it is not the search that is asked for."""
-        return self.ask.get("method") != "search" and has_closed_form(question, p)
 
     @property
     def between(self) -> dict[str, tuple[float, float]]:

@@ -12,9 +12,9 @@ import numpy as np
 import spragsym as ss
 
 from ..bifurcation.defining_systems import ranges
-from ..bifurcation.paths import first_end
-from ..design.jumps import first_ends
+from ..design.jumps import first_ends, told
 from ..errors import ConvergenceError, ParameterError, SpragsymError
+from ..models.parameters import INSIDE
 from ..numerics.decimals import upward
 from ..progress import show_progress
 from ..remarks import At, Remark
@@ -153,10 +153,6 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[dict[str, An
     return case.rows(words | columns, error=error, marginal=marginal)
 
 
-#: What is nearer to 0 than all normal floats is printed as 0.
-LEAST = 2.0**-1022
-
-
 @o.of_model(statics=True, values=True)
 @o.vary(
     "What moves, and from where to where, as mu0=0:0.9, or mu0=0.9:0:19 for 19 values; with --data a quantity of the file too."
@@ -253,46 +249,28 @@ def _or(value: float | None, word: str) -> float | str:
 
 
 def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str, Any]:
-    """Where the state ends first, by closed forms where the model has them; ``searched`` says up to where."""
-    (entry,) = [entry for entry in case.model.about["parameters"] if entry["name"] == along.name]
-    name, ends = along.name, _ends(case, p, along, way, entry)
-    searched = [along.unit * end if abs(end) >= LEAST else 0.0 for end in ends]
-    at, kind, before, error = math.nan, None, dict.fromkeys(case.model.coordinates, math.nan), math.nan
-    if jumped:
-        searched = [math.nan, math.nan]
-    elif case.has_closed_form(first_ends, p) and p.followed is None and along.ends is None and entry["role"] == "both":
-        searched, at = [-math.inf, math.inf], float(ss.jump_value(p, name, direction=way))
-        if math.isfinite(at):
-            folds = ss.folds(p, name)
-            row = int(np.abs(getattr(folds, name) - at).argmin())
-            before = {key: column[row] for key, column in folds.coordinates.items()}
-            kind, error = str(folds.kind[row]), float(folds.error[row])
-    elif (end := first_end(p.of(case.model.search), name, ends)) is not None:
-        at, kind, before, error = end.value, end.kind, dict(end.before), end.error
-    places = case.row({key: float(before[key]) for key in case.model.coordinates})
-    return {
-        "searched": searched, along.title: None if kind is None else along.unit * at, "kind": kind, **places, "error": error,
-    }  # fmt: skip
-
-
-def _ends(case: Case, p: Any, along: Span, way: str, entry: Mapping[str, Any]) -> tuple[float, float]:
-    """From where to where the parameter moves: to an end of its range, or to 10 base values where that has none."""
-    if along.ends is not None:
-        return along.ends
-    low, high = ranges(case.model, (along.name,), {})[0].tolist()
-    # An end that does not belong to the range: the next float does, and there is none between them.
-    low = math.nextafter(low, math.inf) if entry["low_open"] else low
-    high = math.nextafter(high, -math.inf) if entry["high_open"] and entry["high"] is not None else high
-    if along.name in case.model.axes:
-        return low, high
-    return float(getattr(p, along.name)), high if way == "up" else low
+    """Where the state ends first; ``searched`` says from where to where, infinite if that is everywhere."""
+    name, ends, searched, at, error = along.name, along.ends, (math.nan, math.nan), math.nan, math.nan
+    kind, before = None, dict.fromkeys(case.model.coordinates, math.nan)
+    if not jumped:
+        lowest = p.ranges[name].reached(float(ranges(case.model, (name,), {})[0, 0])) if name in case.model.axes else None
+        begin, until = ends or (lowest, None)
+        falls = way == "down" if ends is None else ends[1] < ends[0]
+        found = told(first_ends(p, name, direction="down" if falls else "up", begin=begin, until=until, **case.ask))
+        searched, at = (float(getattr(p, name)) if begin is None else begin, float(found.until)), float(found.value)
+        if not math.isnan(at):
+            kind, before, error = "fold", dict(zip(before, found.state.tolist(), strict=True)), float(found.error)
+        for end in found.others.values():
+            kind, before = end.kind, {name: float(end.before[name]) for name in before}
+    row = {"searched": [0.0 if abs(end) <= INSIDE else along.unit * end for end in searched]}
+    return row | {along.title: None if kind is None else along.unit * at, "kind": kind, **case.row(before), "error": error}
 
 
 def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     """The frictions that decide; None for what can't be told, with the reason."""
     model, remarks = case.model, list[str]()
 
-    def told(name: str, question: Callable[[], Any], *needed: str) -> Any:
+    def answer(name: str, question: Callable[[], Any], *needed: str) -> Any:
         try:
             if missing := [one for one in needed if one not in model.parameters]:
                 raise ParameterError(f"{model.name} has no {' and no '.join(missing)}")
@@ -302,26 +280,26 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
             return None
 
     def jump() -> float:
-        value = float(ss.jump_value(p, "mu0"))
-        if math.isnan(value) and not case.has_closed_form(first_ends, p):
-            end = At("mu0", (float(ranges(model, ("mu0",), {})[0, 1]),), "g")
+        found = told(first_ends(p, "mu0"))
+        if math.isnan(found.value) and math.isfinite(found.until):
+            end = At("mu0", (float(found.until),), "g")
             remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))
-        return value
+        return float(found.value)
 
     def fold() -> Any:
         found = ss.critical_friction(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
         return found if found.complete else None
 
-    lowest = told("mu0_lowest", fold, "theta0", "mu0")
+    lowest = answer("mu0_lowest", fold, "theta0", "mu0")
     varies = None in case.values.values()
     return {
-        "mu0_jump": None if varies else told("mu0_jump", jump, "mu0"),
+        "mu0_jump": None if varies else answer("mu0_jump", jump, "mu0"),
         "mu0_lowest": None if lowest is None else float(lowest),
         "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
         "kind_lowest": None if lowest is None else lowest.kind or None,
-        "mu0_cusp": told("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"),
-        "mu_cr": told("mu_cr", lambda: float(ss.linear_critical_friction(p))),
+        "mu0_cusp": answer("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"),
+        "mu_cr": answer("mu_cr", lambda: float(ss.linear_critical_friction(p))),
     }, case.said(remarks)  # fmt: skip
 
 

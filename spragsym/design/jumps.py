@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from ..bifurcation.defining_systems import FAR
-from ..bifurcation.paths import first_end
+from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Parts, Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
@@ -260,7 +260,7 @@ class Followed:
 
     def ends(self) -> Ends:
         """Where the state of each point ends."""
-        n, out, reasons = self.balance.n, self._nothing(), dict[int, str]()
+        n, out, reasons, others = self.balance.n, self._nothing(), dict[int, str](), dict[int, ModelEnd]()
         for rows in self._blocks():
             for i in rows[~self._block(rows, self._start(rows), out)].tolist():
                 span = float(self.begin[i]), float(self.until[i])
@@ -273,8 +273,10 @@ class Followed:
                     out.value[i], out.error[i] = end.value, end.error
                     if end.kind == "fold":
                         out.state[:, i] = [end.before[name] for name in self.balance.coordinates]
+                    else:
+                        others[i] = end
         value, off, until = (each.reshape(self.shape) for each in (out.value, out.error, self.until))
-        return Ends(value, off, out.state.reshape(n, *self.shape), reasons, until)
+        return Ends(value, off, out.state.reshape(n, *self.shape), reasons, until, others)
 
     def _point(self, i: int) -> Any:
         p: ParameterSet = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
@@ -356,7 +358,8 @@ class Ends:
     """Where the states of many points end: the value, NaN where they don't, a bound on its error, and the coordinates at a fold.
 
     ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of which points, by their
-    position in ``value.flat``, nothing is known, and why; ``until`` how far ends were looked for, infinite if everywhere.
+    position in ``value.flat``, nothing is known, and why; ``until`` how far ends were looked for, infinite if everywhere;
+    ``others`` has the ends that are no folds, by position.
     """
 
     value: FloatArray
@@ -364,6 +367,7 @@ class Ends:
     state: FloatArray
     reasons: Mapping[int, str]
     until: FloatArray
+    others: Mapping[int, ModelEnd] = field(default_factory=dict)
 
 
 def told(found: Ends) -> Ends:

@@ -17,7 +17,6 @@ from ..generated import equilibrium as _equilibrium
 from ..models.parameters import ARTICLE, FloatArray, Parameters, ParameterSet
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
-from ..questions import has_closed_form
 from ..results import Stability
 from .curves import LABELS, passages
 from .equilibrium_curves import both_ways, table_of_path
@@ -130,13 +129,11 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     )
 
 
-def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int = 60) -> Table:
+def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int | None = None) -> Table:
     """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
-    model = p.model
-    closed = has_closed_form(ss.bifurcation_set, p)
-    found = ss.bifurcation_set(p, model.two(None), None if closed else n, between=None if closed else {"mu0": mu0})
-    if closed:
-        draw_regions(ax, p, mu0)
+    between = {"theta0": (0.0, np.pi), "mu0": mu0}
+    found = ss.bifurcation_set(p, n=n, between={"mu0": mu0})
+    draw_regions(ax, p, tuple(between), between)
     draw_bifurcation_set(found, ax, color=VERMILION)
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=mu0)

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.ticker import MultipleLocator
 
 import spragsym as ss
 
 from ..bifurcation.hopf_curves import OnsetCurves
+from ..errors import ModelError
 from ..models import Model
 from ..models.parameters import ParameterSet
-from ..questions import has_closed_form
 from ..results import BifurcationSet
 from .style import (
     BLACK,
@@ -24,7 +25,6 @@ from .style import (
     Between,
     Sheet,
     Table,
-    angle_axis,
     as_drawn,
     label,
     own_axes,
@@ -112,8 +112,12 @@ def _undecided(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> l
 
 
 def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None:
-    """Have the axes span what was asked, and not what was found."""
-    ax.set(**{f"{axis}lim": tuple(as_drawn(model, name, np.array(between[name]))) for axis, name in zip("xy", vary, strict=True)})
+    """Have the axes span what was asked, and not what was found; wide angles by 30 degrees."""
+    for direction, name in zip("xy", vary, strict=True):
+        low, high = as_drawn(model, name, np.array(between[name]))
+        ax.set(**{f"{direction}lim": (low, high)})
+        if model.is_angle(name) and high - low > 120:
+            getattr(ax, f"{direction}axis").set_major_locator(MultipleLocator(30))
 
 
 @styled
@@ -147,12 +151,18 @@ def _no(what: str, complete: bool) -> str:
     return f"no {what} here" if complete else f"no {what} found here; not complete"
 
 
-def draw_regions(ax: Axes, p: ParameterSet, mu0: tuple[float, float]) -> None:
-    """Shade where there are three equilibria over (θ₀, μ₀), for a model whose closed forms count them at many points."""
-    angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
-    count = ss.count(p.replace(theta0=angles, mu0=frictions[:, None]))
+def draw_regions(ax: Axes, p: ParameterSet, vary: Sequence[str], between: Between) -> bool:
+    """Shade where there are three equilibria in a plane, for a model that counts them in closed form; whether it does."""
+    (left, right), (low, high) = (map(p.ranges[name].reached, between[name]) for name in vary)
+    inside = dict(zip(vary, (np.linspace(left, right, 400), np.linspace(low, high, 240)[:, None]), strict=True))
+    try:
+        count = ss.count(p.replace(**inside), method="closed")
+    except ModelError:
+        return False
     if (count == 3).any():
-        ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+        places = (as_drawn(p.model, name, values.ravel()) for name, values in inside.items())
+        ax.contourf(*places, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+    return True
 
 
 @styled
@@ -178,29 +188,22 @@ def bifurcation_figure(
     figure, ax = single(SINGLE, 2.7)
     model = p.model
     vary = tuple(model.two(vary))
-    closed = has_closed_form(ss.bifurcation_set, p) and vary == model.axes and not between
-    shown = window(model, vary, between or {})
-    found = ss.bifurcation_set(p, vary, None if closed else n, between=None if closed else shown)
-    draw_bifurcation_set(found, ax, color=VERMILION if closed or onsets else BLACK)
-    if not closed:
-        _span(ax, model, vary, shown)
+    between = between or (onsets.between if onsets else {})
+    shown = between if {*vary} <= {*between} else window(model, vary, between, ss.cusps(p, vary))
+    found = ss.bifurcation_set(p, vary, n, between=shown)
+    draw_bifurcation_set(found, ax, color=VERMILION)
+    _span(ax, model, vary, shown)
+    shaded = draw_regions(ax, p, vary, shown)
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):
         say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
-    shaded = ""
-    if closed:
-        lowest = float(ss.critical_friction(p.replace(theta0=None, mu0=None)))
-        top = max(1.0, 2.0 * lowest) if np.isfinite(lowest) else 1.0
-        top = top if onsets is None else onsets.between[vary[1]][1]
-        draw_regions(ax, p, (0.0, top))
-        angle_axis(ax)
-        ax.set(xlabel=label(model, vary[0]), ylim=(0.0, top))
-        shaded = ", three in contact in the shaded regions and one elsewhere"
     names = (*vary, *model.coordinates)
     at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(*_fixed(p, vary), strict=True))
     return figure.describe(
-        f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{shaded};
+        f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{
+            ", three in contact in the shaded regions and one elsewhere" if shaded else ""
+        };
         dots are cusps.{_open(found)}{" Oscillation sets in on the black or grey lines." if onsets else ""}""",
         a=_table(found.curves, names),
         **({"onsets": _table(onsets.curves, (*vary, "omega"))} if onsets else {}),

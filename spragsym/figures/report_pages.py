@@ -21,7 +21,6 @@ from ..bifurcation.defining_systems import ranges
 from ..errors import ConvergenceError, SpragsymError
 from ..files.text import filled
 from ..models.parameters import ParameterSet
-from ..questions import has_closed_form
 from ..report.states import unit_of
 from ..report.texts import sections
 from .bifurcation_sets import draw_plane
@@ -110,10 +109,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
     (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
     if "theta0" in p.model.parameters and study.of_friction:
         angles, jump = study.quantities["theta0"], math.nan if jump is None else jump
-        three = has_closed_form(ss.count, p)
-        caption = "Shaded: three states of sliding; on the lines two of them meet." if three else (
-            "On the lines two states of sliding meet."
-        )  # fmt: skip
+        caption = "On the lines two states of sliding meet; where it is shaded there are three."
         caption += " Cross: the friction at which the reference state jumps at this angle." if jump < math.inf else ""
         with suppress(SpragsymError):
             yield (

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..bifurcation.defining_systems import ranges
 from ..bifurcation.tubes import ByColumn
 from ..errors import ConvergenceError
 from ..generated import catastrophe as _catastrophe
@@ -51,13 +52,18 @@ from .kernel import FIXED, Fixed
 _LIGHT = 1e-4
 #: Where it is below this, float64 does lose them, and they are refused.
 _TOO_LIGHT = 1e-8
+#: Fewest directions.
+_LEAST = 2000
 #: Frictions at which curves are compared with proved folds.
 _SAMPLED = (0.11, 1.3, 7.1)
 #: Logarithm of the largest t = tan(θ/2) in which folds are looked for.
 _FAR = 17.0
 
 
-def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | None = None) -> BifurcationSet:
+def bifurcation_set(
+    p: Parameters, vary: Sequence[str] | None = None, n: int | None = None, *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+) -> BifurcationSet:  # fmt: skip
     """The closed form of :func:`spragsym.bifurcation_set` in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0.
 
     Notes
@@ -68,7 +74,9 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
-    n = as_count("n", 2000 if n is None else n, 2)
+    between = between or {}
+    ranges(p.model, ("theta0", "mu0"), between)  # an error where they make no sense
+    n = max(_LEAST, as_count("n", _LEAST if n is None else n, 2))
     fixed = Fixed(*p.scalars(*FIXED))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
     if preload < _TOO_LIGHT:
@@ -85,7 +93,23 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
             found.append(curve)
     if preload < _LIGHT:
         _compare(found, p)
-    return BifurcationSet(("theta0", "mu0"), tuple(found), on_them, True)
+    inside = _within(between, {"theta0": on_them.theta0, "mu0": on_them.mu0}, len(on_them))
+    return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them.select(inside), True)
+
+
+def _within(between: Mapping[str, tuple[float, float]], columns: Mapping[str, FloatArray], size: int) -> BoolArray:
+    inside = np.ones(size, dtype=np.bool_)
+    for name, (low, high) in between.items():
+        inside &= (low <= columns[name]) & (columns[name] <= high)
+    return inside
+
+
+def _cut(curves: Sequence[Curve], between: Mapping[str, tuple[float, float]]) -> Iterator[Curve]:
+    """The parts of curves within ranges."""
+    for curve in curves:
+        inside = _within(between, curve.values, len(curve))
+        for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(-1, 2):
+            yield Curve({name: column[begin:end] for name, column in curve.values.items()})
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:

@@ -66,7 +66,7 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     >>> with ss.show_progress(to=told.append):
     ...     found = ss.cycle_branch(cycle, "V", (0.19, 0.21), points=4)
     >>> told[0]
-    'cycle 1 in one direction of the branch, beside 0.2'
+    'the branch of cycles beside 0.2'
     """
     if not isinstance(part, str) or not (to is None or callable(to)):
         raise ParameterTypeError(

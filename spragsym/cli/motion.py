@@ -295,7 +295,7 @@ def _proof(found: Cycle, asked: dict[str, int]) -> dict[str, Any]:
 
 
 def _state(text: str, case: Case) -> list[float]:
-    names = (*case.model.coordinates, *case.model.rates)
+    names = case.model.components
     try:
         numbers = [float(part) for part in text.split(",")]
     except ValueError:
@@ -307,7 +307,7 @@ def _state(text: str, case: Case) -> list[float]:
 
 def _ones(case: Case) -> list[float]:
     """What one of each component of a state is where it is typed, and where it is printed to be typed again."""
-    return [case.state(name) for name in (*case.model.coordinates, *case.model.rates)]
+    return [case.state(name) for name in case.model.components]
 
 
 def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[str, Any]:

@@ -254,7 +254,7 @@ class OfModel(Command):
         words = {
             "time": model.about["scales"]["time"].replace("**", "^"), "axes": " and ".join(model.axes),
             "last": "".join(model.axes[-1:]),
-            "coordinate": model.coordinates[0], "state": ",".join((*model.coordinates, *model.rates)).upper(),
+            "coordinate": model.coordinates[0], "state": ",".join(model.components).upper(),
         }  # fmt: skip
         data = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
         asked = [
@@ -338,7 +338,7 @@ class OfModel(Command):
         return options
 
     def _state(self) -> tuple[str, ...]:
-        return (*self.model.coordinates, *self.model.rates) if self.start else ()
+        return self.model.components if self.start else ()
 
     def _start(self) -> list[click.Option]:
         kind, si = self.kind(Range(-math.inf)), Case(self.model).si

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, make_dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from importlib import import_module
 from types import ModuleType
 from typing import Any, TypeAlias
@@ -69,14 +69,14 @@ class Model:
         """The model without its closed forms: every question by the general algorithm, as with ``method="search"``."""
         if not self.closed:
             return self
-        own: Any = type(self.Parameters.__name__, (self.Parameters,), {"searched": True})
+        own: Any = type(self.Parameters.__name__, (self.Parameters,), {})
         other: Model = Model(self.where, self.about, self._module, own)
         own._model, other.whole = other, self
         return other
 
     def closed_form(self, name: str) -> Callable[..., Any] | None:
         """The closed form of a question, if the model brings one."""
-        return _found(self.closed[name], name) if name in self.closed else None
+        return getattr(import_module(self.closed[name], "spragsym"), name) if name in self.closed else None
 
     @cached_property
     def field(self) -> Field:
@@ -100,6 +100,11 @@ class Model:
     def rates(self) -> tuple[str, ...]:
         """Names of their rates."""
         return tuple(entry["rate"] for entry in self.about["coordinates"])
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of the numbers in a state: the coordinates, then their rates."""
+        return (*self.coordinates, *self.rates)
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -156,10 +161,7 @@ class Model:
     def rising_over(self, vary: str | None, over: str | None, called: str = "vary") -> tuple[str, str]:
         """The loading parameter, and over the range of what; ``called`` is the argument that says the first."""
         if vary is None or over is None:
-            if len(self.axes) < 2:
-                text = f"{self.name} has not both theta0 and mu0; give {called} and over, two of {', '.join(self.parameters)}"
-                raise ParameterError(text)
-            first, second = self.two(None)
+            first, second = self.two(None, f"{called} and over")
             vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
         return vary, over
 
@@ -213,10 +215,10 @@ class Model:
         if name not in self.parameters:
             raise ParameterError(f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}")
 
-    def two(self, vary: Sequence[str] | None) -> Sequence[str]:
+    def two(self, vary: Sequence[str] | None, called: str = "vary") -> Sequence[str]:
         """The two parameters that vary: theta0 and mu0 unless told otherwise."""
         if vary is None and len(self.axes) < 2:
-            raise ParameterError(f"{self.name} has not both theta0 and mu0; give vary, two of {', '.join(self.parameters)}")
+            raise ParameterError(f"{self.name} has not both theta0 and mu0; give {called}, two of {', '.join(self.parameters)}")
         if vary is None:
             return self.axes
         if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
@@ -231,18 +233,7 @@ class Model:
     def __reduce__(self) -> tuple[Any, ...]:
         from .load import load
 
-        return (load, (self.where,)) if self.closed or load(self.where) is self else (_searching, (self.where,))
-
-
-@cache
-def _found(room: str, name: str) -> Callable[..., Any]:
-    return getattr(import_module(room, "spragsym"), name)
-
-
-def _searching(where: str) -> Model:
-    from .load import load
-
-    return load(where).search
+        return (load, (self.where,)) if self.whole is self else (getattr, (self.whole, "search"))
 
 
 #: Remedy for friction or a belt of the other sign.

@@ -238,7 +238,8 @@ class Values(Shown):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)) and not isinstance(self, type(other)):
             return NotImplemented
-        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+        same = all(np.array_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+        return same and getattr(self, "followed", None) == getattr(other, "followed", None)
 
     def __hash__(self) -> int:
         return hash(tuple(getattr(self, field.name) for field in fields(self)))  # arrays do not hash
@@ -256,8 +257,8 @@ class ParameterSet(Values):
     origin: ClassVar[str] = ""
     #: What :func:`spragsym.load` takes for the model.
     where: ClassVar[str] = ""
-    #: Whether the model is the one without closed forms.
-    searched: ClassVar[bool] = False
+    #: Coordinates near which the followed state begins; None for the reference state.
+    followed: ClassVar[Mapping[str, float] | None] = None
     _model: ClassVar[Any] = None
 
     def __post_init__(self) -> None:
@@ -289,15 +290,8 @@ class ParameterSet(Values):
 
     def _copied(self, kind: type[Self]) -> Self:
         other = object.__new__(kind)
-        other.__dict__.update(
-            {name: value for name, value in self.__dict__.items() if name in self.ranges or name == "_followed"}
-        )
+        other.__dict__.update({name: value for name, value in self.__dict__.items() if name in self.ranges or name == "followed"})
         return other
-
-    @property
-    def followed(self) -> Mapping[str, float] | None:
-        """Coordinates near which the followed state begins; None for the reference state."""
-        return self.__dict__.get("_followed")
 
     def following(self, **coordinates: float) -> Self:
         """A copy whose followed state is the stable equilibrium nearest to these coordinates, in place of the reference state.
@@ -326,7 +320,7 @@ class ParameterSet(Values):
         if not coordinates or not set(coordinates) <= set(known):
             raise ParameterError(f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(known)}")
         other = self._copied(type(self))
-        other.__dict__["_followed"] = {name: as_number(name, value) for name, value in coordinates.items()}
+        other.__dict__["followed"] = {name: as_number(name, value) for name, value in coordinates.items()}
         return other
 
     def replace(self, **changes: ArrayLike | None) -> Self:
@@ -340,12 +334,6 @@ class ParameterSet(Values):
         """A copy with those values that are not None; itself if there are none."""
         known = {name: value for name, value in changes.items() if value is not None}
         return self.replace(**known) if known else self
-
-    def __eq__(self, other: object) -> bool:
-        same = super().__eq__(other)
-        return same if same is NotImplemented else bool(same) and self.followed == getattr(other, "followed", None)
-
-    __hash__ = Values.__hash__
 
     def require(self, *names: str) -> None:
         """Raise unless the named parameters are given."""
@@ -365,7 +353,7 @@ class ParameterSet(Values):
         return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (self.where, self.searched, {name: getattr(self, name) for name in self.ranges}, self.followed)
+        return set_of, (self.model, {name: getattr(self, name) for name in self.ranges}, self.followed)
 
     def __repr__(self) -> str:
         given = ((name, getattr(self, name)) for name in self.ranges)
@@ -374,20 +362,14 @@ class ParameterSet(Values):
         return f"{text}.following({chosen})" if chosen else text
 
 
-def _again(where: str, searched: bool, values: dict[str, Any], followed: dict[str, float] | None) -> Any:
-    model = importlib.import_module("spragsym.models").load(where)
-    p = (model.search if searched else model).Parameters(**values)
+def set_of(model: Any, values: Mapping[str, Any], followed: Mapping[str, float] | None) -> Any:
+    """A set of parameters of a model, and what it follows."""
+    p = model.Parameters(**values)
     return p if followed is None else p.following(**followed)
 
 
 def _plain(value: FloatArray) -> str:
     return repr(value.item()) if value.ndim == 0 else f"array{value.shape}"
-
-
-def _equal(one: FloatArray | None, other: FloatArray | None) -> bool:
-    if one is None or other is None:
-        return one is other
-    return bool(np.array_equal(one, other))
 
 
 #: Names of the parameters of the balance of forces, in the order in which its closed forms take them.

@@ -162,7 +162,7 @@ class Trajectory(Named):
 
     @property
     def components(self) -> tuple[str, ...]:
-        return (*self.model.coordinates, *self.model.rates)
+        return self.model.components
 
     @property
     def offered(self) -> tuple[str, ...]:
@@ -386,7 +386,7 @@ class Trajectory(Named):
 
 def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:
     """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is given."""
-    names = [f"{name}0" for name in (*model.coordinates, *model.rates)]
+    names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
     if start is not None:
         given = as_numbers("start", start)

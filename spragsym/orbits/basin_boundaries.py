@@ -138,7 +138,7 @@ def basin_boundary(
     ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
     system, model = System.of(p, backend, V=V, d=d), p.model
-    names = (*model.coordinates, *model.rates)
+    names = model.components
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
     if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")

@@ -275,7 +275,7 @@ class FateMap(Result):
     def _save_columns(self, path: Path) -> None:
         """Write ``*.csv``: one line a point."""
         explained = {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
-        names = (f"{name}0" for name in (*self.model.coordinates, *self.model.rates))
+        names = (f"{name}0" for name in self.model.components)
         made = {
             **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
             "backend": self.backend, "fingerprint": _Asked(self.model, self.start, self.t_end, self.backend).key(self.inputs),

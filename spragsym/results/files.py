@@ -26,7 +26,7 @@ from ..files.text import text_of
 from ..models.field import Field
 from ..models.load import load, shipped
 from ..models.model import Model
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, set_of
 from .result import Result
 
 #: Bytes of a file that is read back, at most.
@@ -172,9 +172,7 @@ def _read(held: Any, given: Model | None) -> Any:
         case "field":
             return model(value).field
         case "parameters":
-            known, values, followed = map(read, value)
-            p = known.Parameters(**values)
-            return p if followed is None else p.following(**followed)
+            return set_of(*map(read, value))
         case "enum":
             return _class(*value[:2])(read(value[2]))
     made, parts = _class(*value[:2]), {name: read(part) for name, part in value[2].items()}

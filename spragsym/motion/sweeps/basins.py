@@ -100,7 +100,7 @@ def basin(
     """
     p = p.given(V=V, d=d)
     p.scalars(*p.ranges)
-    names = (*p.model.coordinates, *p.model.rates)
+    names = p.model.components
     plane = tuple(name for name in starts if name in names)
     if len(plane) != 2:
         given = ", ".join(starts) or "none"

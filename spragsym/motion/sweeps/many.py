@@ -202,7 +202,7 @@ class Sweep(Named):
 
     def outcome(self, index: Any) -> Outcome:
         """What one motion comes to."""
-        names = (*self.model.coordinates, *self.model.rates)
+        names = self.model.components
         rest, cycle = (
             tuple(float(self.measured[f"{what}_{name}"][index]) for name in places)
             for what, places in (("rest", self.model.coordinates), ("cycle", names))

@@ -62,10 +62,6 @@ class System:
         """F at floats, of which a system may know more digits than over boxes."""
         return self.residuals(Intervals.point(middles), parameters)
 
-    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray | None:
-        """Floats that may be nearer to roots than the given ones, shape (n, N), if it knows any: nothing is proved of them."""
-        return None
-
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
         rows = self.equations(variables(list(unknowns), self.order + 1), parameters)

@@ -14,8 +14,6 @@ from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
-#: Relative half-width of boxes around what floats take for a root.
-NEAR = 2.0**-40
 #: Relative width up to which there is no further one.
 DONE = 2.0**-50
 
@@ -131,9 +129,7 @@ def _refined(system: System, ends: FloatArray, parameters: Intervals, point: Int
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
         at = system.prepared(parameters[:, point[rows]])
-        ends[:, :, rows], known = _guessed(system, ends[:, :, rows], at)
-        rows, at = rows[~known], at[:, ~known]
-        for _ in range(STEPS if rows.size else 0):
+        for _ in range(STEPS):
             before = ends[:, :, rows]
             step = stepped(system, before, at)
             empty[rows] |= contractors.apart(step.ends, before)
@@ -153,18 +149,6 @@ def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contract
     middle = Intervals(ends).middle
     values, slopes = system.at_points(middle, parameters), system.jacobian(Intervals(ends), parameters)
     return contractors.newton(values, slopes, middle, contractors.distance(ends, middle))
-
-
-def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[FloatArray, BoolArray]:
-    """Small boxes around guesses, where interval Newton shows that the only root is there; the given ones elsewhere."""
-    guess = system.guessed(Intervals(ends).middle, parameters)
-    if guess is None:
-        return ends, np.zeros(ends.shape[2], dtype=np.bool_)
-    reach = NEAR * np.maximum(1.0, np.abs(guess))
-    around = np.stack([reach - guess, reach + guess])
-    step = stepped(system, around, parameters)
-    known = contractors.inside(step.ends, around) & contractors.within(around, ends)
-    return np.where(known, step.ends, ends), known
 
 
 def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray, IntArray]:

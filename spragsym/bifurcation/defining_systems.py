@@ -262,16 +262,9 @@ def no_damping(along: int, on_fold: bool = False) -> Condition:
     return Condition(lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along]))
 
 
-def _too_flat(at: State) -> BoolArray:
-    """Boxes where the slope is smaller all over than anything that floats tell from 0, and its sign unknown."""
-    if at.balance.slope_is_a_sum:
-        return np.zeros(at.shape, dtype=np.bool_)
-    return stacked([at.slope()], at.shape)[0].magnitude <= FLAT
-
-
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however
 #: small it is, has no root.
-NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_a_sign(), given_up=_too_flat)
+NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_a_sign())
 #: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
 KINDS = {"BT": bogdanov_takens, "ZH": zero_hopf, "HH": double_hopf}
 

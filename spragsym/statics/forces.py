@@ -59,7 +59,7 @@ class Forces:
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
-        self.torsions: list[int] = [entry["spring"] for entry in about.get("torsions", ())]
+        self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
         self.pushing = int(contact)
         #: −low and high of each coordinate: on which side of the border the contact's gap is, where that is a coordinate.
         self.border = np.full((2, self.n), np.inf)
@@ -76,8 +76,6 @@ class Forces:
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
         self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.algebra, "balance") else {}
-        #: Whether the sign of the slope of the friction law can be told where that is too small for floats.
-        self.slope_is_a_sum = hasattr(model.algebra, "friction_slope_by_sizes")
 
     # ------------------------------------------------------------------------------------------- arguments
 
@@ -284,8 +282,6 @@ class State:
     def slope_has_a_sign(self) -> BoolArray:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
         out = np.zeros(self.shape, dtype=np.bool_)
-        if not self.balance.slope_is_a_sum:
-            return out
         for terms in self.call("friction_slope_by_sizes", ()):
             kept = [(factor, power) for factor, power in terms if as_intervals(factor, self.shape).ends.any()]
             total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(self.shape)))

@@ -247,8 +247,6 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
 
 def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, BoolArray]:
     """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
-    if not hasattr(balance.model.algebra, "stiffnesses"):
-        return Roots.none(balance.n), np.zeros(given.shape[1], dtype=np.bool_)
     least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
     stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
     return _of_any_spring(balance, given, regions, np.flatnonzero(stiff))
@@ -288,9 +286,9 @@ def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, poin
 
 
 def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Polar | None:
-    """The system around a spring; None where it has no chart. A folder that was derived before has no forces without springs."""
+    """The system around a spring; None where it has no chart."""
     names = balance.model.about["springs"][spring]["chart"]
-    if names is None or not hasattr(balance.model.algebra, "forces_apart") or not ends_are_linear(balance, given):
+    if names is None or not ends_are_linear(balance, given):
         return None
     x, y = (balance.coordinates.index(name) for name in names)
     return Polar(balance, spring, (x, y), turns, False)

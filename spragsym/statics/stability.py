@@ -194,7 +194,7 @@ def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
     shape = parameters.shape[1:]
     friction = as_intervals(balance.at((), balance.arguments(parameters), shape).friction, shape).magnitude
     # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
-    symmetric = bool(balance.model.about.get("symmetric"))
+    symmetric = balance.model.about["symmetric"]
     frictionless = (friction <= NOTHING) | (balance.opens and not balance.contact)
     return np.asarray((symmetric & frictionless) | (balance.n == 1))
 
@@ -307,7 +307,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
     low, high = balls.ends(as_balls([[precise.state(q).friction]], precise.bits)[0][0])
     without = (low == 0 == high) | (balance.opens and not balance.contact)
-    code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
+    code, proved = _told(elementary, minors, np.array([balance.model.about["symmetric"] and bool(without)]))
     if not proved[0]:
         raise Undecided("a state on the border of its type")
     return Stability(int(code[0]))

@@ -28,8 +28,6 @@ from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, 
 from .folds import cusps, folds
 from .points import OVER_BORDER, Found, isolated, search
 
-#: Rounds in which points are joined to those next to them.
-ROUNDS = 4
 #: Boxes looked at for one line of the plane.
 BUDGET = 20_000
 #: Extrema and ends of curves, as remarks call them.
@@ -267,32 +265,18 @@ def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntA
     with np.errstate(all="ignore"):
         straight = np.abs(ahead) / distance
         cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
-    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
-    cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
+    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the nearest pairs first.
+    side = np.where(ahead > 0, 0, 1)
+    cost = np.where(np.tri(count, dtype=np.bool_), np.inf, cost + cost.T)
     links: list[set[int]] = [set() for _ in range(count)]
-    free = np.ones((2, count), dtype=np.bool_)
-    for _ in range(ROUNDS):
-        _link(cost, free, links)
+    free = np.ones((count, 2), dtype=np.bool_)
+    for place in np.argsort(cost, axis=None)[: int(np.isfinite(cost).sum())].tolist():
+        one, other = divmod(place, count)
+        ports = (one, side[one, other]), (other, side[other, one])
+        if free[ports[0]] and free[ports[1]]:
+            link(links, [(one, other)])
+            free[ports[0]] = free[ports[1]] = False
     return walked(links)
-
-
-def _link(cost: FloatArray, free: BoolArray, links: list[set[int]]) -> None:
-    """Join points that are each other's nearest on sides that are free."""
-    count = free.shape[1]
-    # The side of the other point on which this one lies.
-    back = np.isfinite(cost[1]).T.astype(np.int64)
-    open_there = np.where(back == 1, free[1][None], free[0][None])
-    near = np.where(free[:, :, None] & open_there[None], cost, np.inf)
-    nearest = near.argmin(axis=2)
-    for side in (0, 1):
-        for one in range(count):
-            other = int(nearest[side, one])
-            if not np.isfinite(near[side, one, other]) or not free[side, one]:
-                continue
-            there = int(back[one, other])
-            if free[there, other] and nearest[there, other] == one:
-                link(links, [(one, other)])
-                free[side, one] = free[there, other] = False
 
 
 @dataclass(frozen=True)

@@ -145,7 +145,7 @@ def flutter_onsets(
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
         sought = [(None if conservative else FLUTTER, "flutter", meeting)]
     elif only is None or balance.n == 1:
-        sought = [(HOPF, "hopf", _crossing)]
+        sought = [(HOPF, "hopf", crossing)]
     else:
         # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
         sought = [] if conservative else [(undamped_mode(only), "hopf", partial(_without, only))]
@@ -180,7 +180,7 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
     return replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64))), [kind] * len(rows), omega
 
 
-def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are real."""
     omega = stability.frequency(stability.roots(M, C, K))
     return [omega] if omega else []

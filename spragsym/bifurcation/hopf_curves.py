@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,7 @@ from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
 from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, undamped_mode
-from .flutter import form_or_why, meeting, told
+from .flutter import crossing, form_or_why, meeting, told
 from .normal_forms import NormalForm
 from .points import arranged, matrices, nothing, search
 
@@ -149,7 +149,7 @@ def onset_curves(
     plane = _Plane.of(p, vary, between)
     if damping is None:
         damping = is_damped(plane.balance, plane.over)
-    return plane.damped(n) if damping else plane.undamped(n)
+    return plane.curves(n, damping)
 
 
 def frequencies(roots: ComplexArray) -> list[float]:
@@ -157,67 +157,58 @@ def frequencies(roots: ComplexArray) -> list[float]:
     return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
 
 
+#: ω of the pairs at a state that ends a curve, or does not, by its M, C and K.
+_Modes: TypeAlias = Callable[..., list[float]]
+
+
 @dataclass(frozen=True)
 class _Plane(Family):
     """The plane of two parameters, and what is asked of states there, shape (n + 2, N): coordinates, then both parameters."""
 
-    def told(self, damping: bool, curves: Sequence[Curve], points: Points, changes: Any, *known: Any) -> OnsetCurves:
-        """The result; of what is ``known`` the lines, whether it is complete, what is undecided, and remarks."""
+    def curves(self, n: int, damping: bool) -> OnsetCurves:
+        """Curves of Hopf points, or without damping those on which two modes meet."""
+        points, sought, said = self.sought(damping)
+        whole, lines, undecided = not said, dict[str, FloatArray](), np.empty((0, self.balance.n + 2, 2))
+        curves, changes = list[Curve](), list[list[float]]()
+        for condition, modes, ends in sought:
+            found = on_lines(self, condition, n, ends)
+            for chain in found.chains:
+                known = zip(_at_ends(found.curves, chain, ends).tolist(), *matrices(self, chain), strict=True)
+                for states, omega in _pieces(chain, [modes(*each) for each in known]):
+                    forms = self.forms(found.curves, states) if modes is _pair else []
+                    curves.append(self.curve(states, omega, forms))
+                    changes += self.changes(found.curves, states, forms)
+            undecided, whole, said = np.concatenate([undecided, found.undecided]), whole and found.whole, said + found.remarks
+            lines = found.lines
+        hardly = int(self.hardly_damped(undecided.mean(axis=2).T).sum()) if damping and len(undecided) else 0
+        said += (HARDLY.format(hardly, len(undecided), UNDAMPED),) if hardly else ()
+        said += tuple(Remark("of points: {}", it) for it in points.remarks) if damping else ()
         names = (*self.vary, *self.balance.coordinates, "error")
-        rows = np.array(changes).reshape(-1, len(names)).T
-        ranged = {name: (float(low), float(high)) for name, (low, high) in zip(self.vary, self.spans, strict=True)}
-        return OnsetCurves(self.vary, damping, ranged, tuple(curves), points, dict(zip(names, rows, strict=True)), *known)
+        rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
+        between = {name: (float(low), float(high)) for name, (low, high) in zip(self.vary, self.spans, strict=True)}
+        complete = (points.complete or not damping) and whole and not len(undecided)
+        return OnsetCurves(self.vary, damping, between, tuple(curves), points, rows, lines, complete, undecided, said)
 
-    def damped(self, n: int) -> OnsetCurves:
-        """Curves of Hopf points."""
+    def sought(self, damping: bool) -> tuple[Points, list[tuple[Condition, _Modes, FloatArray]], tuple[str, ...]]:
+        """Points at which curves end or change; conditions on curves, what oscillates there, and ends; what is not searched."""
         balance = self.balance
+        if not damping:
+            points = arranged(self, nothing(self), np.empty(0, dtype=np.str_))
+            meet: list[tuple[Condition, _Modes, FloatArray]] = [(FLUTTER, _meeting, np.empty((balance.n + 2, 0)))]
+            return points, [] if is_conservative(balance, self.over) else meet, ()
         only = only_damped(balance, self.over) if balance.n > 1 else None
         points = self.points(only)
         ends = rows_of(self, points)[:, points.kind == "BT"]
-        free = self.hardly_damped(ends) & (only is not None)
-        found = on_lines(self, HOPF if only is None else undamped_mode(only), n, ends[:, ~free])
-        curves, changes = list[Curve](), list[list[float]]()
-        for chain in found.chains:
-            # At a Bogdanov–Takens point both are 0, and rounding would say what they are: it belongs to the curve.
-            kept = _at_ends(found.curves, chain, ends[:, ~free])
-            omega = map(stability.frequency, self.roots(chain))
-            for states, each in _pieces(chain, [[one] if one or end else [] for one, end in zip(omega, kept, strict=True)]):
-                forms = self.forms(found.curves, states)
-                curves.append(self.curve(states, each, forms))
-                changes += self.changes(found.curves, states, forms)
-        undecided, whole, said = found.undecided, found.whole, found.remarks
-        if only is not None and balance.model.about["dampers"]:
-            flat = on_lines(self, no_damping(only), n, ends[:, free])
-            for chain in flat.chains:
-                kept, modes = _at_ends(flat.curves, chain, ends[:, free]), list[list[float]]()
-                for roots, end in zip(self.roots(chain), kept, strict=True):
-                    others = roots[np.argsort(np.abs(roots))[2:]]
-                    modes.append([0.0, *frequencies(others)] if end else frequencies(roots))
-                curves += itertools.starmap(self.curve, _pieces(chain, modes))
-            undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
-        elif only is not None:
-            slope = slope_over(balance, self.over)
-            low, high = float(slope.low[0]), float(slope.high[0])
-            if low < 0 < high:  # an end of the range at which friction vanishes is none
-                whole, said = False, (*said, NO_SLOPE_HERE.format(low, high))
-        hardly = int(self.hardly_damped(undecided.mean(axis=2).T).sum()) if len(undecided) else 0
-        said += (HARDLY.format(hardly, len(undecided), UNDAMPED),) if hardly else ()
-        remarks = (*said, *(Remark("of points: {}", it) for it in points.remarks))
-        complete = points.complete and whole and not len(undecided)
-        return self.told(True, curves, points, changes, found.lines, complete, undecided, remarks)
-
-    def undamped(self, n: int) -> OnsetCurves:
-        """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
-        balance, curves = self.balance, list[Curve]()
-        points = arranged(self, nothing(self), np.empty(0, dtype=np.str_))
-        if is_conservative(balance, self.over):
-            return self.told(False, (), points, (), {}, True, np.empty((0, balance.n + 2, 2)), ())
-        found = on_lines(self, FLUTTER, n, np.empty((balance.n + 2, 0)))
-        for chain in found.chains:
-            modes = [meeting(*each) for each in zip(*matrices(self, chain), strict=True)]
-            curves += itertools.starmap(self.curve, _pieces(chain, modes))
-        complete = found.whole and not len(found.undecided)
-        return self.told(False, curves, points, (), found.lines, complete, found.undecided, found.remarks)
+        if only is None:
+            return points, [(HOPF, _pair, ends)], ()
+        free = self.hardly_damped(ends)
+        sought: list[tuple[Condition, _Modes, FloatArray]] = [(undamped_mode(only), _pair, ends[:, ~free])]
+        if balance.model.about["dampers"]:
+            return points, [*sought, (no_damping(only), _every_pair, ends[:, free])], ()
+        slope = slope_over(balance, self.over)
+        low, high = float(slope.low[0]), float(slope.high[0])
+        # An end of the range at which friction vanishes is none.
+        return points, sought, (NO_SLOPE_HERE.format(low, high),) if low < 0 < high else ()
 
     def points(self, only: int | None) -> Points:
         """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
@@ -297,6 +288,25 @@ class _Plane(Family):
             one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
         middle, n = 0.5 * (one + two), self.balance.n
         return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
+
+
+def _pair(end: bool, *state: FloatArray) -> list[float]:
+    """ω of the pair that crosses, 0 at a Bogdanov–Takens point.
+
+    There both are 0, and rounding would say what they are: it belongs to the curve.
+    """
+    return crossing(*state) or [0.0] * end
+
+
+def _meeting(end: bool, *state: FloatArray) -> list[float]:
+    """ω of the two modes that meet."""
+    return meeting(*state)
+
+
+def _every_pair(end: bool, *state: FloatArray) -> list[float]:
+    """ω of all pairs of a state that nothing damps, one of them 0 at a Bogdanov–Takens point."""
+    roots = stability.roots(*state)
+    return [0.0, *frequencies(roots[np.argsort(np.abs(roots))[2:]])] if end else frequencies(roots)
 
 
 def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tuple[FloatArray, FloatArray]]:

@@ -9,10 +9,11 @@ from dataclasses import field, make_dataclass
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
+from ..display import aligned
 from ..errors import ParameterError
 from .field import REACH, Field, field_of
 from .parameters import FloatArray, ParameterSet, Range, named
@@ -143,7 +144,21 @@ class Model:
 
     def describe(self) -> str:
         """The drawing, the coordinates and the parameters, as text."""
-        return described(self.about)
+
+        def meaning(entry: Mapping[str, Any]) -> str:
+            own = entry.get("quantity", entry["name"])
+            known = "" if own == entry["name"] else f" ({own}, dimensionless)"
+            return entry["meaning"] + (", radians" if entry["unit"] == "rad" else known)
+
+        about, roles = self.about, {"both": "statics and motion", "motion": "motion"}
+        coordinates = [("coordinate", "meaning"), *((entry["name"], meaning(entry)) for entry in about["coordinates"])]
+        parameters = [("parameter", "base", "allowed", "of", "meaning")]
+        for entry in about["parameters"]:
+            base = "" if entry["base"] is None else f"{entry['base']:g}"
+            parameters.append((entry["name"], base, entry["domain"], roles[entry["role"]], meaning(entry)))
+        tables = ("\n".join(aligned(list(zip(*rows, strict=True)))) for rows in (coordinates, parameters))
+        units = ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))
+        return "\n\n".join([f"{self.name}: {about['summary']}", about["drawing"].strip(), *tables, f"measured in: {units}"])
 
     def arguments(self, p: ParameterSet, kind: str = "statics") -> tuple[FloatArray, ...]:
         """The parameters as generated functions take them, angles as cosine and sine, each with the common shape.
@@ -300,31 +315,6 @@ def _documentation(about: Mapping[str, Any]) -> str:
     return "\n".join(lines)
 
 
-#: Name, unit, name of the rate, and its unit.
-Place: TypeAlias = tuple[str, str, str, str]
-
-
-def described(about: Mapping[str, Any]) -> str:
-    """Summary, drawing and tables of a ``model.json``."""
-    parts = [f"{about['name']}: {about['summary']}", about["drawing"].strip()]
-    coordinates = [("coordinate", "meaning")]
-    coordinates += [
-        (entry["name"], entry["meaning"] + (", radians" if entry["unit"] == "rad" else "")) for entry in about["coordinates"]
-    ]
-    parameters = [("parameter", "base", "allowed", "of", "meaning")]
-    parameters += [
-        (
-            entry["name"],
-            "" if entry["base"] is None else f"{entry['base']:g}",
-            entry["domain"],
-            {"both": "statics and motion", "motion": "motion"}[entry["role"]],
-            entry["meaning"] + (", radians" if entry["unit"] == "rad" else _behind(entry)),
-        )
-        for entry in about["parameters"]
-    ]
-    return "\n\n".join([*parts, _table(coordinates), _table(parameters), f"measured in: {units_of(about)}"])
-
-
 def title_and_words(about: Mapping[str, Any]) -> tuple[str, list[str]]:
     """What a page says above its drawing, and the blocks below it; formulas that are set apart are indented."""
     title, _, rest = about["drawing"].partition("\n\n::\n\n")
@@ -334,36 +324,24 @@ def title_and_words(about: Mapping[str, Any]) -> tuple[str, list[str]]:
     return title, blocks
 
 
-def units_of(about: Mapping[str, Any]) -> str:
-    """What lengths, times and forces are measured in, in the quantities of the page."""
-    return ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))
-
-
 def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
     """Unit and meaning of everything that files of motions hold, by its name: of the model, and of what is computed of it."""
-    time, rate = about["scales"]["time"], about["scales"]["rate"]
+    time, rate, x = about["scales"]["time"], about["scales"]["rate"], about["coordinates"][0]["name"]
+    after, top = "after the transient", f"of the cycle where its {x} is largest"
     found = {"t": (time, "time"), "event_t": (time, "time of an event"), "event": ("1", "what happened")}
-    places = []
-    for entry in about["coordinates"]:
-        name, of_rate, unit = entry["name"], entry["rate"], "rad" if entry["unit"] == "rad" else entry["scale"]
-        places.append((name, unit, of_rate, entry["rate_scale"]))
-        found |= {name: (unit, entry["meaning"]), of_rate: (entry["rate_scale"], f"rate of {name}")}
-        found |= {f"{name}0": (unit, f"initial {name}"), f"{of_rate}0": (entry["rate_scale"], f"initial {of_rate}")}
-    for entry in about["parameters"]:
+    for entry in (*about["coordinates"], *about["parameters"]):
         found[entry["name"]] = ("rad" if entry["unit"] == "rad" else entry["scale"] or "1", entry["meaning"])
     for name in about["angles"]:
         found[f"{name}_deg"] = ("degree", found[name][1])
-    return found | _of_motions(places, time, rate)
-
-
-def _of_motions(places: Sequence[Place], time: str, rate: str) -> dict[str, tuple[str, str]]:
-    """Quantities of motions, by the coordinates."""
-    (x, unit, *_), *others = places
-    after, top = "after the transient", f"of the cycle where its {x} is largest"
-    found = {f"mean_{y}": (across, f"mean of {y} {after}") for y, across, *_ in others}
-    for y, across, vy, speed in places:
-        found |= {f"rest_{y}": (across, f"{y} of the equilibrium that it settles to or approaches; NaN for none")}
-        found |= {f"cycle_{y}": (across, f"{y} {top}"), f"cycle_{vy}": (speed, f"{vy} {top}")}
+    for entry in about["coordinates"]:
+        y, unit = entry["name"], found[entry["name"]][0]
+        found[entry["rate"]] = (entry["rate_scale"], f"rate of {y}")
+        found[f"rest_{y}"] = (unit, f"{y} of the equilibrium that it settles to or approaches; NaN for none")
+        if y != x:
+            found[f"mean_{y}"] = (unit, f"mean of {y} {after}")
+        for name in (y, entry["rate"]):
+            found |= {f"{name}0": (found[name][0], f"initial {name}"), f"cycle_{name}": (found[name][0], f"{name} {top}")}
+    unit = found[x][0]
     return found | {
         "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
         "rms": (unit, f"root mean square of {x} about zero, {after}"),
@@ -386,13 +364,3 @@ def _of_motions(places: Sequence[Place], time: str, rate: str) -> dict[str, tupl
         "time_scale": (time, "on which the slowest deviations from steady sliding die out"),
         "why": ("1", "what decides the kind, or would"),
     }
-
-
-def _behind(entry: Mapping[str, Any]) -> str:
-    """The quantity with a unit behind a dimensionless one."""
-    return "" if entry["quantity"] == entry["name"] else f" ({entry['quantity']}, dimensionless)"
-
-
-def _table(rows: Sequence[Sequence[str]]) -> str:
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)

@@ -4,7 +4,6 @@ What a motion comes to is told by the classifier (:mod:`spragsym.motion.classify
 orbit by Newton's method, which can be followed to other values of the parameters and compared with another.
 """
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,89 +11,11 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import apart
 from ..models.parameters import FloatArray
-from ..motion.regimes import SAME, Outcome, Regime
+from ..motion.regimes import SAME, Regime
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of, same_cycle
-from .system import Rest, System, rounding_of
-
-#: A motion is judged at the first of these times, and again at the next as long as it is undecided.
-JUDGED = (2000.0, 10_000.0, 40_000.0)
-
-#: Tolerances of motions, the second of which tells what rounding does to those of the first.
-TOLERANCES = (1e-12, 1e-13)
-
-#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
-PARTED, BESIDE = 1e-3, 4
-
-#: What a motion comes to, where that is told, and its word.
-KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one within rounding comes to."""
-
-    outcome: Outcome
-    end: FloatArray
-    t: float
-    otherwise: str = ""
-
-    @property
-    def kind(self) -> Regime:
-        """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED."""
-        return self.outcome.limit
-
-    @property
-    def decided(self) -> bool:
-        """Whether it is seen to come to an attractor."""
-        return self.kind in KINDS and not self.otherwise
-
-    def told(self) -> str:
-        """In words."""
-        found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
-        if self.kind == Regime.EQUILIBRIUM:
-            place = zip(found.names, found.rest, strict=False)
-            limit = "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
-        elif self.kind == Regime.LIMIT_CYCLE:
-            limit = f"a cycle of period {found.period:.6g}"
-        elif self.kind == Regime.LIFT_OFF:
-            limit = "lift-off"
-        return limit + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
-
-
-def judged(system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12) -> Verdict:
-    """What the motion from a state comes to, looked at later and later as long as that is undecided."""
-    state, begun = start, 0.0
-    for t_end in times:
-        motion = system.motion(state, t_end - begun, rtol=rtol)
-        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
-        if verdict.decided:
-            break
-        state, begun = verdict.end, t_end
-    return verdict
-
-
-def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[[Verdict], bool]) -> Verdict:
-    """A verdict, or an undecided one where rounding decides it.
-
-    That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
-    begin within rounding, comes to something that is not ``alike``.
-    """
-    if not verdict.decided:
-        return verdict
-    times = np.arange(0.0, verdict.t)
-    one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
-    if not np.abs(one - other).max() > PARTED:
-        return verdict
-    for i in range(BESIDE + 1):
-        beside = judged(system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1])
-        if not beside.decided:  # it may only take longer
-            later = judged(system, beside.end)
-            beside = replace(later, t=beside.t + later.t)
-        if not beside.decided or not alike(beside):
-            return replace(verdict, otherwise=beside.told())
-    return verdict
+from .system import KINDS, Rest, System, Verdict, rounding_of
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .attractors import Verdict, attractor, judged, same, surely
-from .system import Saddle, System, saddle_near
+from .attractors import attractor, same
+from .system import Saddle, System, Verdict, judged, saddle_near, surely
 
 #: Equilibria that differ by less than this are one.
 SAME = 1e-9

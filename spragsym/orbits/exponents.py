@@ -21,8 +21,8 @@ from ..motion.shooting import rate
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..results.result import Result
-from .attractors import judged, settled
-from .system import System
+from .attractors import settled
+from .system import System, judged
 
 #: Time between two orthonormalizations.
 STRETCH = 5.0

@@ -22,24 +22,12 @@ from ..motion.simulation import state_of
 from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result
-from .attractors import (
-    JUDGED,
-    PARTED,
-    TOLERANCES,
-    Attractor,
-    Verdict,
-    attractor,
-    followed,
-    followed_cycle,
-    judged,
-    same,
-    surely,
-)  # fmt: skip
+from .attractors import Attractor, attractor, followed, followed_cycle, same
 from .branch import cycle_branch
 from .events import MERGES
 from .finding import cycle_at
 from .orbit import same_cycle
-from .system import Saddle, System, growth_of_cycle, saddle_near
+from .system import JUDGED, PARTED, TOLERANCES, Saddle, System, Verdict, growth_of_cycle, judged, saddle_near, surely
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
 LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)

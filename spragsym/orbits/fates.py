@@ -26,11 +26,11 @@ from ..motion.sweeps.workers import Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
 from ..questions import model_of
 from ..results.result import Result
-from .attractors import JUDGED, Verdict, judged, settled
+from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
 from .orbit import NEUTRAL
-from .system import System, decay_at
+from .system import JUDGED, System, Verdict, decay_at, judged
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Any
@@ -17,19 +17,19 @@ from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
 from ..motion.integrators import Flow
-from ..motion.regimes import Outcome, Regime
+from ..motion.regimes import Regime
 from ..motion.shooting import Guess, Loop, across, error_of, extent, rate, solved, split
 from ..motion.solution import Turn
 from ..numerics.balls import Undecided
 from .arclength import differences
 from .orbit import Cycle, cycle_of
-from .system import System
+from .system import JUDGED, System, judged
 
 if TYPE_CHECKING:
     from ..models.model import Model
 
-#: Returns of a motion are looked at over this time, then over longer ones.
-STAGES = (400.0, 3000.0, 20000.0)
+#: Returns of a motion are looked at over this time.
+LOOKED_AT = 400.0
 
 #: Most returns of one stretch of motion that are tried.
 TRIES = 8
@@ -44,20 +44,9 @@ LEAST, SURE = 1e-9, 100.0
 #: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of another stands still.
 LOOK, STILL = 200.0, 1e-9
 
-#: Turns that are alike to so much, or both ends of a stage without turns, are of a motion at rest.
-STANDS = 1e-9
-
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
 
-
-#: What a motion does for which no cycle is found, in words.
-COMES_TO = {
-    Regime.EQUILIBRIUM: "it is at rest", Regime.APPROACHES_EQUILIBRIUM: "it decays to rest",
-    Regime.LIFT_OFF: "it has lifted off for good", Regime.LIMIT_CYCLE: "it is on a cycle that Newton's method did not close",
-    Regime.APPROACHES_CYCLE: "it nears a cycle that Newton's method did not close", Regime.UNSETTLED: "it is unsettled",
-    Regime.FAILED: "it can't be followed",
-}  # fmt: skip
 
 #: Least half-width of the box that is taken around the Hopf point of the motion, over the larger of 1 and its numbers.
 AROUND = 1e-13
@@ -90,7 +79,7 @@ def cycle(
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     patient : bool
-        Whether to follow the motion from a state that is not near a cycle, for up to 20 000 time units.
+        Whether to follow the motion from a state that is not near a cycle, for up to 40 000 time units.
     onset : Onsets, optional
         Of ``model.flutter_onsets``. They know their model and its parameters: ``p``, ``V``, ``d`` and ``near`` are left out.
     index : int
@@ -146,30 +135,27 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     settled = isinstance(near, Trajectory)
     approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
-    constants = system.constants
-    if not np.isfinite(rate(field, start, constants)).all():
+    if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
-    for stage in STAGES if patient or settled else STAGES[:1]:
-        try:
-            passage = flow.plain(start, constants, stage, loose=True)
-        except ConvergenceError as error:
-            raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
-        found = _by_returns(system, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
-        if found is not None:
-            return _checked(found)
-        # A cycle whose period is longer than the stage may not have turned yet: it moves on all the same.
-        late = [turn.state for turn in passage.turns[-4:]] if len(passage.turns) > 1 else [start, passage.state]
-        start = passage.state
-        if np.ptp(late, axis=0).max() < STANDS:
-            break
     try:
-        outcome = system.motion(start, 2000.0).outcome(1000.0)
+        passage = flow.plain(start, system.constants, LOOKED_AT, loose=True)
+    except ConvergenceError as error:
+        raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
+    found = _by_returns(system, passage.turns, stable=approached)
+    if found is not None:
+        return _checked(found)
+    try:
+        verdict = judged(system, passage.state, times=JUDGED if patient or settled else JUDGED[:1])
     except ConvergenceError as error:
         raise ConvergenceError(f"no cycle was found near the motion, which could not be followed: {error}") from error
-    if outcome.limit == Regime.LIMIT_CYCLE and (patient or settled):
+    if verdict.kind == Regime.LIMIT_CYCLE and (patient or settled):
         with suppress(ConvergenceError):
-            return cycle_at(system, np.array(outcome.cycle), outcome.period)
-    raise ConvergenceError(_why(system, start, stage, outcome))
+            return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
+    why = stands_still(system, verdict.end) or (
+        f"it comes to {verdict.told()}; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask "
+        "fate(p) what it comes to"
+    )
+    raise ConvergenceError(f"no cycle was found near the motion: {why}")
 
 
 def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
@@ -216,9 +202,9 @@ def _state(field: Field, near: Any) -> FloatArray:
     return np.array([as_number("near", value, FINITE) for value in state.tolist()])
 
 
-def _by_returns(system: System, turns: list[Turn], *, from_start: bool, stable: bool) -> Loop | None:
+def _by_returns(system: System, turns: Sequence[Turn], *, stable: bool) -> Loop | None:
     """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
-    for first, second in islice(_pairs([turn for turn in turns if turn.border == -1], from_start), TRIES):
+    for first, second in islice(_pairs([turn for turn in turns if turn.border == -1]), TRIES):
         try:
             loop = _from_guess(system.flow, Guess(first.state[None], second.t - first.t, system.values))
         except ConvergenceError:
@@ -229,7 +215,7 @@ def _by_returns(system: System, turns: list[Turn], *, from_start: bool, stable: 
     return None
 
 
-def _pairs(turns: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
+def _pairs(turns: list[Turn]) -> Iterator[tuple[Turn, Turn]]:
     """Pairs of alike highest states: from the first one on, nearest first, and from the last one back, fewest returns first.
 
     Of two that there are, as of a long period, their distance is seen against that of the lowest ones.
@@ -240,14 +226,12 @@ def _pairs(turns: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
     states = np.array([turn.state for turn in highest])
     scale = np.ptp(states if len(highest) > 2 else [turn.state for turn in turns], axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
-    if from_start and len(highest) > 2:
+    if len(highest) > 2:
         away = np.abs((states[1:] - states[0]) / scale).max(axis=1)
-        for i in np.argsort(away)[: TRIES // 2]:
-            if away[i] < FAR:
-                yield highest[0], highest[i + 1]
+        yield from ((highest[0], highest[i + 1]) for i in np.argsort(away)[: TRIES // 2] if away[i] < FAR)
     away = np.abs((states[:-1] - states[-1]) / scale).max(axis=1)[::-1]
     best = np.inf
-    for k, distance in enumerate(away[: min(len(away), 60)]):
+    for k, distance in enumerate(away[:60]):
         if distance < min(FAR, 0.5 * best):
             best = distance
             yield highest[-2 - k], highest[-1]
@@ -260,19 +244,6 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
     # A guess that begins at a turn may count it at neither end.
     reach = 0.5 * float(np.ptp([loop.states[0], *turns], axis=0).max()) if turns else np.inf
     return solved(flow, loop.guess, across(loop), reach=reach)
-
-
-def _why(system: System, state: FloatArray, span: float, outcome: Outcome) -> str:
-    """What became of a motion that no cycle was found for."""
-    told = "no cycle was found near the motion"
-    if still := stands_still(system, state):
-        return f"{told}: {still}"
-    places = [f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, outcome.rest, strict=False)]
-    return (
-        f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
-        + (f" at {', '.join(places)}" if places else "")
-        + "; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask fate(p) what it comes to"
-    )
 
 
 def stands_still(system: System, state: FloatArray) -> str:

@@ -1,8 +1,9 @@
-"""A model at values of its parameters, with an integrator: its motions, its equilibria, how they are followed, and saddles."""
+"""A model at values of its parameters, with an integrator: its motions, what they come to, its equilibria and saddles."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
@@ -15,6 +16,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
+from ..motion.regimes import Outcome, Regime
 from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
 from ..motion.solution import Passage
@@ -24,6 +26,18 @@ from .orbit import Cycle
 
 #: Of a matrix of the motion about an equilibrium: relative error, with a margin.
 ROUNDING = 1e-13
+
+#: A motion is judged at the first of these times, and again at the next as long as it is undecided.
+JUDGED = (2000.0, 10_000.0, 40_000.0)
+
+#: Tolerances of motions, the second of which tells what rounding does to those of the first.
+TOLERANCES = (1e-12, 1e-13)
+
+#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
+PARTED, BESIDE = 1e-3, 4
+
+#: What a motion comes to, where that is told, and its word.
+KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
 
 
 @dataclass(frozen=True)
@@ -69,6 +83,72 @@ class System:
         """The matrix of the motion about an equilibrium, shape (m, m)."""
         constants, numbers = self.constants, np.asarray(state).tolist()
         return self.field.matrix(numbers, constants, self.field.initial_mode(numbers, constants))
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one within rounding comes to."""
+
+    outcome: Outcome
+    end: FloatArray
+    t: float
+    otherwise: str = ""
+
+    @property
+    def kind(self) -> Regime:
+        """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED."""
+        return self.outcome.limit
+
+    @property
+    def decided(self) -> bool:
+        """Whether it is seen to come to an attractor."""
+        return self.kind in KINDS and not self.otherwise
+
+    def told(self) -> str:
+        """In words."""
+        found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
+        if self.kind == Regime.EQUILIBRIUM:
+            place = zip(found.names, found.rest, strict=False)
+            limit = "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
+        elif self.kind == Regime.LIMIT_CYCLE:
+            limit = f"a cycle of period {found.period:.6g}"
+        elif self.kind == Regime.LIFT_OFF:
+            limit = "lift-off"
+        return limit + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
+
+
+def judged(system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12) -> Verdict:
+    """What the motion from a state comes to, looked at later and later as long as that is undecided."""
+    state, begun = start, 0.0
+    for t_end in times:
+        motion = system.motion(state, t_end - begun, rtol=rtol)
+        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
+        if verdict.decided:
+            break
+        state, begun = verdict.end, t_end
+    return verdict
+
+
+def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[[Verdict], bool]) -> Verdict:
+    """A verdict, or an undecided one where rounding decides it.
+
+    That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
+    begin within rounding, comes to something that is not ``alike``.
+    """
+    if not verdict.decided:
+        return verdict
+    times = np.arange(0.0, verdict.t)
+    one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
+    if not np.abs(one - other).max() > PARTED:
+        return verdict
+    for i in range(BESIDE + 1):
+        beside = judged(system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1])
+        if not beside.decided:  # it may only take longer
+            later = judged(system, beside.end)
+            beside = replace(later, t=beside.t + later.t)
+        if not beside.decided or not alike(beside):
+            return replace(verdict, otherwise=beside.told())
+    return verdict
 
 
 @dataclass(frozen=True)

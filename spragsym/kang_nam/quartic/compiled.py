@@ -1,6 +1,5 @@
 """The generated C solver on columns of points, where it was compiled on installation."""
 
-import threading
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -9,7 +8,6 @@ from ...models.load import fits
 from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from .block import COLUMNS, Slots
 
-_ROOM = threading.local()
 #: Points that are worth a thread of their own, and the same where they are only counted.
 A_THREAD, A_COUNTING_THREAD = 1 << 15, 1 << 17
 
@@ -39,16 +37,15 @@ def solve_widely(values: Sequence[FloatArray], contact: bool, out: Slots, begin:
 def _solve(
     method: Callable[..., int], values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int
 ) -> IntArray:
-    rows, further = _room(out.slots - 1, size)
-    settled = np.empty(size, dtype=np.bool_)
-    here = slice(begin, begin + size)
+    settled, rows, here = np.empty(size, dtype=np.bool_), np.empty(size, dtype=np.int64), slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
-    some = tuple(column[:size] for column in further)
+    further = tuple(np.empty((size, out.slots - 1), dtype=column.dtype) for column in first)
     theta0, mu0, kappa, alpha, sigma, beta = values
-    results = settled, out.count[here], first, (rows[:size], *some)
-    used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
+    used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), settled, out.count[here], first, (rows, *further))
     if used:
-        out.further.append((begin + rows[:used], {name: some[i][:used].T.copy() for i, name in enumerate(COLUMNS)}))
+        out.further.append(
+            (begin + rows[:used], {name: column[:used].T.copy() for name, column in zip(COLUMNS, further, strict=True)})
+        )
     return np.flatnonzero(~settled)
 
 
@@ -60,12 +57,3 @@ def count(values: Sequence[FloatArray], size: int) -> Int8Array:
     theta0, mu0, kappa, alpha, sigma, beta = values
     _compiled.count(theta0, mu0, kappa, alpha, sigma, beta, counts)
     return counts
-
-
-def _room(slots: int, size: int) -> tuple[IntArray, tuple[FloatArray, ...]]:
-    """Work arrays of one thread, used again for every block, for points with more than one equilibrium."""
-    kept = _ROOM.__dict__.setdefault("by_slots", {})
-    if slots not in kept or kept[slots][0].size < size:
-        kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]
-        kept[slots] = np.empty(size, dtype=np.int64), tuple(np.empty((size, slots), dtype=kind) for kind in kinds)
-    return kept[slots]

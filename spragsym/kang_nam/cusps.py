@@ -14,9 +14,9 @@ from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
 from ..numerics.polynomials import roots_on_the_line
 from ..questions import NotInClosedForm
-from ..results.points import Points, in_closed_form
+from ..results.points import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import STATE, Angles, Point, SineRoot, in_contact, in_ranges
+from .folds import Angles, Point, SineRoot, in_contact, listed
 from .kernel import FIXED
 
 
@@ -40,13 +40,9 @@ def cusps(
     def attempt(bits: int) -> list[tuple[float, ...]]:
         return [point.row() for point in proved_cusps(exact, bits)]
 
-    rows = with_enough_bits(20, attempt, "cusps")
-    rows = sorted(((row[0], row[1], *row[6:]) for row in rows), key=lambda row: (row[1], row))
-    *columns, error = np.array(rows, dtype=float).reshape(-1, 7).T.copy()
-    values = dict(zip(("theta0", "mu0", *STATE), columns, strict=True))
-    spans = {"theta0": (-math.pi, math.pi), "mu0": (-math.inf, math.inf)}
-    every = Points(**in_closed_form(p, ("theta0", "mu0"), np.full(len(rows), "cusp"), error, values, spans=spans))
-    return in_ranges(every, between)
+    rows = sorted(with_enough_bits(20, attempt, "cusps"), key=lambda row: (row[1], row[0], row[6:]))
+    spans = (-math.pi, math.pi), (-math.inf, math.inf)
+    return listed(Points, p, ("theta0", "mu0"), np.full(len(rows), "cusp"), rows, between, spans=spans)
 
 
 def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int) -> CuspProof:

@@ -21,22 +21,20 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..bifurcation.flutter import Onsets
 from ..generated import kernel as solver
 from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, sign_or_zero, with_enough_bits
+from ..numerics.balls import Interval, Undecided, atan2, decided, sign, sign_or_zero, with_enough_bits
 from ..numerics.interval_arrays import IntArray
 from ..numerics.polynomials import Root, in_t, on_circle, real_roots, roots_on_the_line
 from ..questions import NotInClosedForm, of_article
-from ..results.points import in_closed_form
 from ..results.result import Result
 from . import kernel
 from .bifurcation_sets import Condition, curves
-from .folds import STATE, in_ranges
+from .folds import Point, listed
 from .kernel import FIXED, Fixed
 
 #: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at least.
@@ -60,38 +58,21 @@ def flutter_onsets(
     """
     if vary not in (None, "theta0") or damping is not False:
         raise NotInClosedForm
-    mu0, *fixed = p.scalars("mu0", *FIXED)
-    rows = []
-    if mu0 > 0:
-        elimination = Elimination(*map(Fraction, (mu0, *fixed)))
+    exact = Elimination(*map(Fraction, p.scalars("mu0", *FIXED)))
 
-        def attempt(bits: int) -> list[tuple[float, ...]]:
-            return [_row(onset) for onset in onsets(elimination, bits)]
+    def attempt(bits: int) -> list[tuple[tuple[float, ...], Onset]]:
+        return sorted(((onset.row(), onset) for onset in onsets(exact, bits)), key=lambda one: one[0])
 
-        rows = sorted(with_enough_bits(20, attempt, "flutter_onsets"))
-    columns = dict(
-        zip(("theta0", *STATE, "branch", "count", "side", "error"), np.array(rows, dtype=float).reshape(-1, 9).T, strict=True)
-    )
-    values: dict[str, NDArray[Any]] = columns | {
-        "omega": _frequency(columns["theta"], columns["L"], *(float(getattr(p, name)) for name in ("alpha", "sigma", "beta"))),
-        "branch": columns["branch"].astype(np.int64), "count": columns["count"].astype(np.int64),
-        "side": columns["side"].astype(np.int8),
-    }  # fmt: skip
-    every = Onsets(**in_closed_form(p, ("theta0",), np.full(len(rows), "flutter"), values.pop("error"), values))
-    return in_ranges(every, between)
-
-
-def _frequency(theta: FloatArray, L: FloatArray, alpha: float, sigma: float, beta: float) -> FloatArray:
-    """ω of the two modes that meet: ω² is half the trace of K, which has no friction."""
+    found = with_enough_bits(20, attempt, "flutter_onsets") if exact.mu0 else []
+    rows = [row for row, _ in found]
+    branch, count, side = np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64).reshape(-1, 3).T
+    theta, L = np.array([row[6:8] for row in rows]).reshape(-1, 2).T
+    # ω² of the two modes that meet is half the trace of K, which has no friction.
+    _, alpha, sigma, beta = p.scalars(*FIXED)
     K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, alpha, sigma, beta, 1)
-    trace, *_ = _stability.invariants(*K[0], *K[1])
-    return np.sqrt(0.5 * trace)
-
-
-def _row(onset: Onset) -> tuple[float, ...]:
-    """Middles as floats, rank, number and side, and the largest error, the rounding to float included."""
-    values, error = as_floats((onset.theta0, onset.theta, onset.L, onset.x, onset.y))
-    return (*values, onset.branch, onset.count, onset.side, error)
+    omega = np.sqrt(0.5 * _stability.invariants(*K[0], *K[1])[0])
+    more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
+    return listed(Onsets, p, ("theta0",), np.full(len(rows), "flutter"), rows, between, more=more)
 
 
 # ---------------------------------------------------------------------------------------------------- boundary
@@ -206,20 +187,19 @@ _DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH_WITHOUT_ALPHA = 4, 1
 
 
 @dataclass(frozen=True)
-class Onset:
+class Onset(Point):
     """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are ``count``.
 
     ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and 0 where flutter is on both sides or on none.
     """
 
-    theta0: Interval
-    theta: Interval
-    L: Interval
-    x: Interval
-    y: Interval
     branch: int
     count: int
     side: int
+
+    @property
+    def theta0(self) -> Interval:
+        return self.parameters[0]
 
 
 @dataclass(frozen=True)
@@ -382,7 +362,7 @@ def _at_length(
         side = 0 if touches else -decided(change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
         branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / sigma, bits // 2)
-        yield Onset(atan2(s0, c0), atan2(s, c), L, x, y, branch, count, side)
+        yield Onset((atan2(s0, c0), *values), atan2(s, c), L, x, y, branch, count, side)
 
 
 # ------------------------------------------------------------------------------------------------------- rank

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, NamedTuple, TypeAlias, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..generated import catastrophe as _catastrophe
@@ -23,7 +24,7 @@ from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, sign_or_zero, with_enough_bits
 from ..numerics.polynomials import ChartRoot, in_t, on_circle, roots_on_the_line
 from ..questions import NotInClosedForm
-from ..results.points import Ended, Points, in_closed_form
+from ..results.points import Ended, Points, nothing_ends
 from . import kernel
 
 PointsT = TypeVar("PointsT", bound=Points)
@@ -51,59 +52,57 @@ def folds(
     vary = vary or "theta0"
     if vary not in NAMES:
         raise NotInClosedForm
-    found = _rows(p, vary)
-    names = (*NAMES, *STATE, "error", *(f"{name}_after" for name in STATE))
-    numbers: Any = np.array([each for each, _ in found], dtype=float).reshape(-1, len(names)).T.copy()
-    kind, ends, when = np.array([words for _, words in found], dtype=np.str_).reshape(-1, 3).T.copy()
-    values = dict(zip(names, numbers, strict=True))
-    ended = Ended(ends, when, {name: values.pop(f"{name}_after") for name in STATE})
-    every = Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended))
-    return in_ranges(every, between)
-
-
-def in_ranges(found: PointsT, between: Ranges | None) -> PointsT:
-    """Points in the ranges of what varies, if ranges are given."""
-    if between is None:
-        return found
-    from ..bifurcation.defining_systems import ranges  # which loads the search
-
-    return found.between(ranges(found.parameters.model, found.vary, between))
-
-
-#: All numbers of a fold, its kind, which state ends there and which way the parameter goes then.
-Row: TypeAlias = tuple[tuple[float, ...], tuple[str, str, str]]
-
-
-def _rows(p: Parameters, vary: str) -> list[Row]:
-    """Numbers of parameters, the state, its error, and the state that is left, NaN where there is none; sorted by ``vary``."""
-    fixed = [name for name in NAMES if name != vary]
+    fixed, place = [name for name in NAMES if name != vary], NAMES.index(vary)
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
-    allowed, place = RANGES[vary], NAMES.index(vary)
 
-    def attempt(bits: int) -> list[Row]:
+    def attempt(bits: int) -> list[tuple[Fraction, Fraction, Fold, tuple[float, ...], list[float]]]:
         found = []
         for fold in proved_folds(vary, exact, bits):
             value = fold.point.parameters[place]
-            row = _row(fold, value) if decided(value, f"{vary} = 0 on a fold") > 0 else None
-            if row and row[0][place] < allowed.high:
-                found.append((balls.ends(value), row))
-        found.sort(key=lambda one: one[0][0])
+            if decided(value, f"{vary} = 0 on a fold") > 0 and (row := fold.point.row())[place] < RANGES[vary].high:
+                low, high = balls.ends(value)
+                if high - low > low / 10**25:
+                    raise Undecided("a fold to 25 digits")
+                after, error = as_floats(fold.after) if fold.after else ([math.nan] * 4, 0.0)
+                found.append((low, high, fold, (*row[:-1], max(row[-1], error)), after))
+        found.sort(key=lambda one: one[0])
         # No two folds share a value: f has at most three positive roots, too few for two double roots.
-        if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
+        if any(high >= low for (_, high, *_), (low, *_) in itertools.pairwise(found)):
             raise Undecided("the order of two folds")
-        return [row for _, row in found]
+        return found
 
-    return with_enough_bits(20, attempt, "folds")
+    found = with_enough_bits(20, attempt, "folds")
+    _, _, every, rows, after = zip(*found, strict=True) if found else [()] * 5
+    kind, ends, when = np.array(list(map(_words, every)), dtype=np.str_).reshape(-1, 3).T.copy()
+    ended = Ended(ends, when, dict(zip(STATE, np.array(after, dtype=float).reshape(-1, 4).T.copy(), strict=True)))
+    return listed(Points, p, (vary,), kind, rows, between, ended=ended)
 
 
-def _row(fold: Fold, value: Interval) -> Row:
-    *numbers, error = fold.point.row()
-    after, off = as_floats(fold.after) if fold.after else ([math.nan] * 4, 0.0)
-    low, high = balls.ends(value)
-    if high - low > abs(low) / 10**25:
-        raise Undecided("a fold to 25 digits")
-    words = ("upper" if fold.upper else "lower", "up" if fold.side < 0 else "down") if fold.kind == "fold" else ("", "")
-    return (*numbers, max(error, off), *after), (fold.kind, *words)
+def _words(fold: Fold) -> tuple[str, str, str]:
+    """Its kind, which state ends there and which way the parameter goes then."""
+    if fold.kind != "fold":
+        return fold.kind, "", ""
+    return fold.kind, "upper" if fold.upper else "lower", "up" if fold.side < 0 else "down"
+
+
+def listed(
+    kind_of: type[PointsT], p: Parameters, vary: tuple[str, ...], kind: NDArray[np.str_], rows: Sequence[tuple[float, ...]],
+    between: Ranges | None, *, more: Mapping[str, NDArray[Any]] | None = None,
+    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Sequence[tuple[float, float]] | None = None,
+) -> PointsT:  # fmt: skip
+    """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where it is given, ``between``."""
+    names = (*NAMES, *STATE, "error")
+    columns = dict(zip(names, np.array(rows, dtype=float).reshape(-1, len(names)).T.copy(), strict=True))
+    values = {name: columns[name] for name in (*vary, *STATE)} | dict(more or {})
+    allowed = spans or [(RANGES[name].low, RANGES[name].high) for name in vary]
+    region = np.array([(-np.inf, np.inf)] * len(p.model.coordinates) + [*allowed])
+    none = np.empty((0, len(region), 2))
+    every = kind_of(p, vary, kind, columns["error"], region, True, (), none, (), values, ended)
+    if between is None:
+        return every
+    from ..bifurcation.defining_systems import ranges  # which loads the search
+
+    return every.between(ranges(p.model, vary, between))
 
 
 #: Degree in t of the eliminated fold condition: two cubics in cos θ, sin θ where θ₀ varies, half of that otherwise.

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..display import Table, counted, in_rows, not_all, words
 from ..models.forces import told_of_states
-from ..models.parameters import FloatArray, Ranges
+from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray
 from .result import Named, OfStates, Result, Rows
 
@@ -181,20 +181,6 @@ def after_if_known(points: Points) -> Mapping[str, FloatArray]:
     """``after`` where it costs no search: of closed forms, and where it was asked for before."""
     known = points.__dict__.get("after", points._what_ends.after)
     return {} if callable(known) else known
-
-
-def in_closed_form(
-    p: Any, vary: tuple[str, ...], kind: NDArray[np.str_], error: FloatArray, values: Mapping[str, NDArray[Any]],
-    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Ranges | None = None,
-) -> dict[str, Any]:  # fmt: skip
-    """The fields of :class:`Points` that closed forms give: all there are, in the whole range of what varies, or in ``spans``."""
-    allowed = [(spans or {}).get(name, (p.ranges[name].low, p.ranges[name].high)) for name in vary]
-    region = np.array([(-np.inf, np.inf)] * len(p.model.coordinates) + allowed)
-    none = np.empty((0, len(region), 2))
-    return {
-        "parameters": p, "vary": vary, "kind": kind, "error": error, "region": region, "whole": True, "endless": (),
-        "undecided": none, "remarks": (), "_values": values, "_ended": ended,
-    }  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

@@ -299,16 +299,12 @@ def _after(point: Point, angles: Angles, direction: _Direction, trig: tuple[Inte
 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation."""
-    given = tuple(exact[name] for name in ("mu0", "kappa", "alpha", "sigma", "beta"))
+    given = tuple(exact[name] for name in NAMES[1:])
     mu0, kappa, alpha, sigma, beta = given
-
-    def sine(c: Any, s: Any, values: tuple[Any, ...]) -> Any:
-        friction, kappa, alpha, sigma, beta = values
-        return _catastrophe.fold_sine(c, s, friction, kappa, alpha, sigma, beta)
 
     def eliminated(c: Fraction, s: Fraction) -> Fraction:
         if alpha:
-            s0, c0 = _catastrophe.fold_angles(c, s, mu0, kappa, alpha, sigma, beta)
+            s0, c0 = _catastrophe.fold_angles(c, s, *given)
             return Fraction(s0**2 + c0**2 - 1)
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
         return Fraction(e0 + mu0 * (e1 + mu0 * e2))
@@ -319,8 +315,8 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     values = tuple(map(balls.exact, given))
     for direction in _with_multiplicity(polynomial, _curvature("theta0", exact), bits):
         c, s, _ = on_circle(direction.t)
-        s0 = sine(c, s, values)
-        if direction.sign_of(s0, lambda c, s: sine(c, s, given), "sin θ₀ = 0 on a fold") <= 0:
+        s0 = _catastrophe.fold_sine(c, s, *values)
+        if direction.sign_of(s0, lambda c, s: _catastrophe.fold_sine(c, s, *given), "sin θ₀ = 0 on a fold") <= 0:
             continue
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
@@ -329,7 +325,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             # μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For μ₀ = 0 f = σ c (B s − B − κ)
             # is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
-            inside = direction.sign_of(gap, lambda c, s: 1 - sine(c, s, given), "sin θ₀ = 1 on a fold") > 0
+            inside = direction.sign_of(gap, lambda c, s: 1 - _catastrophe.fold_sine(c, s, *given), "sin θ₀ = 1 on a fold") > 0
             cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -60,7 +59,7 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     if pairs.size:
         t = [upper] if contact else [large, small]
         one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
-        roots = _ascending([*(value[pairs] for value in t), one, other])
+        roots = np.sort([*(value[pairs] for value in t), one, other], axis=0)
         settled[pairs] = _some(roots, rows_of(point, pairs), rows_of(line, pairs), out, begin + pairs, u)
     return np.flatnonzero(~settled)
 
@@ -98,15 +97,6 @@ def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
 
 def _stacked(values: list[DoubleDouble]) -> DoubleDouble:
     return DoubleDouble(np.stack([value.high for value in values]), np.stack([value.low for value in values]))
-
-
-def _ascending(values: list[NDArray[Any]]) -> NDArray[Any]:
-    """Some values of each point in ascending order along the first axis; NaN anywhere, where one of them is."""
-    for end in range(len(values) - 1, 0, -1):
-        for k in range(end):
-            one, other = values[k : k + 2]
-            values[k : k + 2] = np.minimum(one, other), np.maximum(one, other)
-    return np.stack(values)
 
 
 def rows_of(record: Any, rows: IntArray) -> Any:
@@ -204,25 +194,14 @@ def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
 
 def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, dict[str, NDArray[Any]]]:
     """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them."""
-    size, points = members.shape
-    pattern = np.zeros(points, dtype=np.uint8)
-    for place, row in enumerate(members):
-        pattern |= row.view(np.uint8) << place
-    order, number = _orders(size)
-    count = number[pattern]
+    count = members.sum(axis=0)
     packed = {name: np.array(candidates[name], dtype=kind) for name, kind in _TYPES.items()}
-    partial = np.flatnonzero(count < size)
+    partial = np.flatnonzero(count < len(members))
     if partial.size:
-        free = np.arange(size)[:, None] >= count[partial]
+        place = np.arange(len(members))[:, None]
         # Where they are and where they go in a table that is read as one row.
-        target, chosen = points * np.arange(size)[:, None] + partial, points * order[pattern[partial]].T + partial
+        order = np.argsort(~members[:, partial], axis=0, kind="stable")
+        chosen, target = (members.shape[1] * rows + partial for rows in (order, place))
         for name, table in packed.items():
-            table.put(target, np.where(free, _NOTHING[name], table.take(chosen)))
+            table.put(target, np.where(place >= count[partial], _NOTHING[name], table.take(chosen)))
     return count, packed
-
-
-@cache
-def _orders(candidates: int) -> tuple[IntArray, IntArray]:
-    """For every set of members, as bits, the order that puts them first, and how many they are."""
-    flags = np.arange(1 << candidates)[:, None] >> np.arange(candidates) & 1
-    return np.argsort(1 - flags, axis=1, kind="stable"), flags.sum(axis=1)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -59,28 +60,11 @@ class Space:
     origin: FloatArray
     scale: FloatArray
 
-    @property
-    def of_model(self) -> type[ParameterSet]:
-        """The class of the model's sets."""
-        return self.design.of_model
-
-    @property
-    def followed(self) -> Mapping[str, float] | None:
-        """Coordinates near which the followed state begins; None for the reference state."""
-        return self.design.followed
-
-    def of(self, model: Any) -> Space:
-        """The same designs for the model without closed forms, or for the one that has them."""
-        return replace(self, design=self.design.of(model))
-
     def quantities(self, z: FloatArray) -> dict[str, Any]:
         """All quantities of designs z, of shape (…, number of names); those that don't change as they are."""
         values = self.origin + z * self.scale
         if not np.iscomplexobj(values):  # z at a limit, rounded
-            low, high = self.limits()
-            values = np.clip(values, self.origin + low * self.scale, self.origin + high * self.scale)
-            least = [self.design.ranges[name].low for name in self.names]
-            values = np.maximum(np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values), least)
+            values = np.where(z <= self.limits()[0], self.ends[0], np.clip(values, *self.ends))
         return {**self.design.given, **{name: values[..., j] for j, name in enumerate(self.names)}}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:
@@ -90,7 +74,7 @@ class Space:
     def sets(self, z: FloatArray) -> ParameterSet:
         """The same as a set of the model, of the shape of z without its last axis."""
         p = self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
-        return p if self.followed is None else p.following(**self.followed)
+        return p if self.design.followed is None else p.following(**self.design.followed)
 
     def at(self, name: str, value: float) -> Space:
         """The same designs with a parameter at a value, that of its quantity where it is told as one."""
@@ -117,15 +101,18 @@ class Space:
         """One design, of the kind of the first."""
         return self.design.made({name: float(value) for name, value in self.quantities(z).items() if name in self.names})
 
+    @cached_property
+    def ends(self) -> tuple[FloatArray, FloatArray]:
+        """The smallest and the largest value of each quantity that changes."""
+        allowed, clear = [self.design.ranges[name] for name in self.names], _CLEAR * np.maximum(np.abs(self.origin), self.scale)
+        low, high = np.array([(one.low, one.high) for one in allowed]).T
+        low = low + clear * [one.open_low for one in allowed]
+        return np.minimum(low, self.origin), np.maximum(high - clear, self.origin)
+
     def limits(self) -> tuple[FloatArray, FloatArray]:
         """The smallest and the largest z that each quantity allows."""
-        low, high = np.empty(len(self.names)), np.empty(len(self.names))
-        for j, name in enumerate(self.names):
-            allowed = self.design.ranges[name]
-            clear = _CLEAR * max(abs(float(self.origin[j])), float(self.scale[j]))
-            low[j] = (allowed.low + (clear if allowed.open_low else 0.0) - self.origin[j]) / self.scale[j]
-            high[j] = (allowed.high - clear - self.origin[j]) / self.scale[j]
-        return np.minimum(low, 0.0), np.maximum(high, 0.0)
+        low, high = ((end - self.origin) / self.scale for end in self.ends)
+        return low, high
 
 
 def space(

@@ -6,9 +6,8 @@ total by Jansen (1999). Of a chunk only sums are kept. Quantities depend on each
 normal scores behind whatever distributions they have.
 """
 
-import itertools
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple, TypeAlias
@@ -21,8 +20,6 @@ from ..models.parameters import FloatArray, Range, as_number
 #: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has none.
 Function = Callable[[FloatArray], FloatArray]
 
-#: Points that are handed over at once, of sets that are smaller: what follows states is as slow for few as for many.
-TOGETHER = 1 << 12
 #: Fewer hits or misses than this make no normal distribution of the means.
 _FEW = 50
 
@@ -39,7 +36,7 @@ class Chunk(NamedTuple):
 def chunks(n: int, replicates: int, seeds: Sequence[int]) -> list[Chunk]:
     """``n`` points or a few more, in ``replicates`` sequences of a power of two each."""
     each = 1 << max(int(np.ceil(np.log2(max(n / replicates, 2)))), 1)
-    size = min(each, max(1 << 12, min(1 << 18, each // 8)))
+    size = min(each, max(1 << 12, min(1 << 15, each // 8)))
     return [Chunk(i, seed, begin, size) for i, seed in enumerate(seeds) for begin in range(0, each, size)]
 
 
@@ -53,35 +50,18 @@ def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chu
     if chunk.begin:
         sequence.fast_forward(chunk.begin)
     points = sequence.random(chunk.size)
-    base, second = points[:, :variables], points[:, variables:]
-    if not indices:
-        ((one, unknown),) = _evaluated(function, [base])
-        return [float(chunk.size), unknown, float(one.sum()), float(one @ one)]
-    mixed = (_mixed(base, second, group) for group in groups)
-    (one, unknown), (other, more), *values = _evaluated(function, itertools.chain((base, second), mixed))
-    result = [2.0 * chunk.size, unknown + more, float(one.sum() + other.sum()), float(one @ one + other @ other)]
-    for value, _ in values:
-        result += [float(other @ (value - one)), float(((one - value) ** 2).sum())]
+    sets = np.split(points, 2 if indices else 1, axis=1)
+    own = len(sets)
+    for group in groups if indices else ():
+        sets.append(sets[0].copy())
+        sets[-1][:, group] = sets[1][:, group]
+    # All at once: what follows states is as slow for few as for many.
+    values = np.reshape(function(np.concatenate(sets)), (len(sets), chunk.size))
+    unknown, values = np.isnan(values), np.nan_to_num(values)
+    result = [float(own * chunk.size), float(unknown[:own].sum()), float(values[:own].sum()), float((values[:own] ** 2).sum())]
+    for value in values[own:]:
+        result += [float(values[1] @ (value - values[0])), float(((values[0] - value) ** 2).sum())]
     return result
-
-
-def _mixed(base: FloatArray, second: FloatArray, group: Sequence[int]) -> FloatArray:
-    """The first set with some variables of the second."""
-    mixed = base.copy()
-    mixed[:, group] = second[:, group]
-    return mixed
-
-
-def _evaluated(function: Function, sets: Iterable[FloatArray]) -> list[tuple[FloatArray, float]]:
-    """Values of each set of points, all of one size, 0 where there is none, and the number without one; small sets together."""
-    found, left = [], iter(sets)
-    while some := list(itertools.islice(left, 1)):
-        some += itertools.islice(left, max(0, TOGETHER // len(some[0]) - 1))
-        values = np.asarray(function(np.concatenate(some)), dtype=float)
-        for value in np.split(values, len(some)):
-            unknown = np.isnan(value)
-            found.append((np.where(unknown, 0.0, value), float(unknown.sum())))
-    return found
 
 
 @dataclass(frozen=True)
@@ -179,11 +159,8 @@ class Dependence:
             singular = kept.shape[1] < len(group)
             parts.append(np.unique(np.where(np.abs(scores) < 1e-9, 0.5, np.where(scores > 0, 1.0, 0.0)), axis=0) if singular
                          else np.array(list(product((0.0, 1.0), repeat=len(group)))))  # fmt: skip
-        result = np.empty((int(np.prod([len(part) for part in parts])), len(self.names)))
-        for row, choice in enumerate(product(*parts)):
-            for group, values in zip(self.groups, choice, strict=True):
-                result[row, list(group)] = values
-        return result
+        order = np.argsort([i for group in self.groups for i in group])
+        return np.array([np.concatenate([[], *choice])[order] for choice in product(*parts)])
 
     @property
     def titles(self) -> tuple[str, ...]:

@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.paths import first_end
-from ..design.design_space import Space
 from ..design.jumps import FIRST_ANGLE, FROM_LOWER_END, Ends
 from ..errors import ConvergenceError
 from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
@@ -53,10 +52,10 @@ def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up",
     return first_jumps(p, vary, direction)
 
 
-def require_usual(asked: Parameters | Space, vary: str, begin: FloatArray | float | None) -> None:
+def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) -> None:
     """Closed forms follow the reference state, as a parameter rises from its lower end, or from the value in the set."""
     usual = begin is None or (vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary])))
-    if asked.followed is not None or not usual:
+    if p.followed is not None or not usual:
         raise NotInClosedForm
 
 

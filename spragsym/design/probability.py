@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -87,15 +87,11 @@ class JumpProbability(Result):
         """The probability on the line above, and the indices."""
         columns = (self.first, self.first_error, self.total, self.total_error)
         rows = tuple((f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first)
-        return probability_table("JumpProbability", self, ("", "first order", "±", "total", "±"), rows)
-
-
-def probability_table(name: str, found: Any, header: tuple[str, ...], rows: tuple[tuple[str, ...], ...]) -> Table:
-    """A probability with its interval and its proved bounds on the line above a table of its indices."""
-    ends = f"{found.low:.4g} to {found.high:.4g} with confidence {found.confidence:.4g}"
-    low, high = math.floor(1e4 * found.proved[0]) / 1e4, math.ceil(1e4 * found.proved[1]) / 1e4
-    proved = f", proved {low:g} to {high:g}" if found.proved != (0.0, 1.0) else ""
-    return Table(f"{name} {found.probability:.4g}, {ends}, n = {found.n}{proved}", header if rows else (), rows)
+        ends = f"{self.low:.4g} to {self.high:.4g} with confidence {self.confidence:.4g}"
+        low, high = math.floor(1e4 * self.proved[0]) / 1e4, math.ceil(1e4 * self.proved[1]) / 1e4
+        proved = f", proved {low:g} to {high:g}" if self.proved != (0.0, 1.0) else ""
+        header = ("", "first order", "±", "total", "±") if rows else ()
+        return Table(f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}{proved}", header, rows)
 
 
 def estimated(
@@ -144,12 +140,6 @@ def estimated(
 # ------------------------------------------------------------------------------------------------------ variables
 
 
-def sides(low: Any, high: Any, names: Iterable[str]) -> dict[str, Any]:
-    """A box from two corners: a number where they agree, else the ends of a range."""
-    ends = ((name, as_number(name, getattr(low, name)), as_number(name, getattr(high, name))) for name in names)
-    return {name: one if one == other else (one, other) for name, one, other in ends}
-
-
 def checked(given: Mapping[str, Any], ranges: Mapping[str, Range], what: str) -> dict[str, Any]:
     """A variable for each quantity, where just these are given; ``what`` an unknown one is not, in an error."""
     for name in given:
@@ -164,7 +154,10 @@ def checked(given: Mapping[str, Any], ranges: Mapping[str, Range], what: str) ->
 def variable(name: str, given: Any, allowed: Range) -> Any:
     """A quantity as a float, or as something with a quantile function ``ppf``, within what is allowed."""
     if hasattr(given, "ppf"):
-        _check_reach(name, float(given.ppf(0.0)), float(given.ppf(1.0)), allowed)
+        low, high = float(given.ppf(0.0)), float(given.ppf(1.0))
+        if low < allowed.low or not high <= allowed.high:
+            reached = f"the distribution of {name} reaches {low if low < allowed.low else high:g}"
+            raise ParameterError(f"{reached}, and {name} must be in {allowed}; truncate it, as by scipy.stats.truncnorm")
         return given
     if isinstance(given, Sequence) and not isinstance(given, str):
         if len(given) != 2:
@@ -178,27 +171,12 @@ def variable(name: str, given: Any, allowed: Range) -> Any:
     return as_number(name, given, allowed)
 
 
-def _check_reach(name: str, low: float, high: float, allowed: Range) -> None:
-    below = low < allowed.low
-    if below or not high <= allowed.high:
-        end = f"{low:g}" if below else f"{high:g}"
-        raise ParameterError(
-            f"the distribution of {name} reaches {end}, and {name} must be in {allowed}; truncate it, as by scipy.stats.truncnorm"
-        )
-
-
 def _at_points(variables: Mapping[str, Any], together: Dependence, event: Event, points: FloatArray) -> FloatArray:
     """The event at points of the unit cube."""
-    points = together.shares(points)
-    values: dict[str, Any] = {}
-    column = 0
-    for name, one in variables.items():
-        if isinstance(one, float):
-            values[name] = np.full(len(points), one)
-        else:
-            values[name] = one.ppf(points[:, column])
-            column += 1
-    return event(values)
+    shares = iter(together.shares(points).T)
+    return event({
+        name: np.full(len(points), one) if isinstance(one, float) else one.ppf(next(shares)) for name, one in variables.items()
+    })  # fmt: skip
 
 
 def _told(chunk: sampling.Chunk) -> str:
@@ -302,18 +280,19 @@ def jump_probability(
     else:
         asked = load(model or USUAL) if model is None or isinstance(model, str) else model
     asked = asked.search if method == "search" else asked
-    variables = _variables(asked, distribution)
+    kind = quantities(asked.where) if _is_physical(asked, distribution) else None
+    variables = _variables(asked, kind, distribution)
     vary, begin = asked.rising(vary, begin)
-    kind = quantities(asked.where)
-    event = partial(_ended, asked, kind if _is_physical(kind, distribution) else None, vary, begin, method)
+    event = partial(_ended, asked, kind, vary, begin, method)
+    if max_boxes and (correlation or kind):
+        said = "quantities in SI" if kind else "correlation"
+        raise ParameterError(f"{said}: a bracket is proved for independent parameters of the model only; leave max_boxes out")
     found = estimated(
         variables, event, correlation=correlation, n=n, rng=rng, confidence=confidence, sobol=sobol, replicates=replicates,
         workers=workers, progress=progress,
     )  # fmt: skip
     if not max_boxes:
         return found
-    if correlation:
-        raise ParameterError("correlation: a bracket is proved for independent parameters only; leave max_boxes out")
     base = asked.Parameters(**{name: one for name, one in variables.items() if isinstance(one, float)})
     return replace(found, proved=bracket(base, variables, vary, begin, max_boxes))
 
@@ -352,31 +331,27 @@ def _end(law: Any, share: float) -> float:
     return end if np.isfinite(end) else float(law.ppf(TAIL if share == 0 else 1 - TAIL))
 
 
-def _variables(model: Model, distribution: Distribution) -> dict[str, Any]:
-    """Each quantity as a float, or as something with a quantile function ``ppf``."""
-    kind = quantities(model.where)
-    physical = _is_physical(kind, distribution)
-    names = kind.of_statics if physical else model.parameters
+def _variables(model: Model, kind: Quantities | None, distribution: Distribution) -> dict[str, Any]:
+    """Each parameter, or quantity of a kind, as a float, or as something with a quantile function ``ppf``."""
+    names = kind.of_statics if kind else model.parameters
     if isinstance(distribution, tuple):
         low, high, *more = distribution
         if more or type(low) is not type(high):
             raise ParameterError("distribution: the corners of a box are two Parameters or two PhysicalParameters")
-        given = sides(low, high, names)
+        given = {name: (getattr(low, name), getattr(high, name)) for name in names}
     else:
         given = dict(distribution)
-    if physical:
+    if kind:
         names = (*names, *kind.of_the_law) if set(given) & set(kind.of_the_law) else names
         return checked(given, {name: kind.ranges()[name] for name in names}, "a quantity here")
-    return checked(
-        {**model.base, **given}, {name: model.Parameters.ranges[name] for name in names}, f"a parameter of {model.name}"
-    )
+    return checked({**model.base, **given}, model.Parameters.ranges, f"a parameter of {model.name}")
 
 
-def _is_physical(kind: Quantities, distribution: Distribution) -> bool:
+def _is_physical(model: Model, distribution: Distribution) -> bool:
     """Whether what is given are quantities of a brake, in SI."""
     if isinstance(distribution, tuple):
         return isinstance(distribution[0], PhysicalParameters)
-    return bool({*distribution} & ({*kind.units} - {*kind.model.parameters}))
+    return bool({*distribution} & ({*quantities(model.where).units} - {*model.parameters}))
 
 
 def _ended(

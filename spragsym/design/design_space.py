@@ -9,9 +9,9 @@ that all rays miss. The border is one of floats: predictions for searches that v
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, PhysicalParameters, Range, as_number
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..progress import doing
-from .jumps import Ends, Followed, JumpGradient, first_ends, slopes_of, told
+from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
 
 #: How close to an end of its range, over its value or its tolerance, a quantity is taken.
 _CLEAR = 1e-9
@@ -101,7 +101,7 @@ class Space:
         """One design, of the kind of the first."""
         return self.design.made({name: float(value) for name, value in self.quantities(z).items() if name in self.names})
 
-    @cached_property
+    @functools.cached_property
     def ends(self) -> tuple[FloatArray, FloatArray]:
         """The smallest and the largest value of each quantity that changes."""
         allowed, clear = [self.design.ranges[name] for name in self.names], _CLEAR * np.maximum(np.abs(self.origin), self.scale)
@@ -150,32 +150,38 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
     return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base), followed=base.followed)
 
 
-#: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
-STEPS, LAST, SHORTER = 40, 1e-8, 0.3
-#: How near to its limit a jump value is on the border, over the slopes by z.
-ON = 1e-9
+#: Steps at most, and what the square of a size is known to; how near to its own value a jump value is on the border, in z.
+STEPS, SHARP, ON = 40, 1e-12, 1e-9
 
 
-class MovedFold:
-    """Jump value and gradient of one design after the other, each near the last.
+class Border:
+    """Where the followed state ends, as one parameter rises from where it begins to its own value in each design.
 
-    The first fold is the one of :func:`spragsym.design.jumps.jump_gradient`, by tubes from where ``vary`` begins. The next
-    one is found from the last by secants along the curve of states of the new design, in milliseconds; that the followed state
-    ends there is not known then. Where secants end nowhere it is found by tubes again.
+    Jump value and gradient of one design after the other are found near the last: the first fold is the one of
+    :func:`spragsym.jump_gradient`, by tubes from where ``vary`` begins. The next one is found from the last by secants along the
+    curve of states of the new design, in milliseconds; that the followed state ends there is not known then. Where secants end
+    nowhere it is found by tubes again.
     """
 
-    def __init__(self, vary: str, begin: float | None) -> None:
-        self.vary, self.begin = vary, begin
+    def __init__(self, designs: Space, vary: str, begin: float) -> None:
+        self.designs, self.vary, self.begin = designs, vary, begin
         self.last: FloatArray | None = None
 
-    def __call__(self, p: Any) -> JumpGradient:
+    def ended(self, z: FloatArray) -> FloatArray:
+        """1 where the state has ended, 0 where not, NaN where that is not known; below where the parameter begins it has not."""
+        return have_jumped(self.designs.sets(z), self.vary, self.designs.begin(z, self.begin))
+
+    def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
+        """How far beyond the design's own value the state ends, and the slopes of that by z."""
+        p, slopes = self.designs.sets(z), self.designs.slopes(z)
         asked = Followed(p, self.vary, "up", self.begin, None)
         found = None if self.last is None else self._next(asked, self.last)
-        if found is None:
-            found = told(first_ends(p, self.vary, begin=self.begin))
-        z = np.append(found.state, found.value)
-        self.last = z if np.isfinite(z).all() else None
-        return JumpGradient(self.vary, found.value, slopes_of(p, self.vary, found))
+        found = told(first_ends(p, self.vary, begin=self.begin)) if found is None else found
+        place = np.append(found.state, found.value)
+        self.last = place if np.isfinite(place).all() else None
+        # What is not among the slopes the jump does not depend on, as the belt's speed.
+        by_z = sum(float(slope) * slopes[name] for name, slope in slopes_of(p, self.vary, found).items() if name in slopes)
+        return float(found.value) - float(getattr(p, self.vary)), by_z - slopes[self.vary]
 
     def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
         """The fold near (q, v), if there is one within what the parameter may be."""
@@ -190,58 +196,27 @@ class MovedFold:
             return None
         return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {}, asked.until)
 
+    def near(self, z: FloatArray) -> FloatArray | None:
+        """The z of smallest size near a given one where the state ends at the design's own value, if there is one."""
+        from scipy.optimize import minimize
 
-def beyond(designs: Space, z: FloatArray, gradient: Callable[[Any], JumpGradient]) -> tuple[float, FloatArray]:
-    """How far beyond the design's own value the state ends, and the slopes of that by z."""
-    p, slopes = designs.sets(z), designs.slopes(z)
-    found = gradient(p)
-    # What is not among them the jump does not depend on, as the belt's speed.
-    by_z = sum((float(found.slopes[name]) * slopes[name] for name in found.slopes if name in slopes), np.zeros(z.size))
-    return float(found.value) - float(getattr(p, found.vary)), by_z - slopes[found.vary]
+        @functools.lru_cache(1)  # the value and its slopes are asked for one after the other
+        def off(*z: float) -> tuple[float, FloatArray]:
+            ahead, by_z = self.ahead(np.array(z))
+            size = float(np.linalg.norm(by_z))
+            if not 0 < size < np.inf:
+                raise ConvergenceError("the state does not end, or no slope is known where it does")
+            return ahead / size, by_z / size
 
-
-def on_border(designs: Space, z: FloatArray, gradient: MovedFold) -> FloatArray | None:
-    """The z of smallest size near a given one where the state ends at the design's own value, if there is one.
-
-    Source: g(z) = 0, how far beyond that the state ends. Each step goes to the point of smallest size of the plane
-    g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller.
-    """
-    limits = designs.limits()
-
-    def step(z: FloatArray) -> tuple[FloatArray, float]:
-        """The point of smallest size of the plane at z, and how far z is from the plane, over the slopes."""
-        ahead, by_z = beyond(designs, z, gradient)
-        square = float(by_z @ by_z)
-        if not 0 < square < np.inf:
-            raise ConvergenceError("the state does not end, or no slope is known where it does")
-        return _smallest(by_z, float(by_z @ z) - ahead, *limits), abs(ahead) / square**0.5
-
-    share, best = 1.0, np.inf
-    try:
-        towards, off = step(z)
-        for _ in range(STEPS):
-            moved = float(np.linalg.norm(towards - z))
-            if moved <= LAST * float(np.linalg.norm(z)):
-                return towards if step(towards)[1] < ON else None
-            share, best = (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
-            z = z + share * (towards - z)
-            towards, off = step(z)
-    except ConvergenceError:
-        return None
-    return z if off < ON else None
-
-
-def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
-    """The z of smallest size within limits, about 0, with slopes · z = level: one limit after the other is kept to."""
-    z, free = np.zeros_like(slopes), slopes != 0
-    while free.any():
-        z[free] = (level - slopes[~free] @ z[~free]) * slopes[free] / (slopes[free] @ slopes[free])
-        beyond = free & ((z < low) | (z > high))
-        if not beyond.any():
-            break
-        z[beyond] = np.clip(z, low, high)[beyond]
-        free &= ~beyond
-    return z
+        ends = {"type": "eq", "fun": lambda z: off(*z)[0], "jac": lambda z: off(*z)[1]}
+        try:
+            found = minimize(
+                lambda z: z @ z, z, jac=lambda z: 2 * z, method="SLSQP", bounds=np.transpose(self.designs.limits()),
+                constraints=ends, options={"ftol": SHARP, "maxiter": STEPS},
+            ).x  # fmt: skip
+            return np.asarray(found) if abs(off(*found)[0]) < ON else None
+        except ConvergenceError:
+            return None
 
 
 Member = Callable[[FloatArray], BoolArray]

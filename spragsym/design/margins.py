@@ -13,8 +13,8 @@ from ..numerics.interval_arrays import BoolArray
 from ..questions import Method, model_of, question
 from ..results.result import Result
 from .certificates import OPEN, SAFE, Boxes
-from .design_space import Design, MovedFold, Space, nearest, on_border, space
-from .jumps import have_jumped, jump_value
+from .design_space import Border, Design, Space, nearest, space
+from .jumps import jump_value
 from .tube_certificates import claims
 
 #: Shares of the distance within which a proof that nothing jumps is tried, and of the parts of a box that it may take.
@@ -94,21 +94,18 @@ def jump_margin(
     if prove and not isinstance(p, ParameterSet):
         raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
 
-    def ending(z: FloatArray) -> BoolArray:
-        # A design below where the parameter begins has not come to any end.
-        return np.asarray(have_jumped(designs.sets(z), name, designs.begin(z, first)) == 1)
+    border = Border(designs, name, first)
 
-    gradient = MovedFold(name, first)
+    def jumped(z: FloatArray) -> BoolArray:
+        return np.asarray(border.ended(z) == 1)
 
     def on_fold(z: FloatArray) -> FloatArray | None:
-        better = on_border(designs, z, gradient)
-        if better is None:
-            return None
+        better = border.near(z)
         # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
-        beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
-        return better if ending(beyond).any() else None
+        beyond = (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
+        return better if better is not None and jumped(better * beyond).any() else None
 
-    best = nearest(ending, designs.limits(), on_fold)
+    best = nearest(jumped, designs.limits(), on_fold)
     distance = np.inf if best is None else float(np.linalg.norm(best))
     # Where nothing was found two tolerances are enough.
     reach = 2.0 if best is None else distance
@@ -230,28 +227,22 @@ def redesign(
     if not target or not set(target) <= set(ranges):
         raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
     designs = space(p, scale, change, "change")
-    own, first, at = designs.parameters(np.zeros(len(designs.names))), dict[str, float](), dict[str, Space]()
+    own, borders = designs.parameters(np.zeros(len(designs.names))), list[Border]()
     for name, value in target.items():
         if name in designs.names:
             raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
-        at[name] = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name]))
-        lowest = ranges[name].reached(ranges[name].low)
-        first[name] = begin if begin is not None else lowest if np.isfinite(lowest) else float(own[name])
-    along = {name: MovedFold(name, first[name]) for name in at}
+        at, lowest = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name])), ranges[name].reached(ranges[name].low)
+        first = begin if begin is not None else lowest if np.isfinite(lowest) else float(own[name])
+        borders.append(Border(at, name, first))
 
     def keeps(z: FloatArray) -> BoolArray:
-        result = np.ones(z.shape[:-1], dtype=np.bool_)
-        for name, some in at.items():
-            left = np.flatnonzero(result)
-            if left.size:
-                result[left] = have_jumped(some.sets(z[left]), name, some.begin(z[left], first[name])) == 0
-        return result
+        return np.all([border.ended(z) == 0 for border in borders], axis=0)
 
     def on_target(z: FloatArray) -> FloatArray | None:
         """The nearest design on a fold at one of the targets, verified."""
         candidates = []
-        for name, some in at.items():
-            better = on_border(some, z, along[name])
+        for border in borders:
+            better = border.near(z)
             if better is not None:
                 outward = better * (1 + _OUTWARD)[:, None]
                 candidates += list(outward[keeps(outward)][:1])
@@ -261,5 +252,5 @@ def redesign(
     if best is None:
         return Redesign(np.inf, {}, None, {})
     changed = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
-    jump = {name: float(jump_value(designs.sets(best), name, begin=first[name])) for name in at}
+    jump = {border.vary: float(jump_value(designs.sets(best), border.vary, begin=border.begin)) for border in borders}
     return Redesign(float(np.linalg.norm(best)), changed, designs.made(best), jump)

@@ -12,8 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..design.design_space import Design, beyond, space
-from ..design.jumps import jump_gradient
+from ..design.design_space import Border, Design, space
 from ..design.margins import jump_margin, redesign
 from ..errors import SpragsymError
 from ..models.parameters import Range
@@ -82,10 +81,9 @@ def design(study: Study) -> Design:
     """The brake as drawn, with the friction that works, as a design of the model: quantities in SI."""
     kind = study.kind
     works = {"mu0": float(study.at_work.mu0)} if "mu0" in kind.model.parameters else {}
-    begin = None if study.of_friction else study.begins
     return Design(
-        {**study.values, **works}, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, begin,
-        study.dimensionless.followed, {} if study.rise is None else {study.rise.name: study.rise.quantity},
+        {**study.values, **works}, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, study.begins,
+        study.dimensionless.followed, {study.rises.name: study.rises.quantity},
     )  # fmt: skip
 
 
@@ -151,8 +149,8 @@ class _Search:
         """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
         study = self.study
         try:
-            scale, start = {name: self.scale[name] for name in names}, None if study.of_friction else study.begins()
-            after: Any = redesign(self.within, names, {study.rises.name: self.target}, scale, begin=start).parameters
+            scale, target = {name: self.scale[name] for name in names}, {study.rises.name: self.target}
+            after: Any = redesign(self.within, names, target, scale, begin=study.begins()).parameters
         except SpragsymError:
             return None
         return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
@@ -180,7 +178,7 @@ class _Search:
 
     def _movers(self) -> tuple[str, ...]:
         designs = space(design(self.study), self.scale, None)
-        _, moved = beyond(designs, np.zeros(len(designs.names)), lambda p: jump_gradient(p, **self.study.along()))
+        _, moved = Border(designs, self.study.rises.name, self.study.begins()).ahead(np.zeros(len(designs.names)))
         return tuple(designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable"))
 
     def _first_proved(self, least: Mapping[str, float] | None) -> Change | None:

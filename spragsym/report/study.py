@@ -326,8 +326,8 @@ class Study:
         return found if values else float(found)
 
     def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """The loading parameter as arguments of the model's questions, which take friction at full slip unless told otherwise."""
-        return {} if self.of_friction else {"vary": self.rises.name, "begin": self.begins(values or self.values)}
+        """The loading parameter as arguments of the model's questions."""
+        return {"vary": self.rises.name, "begin": self.begins(values)}
 
     @cached_property
     def ends(self) -> Ends:

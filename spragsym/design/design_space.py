@@ -150,8 +150,10 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
     return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base), followed=base.followed)
 
 
-#: Steps at most, and what the square of a size is known to; how near to its own value a jump value is on the border, in z.
-STEPS, SHARP, ON = 40, 1e-12, 1e-9
+#: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
+STEPS, LAST, SHORTER = 40, 1e-10, 0.3
+#: How near to its own value a jump value is on the border, over the slopes by z.
+ON = 1e-9
 
 
 class Border:
@@ -181,7 +183,10 @@ class Border:
         self.last = place if np.isfinite(place).all() else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.
         by_z = sum(float(slope) * slopes[name] for name, slope in slopes_of(p, self.vary, found).items() if name in slopes)
-        return float(found.value) - float(getattr(p, self.vary)), by_z - slopes[self.vary]
+        by_z = by_z - slopes[self.vary]
+        if not 0 < float(by_z @ by_z) < np.inf:
+            raise ConvergenceError("the state does not end, or no slope is known where it does")
+        return float(found.value) - float(getattr(p, self.vary)), by_z
 
     def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
         """The fold near (q, v), if there is one within what the parameter may be."""
@@ -197,26 +202,38 @@ class Border:
         return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {}, asked.until)
 
     def near(self, z: FloatArray) -> FloatArray | None:
-        """The z of smallest size near a given one where the state ends at the design's own value, if there is one."""
-        from scipy.optimize import minimize
+        """The z of smallest size near a given one where the state ends at the design's own value, if there is one.
 
-        @functools.lru_cache(1)  # the value and its slopes are asked for one after the other
-        def off(*z: float) -> tuple[float, FloatArray]:
-            ahead, by_z = self.ahead(np.array(z))
-            size = float(np.linalg.norm(by_z))
-            if not 0 < size < np.inf:
-                raise ConvergenceError("the state does not end, or no slope is known where it does")
-            return ahead / size, by_z / size
-
-        ends = {"type": "eq", "fun": lambda z: off(*z)[0], "jac": lambda z: off(*z)[1]}
+        Source: g(z) = 0, how far beyond that the state ends. Each step goes to the point of smallest size of the plane
+        g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller.
+        """
+        share, best = 1.0, np.inf
         try:
-            found = minimize(
-                lambda z: z @ z, z, jac=lambda z: 2 * z, method="SLSQP", bounds=np.transpose(self.designs.limits()),
-                constraints=ends, options={"ftol": SHARP, "maxiter": STEPS},
-            ).x  # fmt: skip
-            return np.asarray(found) if abs(off(*found)[0]) < ON else None
+            for _ in range(STEPS):
+                ahead, by_z = self.ahead(z)
+                step = _smallest(by_z, float(by_z @ z) - ahead, *self.designs.limits()) - z
+                moved = float(np.linalg.norm(step))
+                share, best = (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
+                z = z + share * step
+                if moved <= LAST * float(np.linalg.norm(z)):
+                    break
+            ahead, by_z = self.ahead(z)
         except ConvergenceError:
             return None
+        return z if abs(ahead) < ON * float(np.linalg.norm(by_z)) else None
+
+
+def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
+    """The z of smallest size within limits, about 0, with slopes · z = level: one limit after the other is kept to."""
+    z, free = np.zeros_like(slopes), slopes != 0
+    while free.any():
+        z[free] = (level - slopes[~free] @ z[~free]) * slopes[free] / (slopes[free] @ slopes[free])
+        beyond = free & ((z < low) | (z > high))
+        if not beyond.any():
+            break
+        z[beyond] = np.clip(z, low, high)[beyond]
+        free &= ~beyond
+    return z
 
 
 Member = Callable[[FloatArray], BoolArray]

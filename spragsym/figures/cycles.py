@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import math
 from collections.abc import Callable
 from contextlib import suppress
 from importlib import resources
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -39,6 +40,7 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
+    as_drawn,
     label,
     line_at,
     panels,
@@ -81,71 +83,62 @@ def found_cycles() -> dict[str, Any]:
     return found
 
 
-def _sliding() -> float:
-    """μ(V) of the article's values."""
-    return float(MODEL.friction(Parameters.article(V=V, d=D)))
+def _sliding() -> Parameters:
+    """The article's values with the friction μ(V)."""
+    return Parameters.article(mu0=float(MODEL.friction(Parameters.article(V=V, d=D))))
+
+
+def _fold(p: Parameters) -> float:
+    """The least θ₀ of a fold, degrees."""
+    return float(np.degrees(ss.folds(p).theta0[0]))
 
 
 @styled
-def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
+def figure_cycles() -> Sheet:
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
     figure, ax = single(DOUBLE, 4.2)
-    tables: dict[str, Table] = {"a_equilibria": _draw_rest(ax, to_deg)}
-    found = found_cycles()
-    families = list(dict.fromkeys(line["name"].partition(",")[0] for line in found["branches"]))
+    rest, found = branches(_sliding(), "theta0", np.radians(1.0), np.radians(179.0)), found_cycles()
+    for curve in rest:  # |x| is the root mean square
+        ax.plot(curve.shown("theta0"), np.abs(curve.x), color=BLACK, linestyle=LINES[curve.stability], linewidth=1.0)
+    colours: dict[str, str] = {}
+    columns, events = list[Table](), list[tuple[Any, ...]]()
     for line in found["branches"]:
         family, _, doubled = line["name"].partition(",")
-        colour = COLOURS[families.index(family) % len(COLOURS)]
-        angles = np.degrees(line["theta0"])
-        stable = line["stable"] == 1
+        colour = colours.setdefault(family, COLOURS[len(colours) % len(COLOURS)])
+        angles, stable = np.degrees(line["theta0"]), line["stable"] == 1
         draw_stretches(ax, angles, line["rms"], stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
         nearest = int(np.argmin(np.abs(line["theta0"] - value) + np.abs(line["period"] - period)))
-        if to_deg[0] < np.degrees(value) < to_deg[1] and (not doubled or np.ptp(angles[stable]) > WIDE):
-            write_along(
-                ax,
-                f"{period:.0f}",
-                float(np.degrees(value)),
-                line["rms"][nearest] + LIFTED,
-                color=colour,
-                ha="center",
-                fontsize=7,
-            )
-        events = [event for event in line["events"] if event[0] in MARKERS]
-        for kind, value, _, rms, _ in events:
-            ax.plot(np.degrees(value), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
-    tables["a_branches"] = stacked([
-        {"branch": np.full(len(line["theta0"]), line["name"]), "theta0_deg": np.degrees(line["theta0"]),
-         "period": line["period"], "rms_x": line["rms"], "stable": line["stable"]}
-        for line in found["branches"]
-    ])  # fmt: skip
-    events = [(line["name"], *event) for line in found["branches"] for event in line["events"]]
+        if not doubled or np.ptp(angles[stable]) > WIDE:
+            place = float(np.degrees(value)), line["rms"][nearest] + LIFTED
+            write_along(ax, f"{period:.0f}", *place, color=colour, ha="center", fontsize=7)
+        for kind, at, length, rms, how in line["events"]:
+            events.append((line["name"], kind, float(np.degrees(at)), length, rms, how))
+            if kind in MARKERS:
+                ax.plot(np.degrees(at), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
+        columns.append({"branch": np.full(angles.size, line["name"]), "theta0_deg": angles, "period": line["period"],
+                        "rms_x": line["rms"], "stable": line["stable"]})  # fmt: skip
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
-    tables["a_events"] = {
-        name: np.degrees(column).tolist() if name == "theta0_deg" else list(column)
-        for name, column in zip(names, zip(*events, strict=True), strict=True)
-    }
-    fold = float(np.degrees(ss.folds(Parameters.article()).theta0[0]))
-    sliding = float(np.degrees(ss.folds(Parameters.article(mu0=_sliding())).theta0[0]))
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
-    rest = float(np.degrees(fate.value))
-    for place, colour, style in ((rest, BLACK, "--"), (fold, GREY, ":"), (sliding, GREY, "-")):
-        if to_deg[0] < place < to_deg[1]:
-            line_at(ax, place, colour, 0.8, style=style, zorder=0.5)
-    angle_axis(ax, *((0.0, 180.0, 30.0) if to_deg[1] - to_deg[0] > 120 else (*to_deg, 1.0)))
+    places = float(np.degrees(fate.value)), _fold(Parameters.article()), _fold(_sliding())
+    for line_place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
+        line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
+    angle_axis(ax)
     ax.set(ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
-    tables["a_lines"] = {"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": [rest, fold, sliding]}
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V = {V}, steepness
         d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|; colours: cycles, root mean square of x about
         zero over one period; full where stable, equilibria by (27), dashed where not; thin: cycles that period doublings
         begin. Circles: period doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where the motion from
-        rest changes its fate, {rest:.4f}°; dotted: the fold of the statics at μ₀, {fold:.4f}°; full: at μ(V), {sliding:.4f}°.
+        rest changes its fate, {places[0]:.4f}°; dotted: the fold of the statics at μ₀, {places[1]:.4f}°; full: at μ(V),
+        {places[2]:.4f}°.
         Cycles were looked for from {found["starts"]} starts at each of {len(found["inclinations_deg"])} inclinations, along
         their branches, and from stable doublings; they are not proved to be all, and branches that end in the open were not
         followed farther. Numbers: a period on the stable part. Some unstable cycles lie above the frame.""",
-        **tables,
-    )
+        a_equilibria=table_of(rest), a_branches=stacked(columns),
+        a_events=dict(zip(names, zip(*events, strict=True), strict=True)),
+        a_lines={"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": places},
+    )  # fmt: skip
 
 
 def draw_stretches(
@@ -170,14 +163,6 @@ def draw_cycles(
     draw_stretches(ax, unit * values, curve, stable, colour, 1.3)
 
 
-def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
-    """Equilibria at μ(V): |x| is their root mean square."""
-    curves = branches(Parameters.article(mu0=_sliding()), "theta0", *map(math.radians, to_deg))
-    for curve in curves:
-        ax.plot(curve.shown("theta0"), np.abs(curve.x), color=BLACK, linestyle=LINES[curve.stability], linewidth=1.0)
-    return table_of(curves)
-
-
 @styled
 def branch_figure(branch: CycleBranch) -> Sheet:
     """Root mean square of the first coordinate and period along one branch."""
@@ -199,26 +184,14 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     )
 
 
-class _Curve(NamedTuple):
-    """Where on a branch the event is from which a curve is followed, how far, and where its label stands."""
-
-    vary: str
-    kind: str
-    nearest: float
-    points: int
-    label: str
-    place: tuple[float, float]
-
-
-#: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at friction 0.5 over the angle.
-CURVES = {
-    "doubling": _Curve("mu0", "period_doubling", 0.49, 22, "period doubling", (5.0, 0.455)),
-    "lower_doubling": _Curve("mu0", "period_doubling", 0.32, 25, "period doubling", (96.0, 0.43)),
-    "fold": _Curve("theta0", "fold", np.radians(69.8), 20, "fold of cycles", (78.0, 0.515)),
-    "lower_fold": _Curve("mu0", "fold", 0.096, 36, "fold of cycles", (20.0, 0.04)),
+#: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at friction 0.5 over the angle: the one
+#: nearest to a value, how far its curve is followed, and what stands beside it where.
+CURVES: dict[str, tuple[str, str, float, int, str, tuple[float, float]]] = {
+    "doubling": ("mu0", "period_doubling", 0.49, 22, "period doubling", (5.0, 0.455)),
+    "lower_doubling": ("mu0", "period_doubling", 0.32, 25, "period doubling", (96.0, 0.43)),
+    "fold": ("theta0", "fold", np.radians(69.8), 20, "fold of cycles", (78.0, 0.515)),
+    "lower_fold": ("mu0", "fold", 0.096, 36, "fold of cycles", (20.0, 0.04)),
 }
-
-
 #: At which the fate of rest is looked for.
 FRICTIONS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
 
@@ -238,31 +211,29 @@ def figure_cycles_plane(
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
     figure, ax = single(DOUBLE, 3.6)
     tables: dict[str, Table] = {}
-    branches = {vary: _along(vary) for vary in dict.fromkeys(CURVES[name].vary for name in curves)}
+    followed = functools.cache(_along)
     for name in curves:
-        curve = CURVES[name]
-        events = branches[curve.vary].of(curve.kind)
-        event = events[int(np.argmin([abs(each.value - curve.nearest) for each in events]))]
-        limits = {"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)}
-        found = cycle_events(event, ("theta0", "mu0"), to=limits, points=curve.points)
+        vary, kind, nearest, points, text, place = CURVES[name]
+        event = min(followed(vary).of(kind), key=lambda event: abs(event.value - nearest))
+        found = cycle_events(event, ("theta0", "mu0"), to={"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)}, points=points)
         angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
-        colour = BLUE if curve.kind == "period_doubling" else VERMILION
+        colour = BLUE if kind == "period_doubling" else VERMILION
         ax.plot(angles, friction, color=colour)
-        write_along(ax, curve.label, *curve.place, color=colour)
+        write_along(ax, text, *place, color=colour)
         tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
     still = [{"theta0_deg": np.degrees(one.theta0), "mu0": one.mu0} for one in ss.bifurcation_set(Parameters.article()).curves]
     for folds in still:
         ax.plot(*folds.values(), color=GREY, linewidth=0.9)
-    tables["a_statics"] = stacked(still)
-    decided, fates = [], []
+    fates = {"theta0_deg": list[float](), "mu0": list[float]()}
     for mu0 in frictions:
-        fold = float(ss.folds(Parameters.article(mu0=mu0)).theta0[0])
-        low = fold - np.radians(9.0)
+        p = Parameters.article(mu0=mu0)
+        fold = np.radians(_fold(p))
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
-            fates.append(fate_boundary(Parameters.article(mu0=mu0), vary="theta0", bracket=(low, fold - 0.003), V=V, d=D).value)
-            decided.append(mu0)
-    ax.plot(np.degrees(fates), decided, "o", color=BLACK, markersize=3)
-    tables["a_fates"] = {"theta0_deg": np.degrees(fates), "mu0": np.array(decided)}
+            fate = fate_boundary(p, vary="theta0", bracket=(fold - np.radians(9.0), fold - 0.003), V=V, d=D)
+            fates["theta0_deg"].append(float(np.degrees(fate.value)))
+            fates["mu0"].append(mu0)
+    ax.plot(*fates.values(), "o", color=BLACK, markersize=3)
+    tables |= {"a_statics": stacked(still), "a_fates": fates}
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
@@ -286,20 +257,18 @@ def fate_map_figure(found: FateMap) -> Sheet:
     varied = [name for name, values in found.inputs.items() if values.size > 1]
     if len(varied) != 2 or found.kind.size != math.prod(found.inputs[name].size for name in varied):
         raise ParameterError(f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters")
-    given = {name: np.degrees(found.inputs[name]) if name in model.about["angles"] else found.inputs[name] for name in varied}
-    across, up = (np.unique(values) for values in given.values())
-    order = np.lexsort([np.broadcast_to(values, shape).ravel() for values in given.values()])  # row by row
-    kind, period, positive = (
-        values.ravel()[order].reshape(up.size, across.size)
-        for values in (found.kind, found.period, found.exponent > found.exponent_error)
-    )
+    every = {name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel()) for name in varied}
+    (across, column), (up, row) = (np.unique(values, return_inverse=True) for values in every.values())
+    place = np.empty((up.size, across.size), dtype=int)
+    place[row, column] = np.arange(row.size)
+    kind, period = found.kind.ravel()[place], found.period.ravel()[place]
     figure, ax = single(DOUBLE, 3.2)
     for code, (colour, _) in PLAIN.items():
         ax.pcolormesh(across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
     image = ax.pcolormesh(across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
-    for marker, colour, irregular in (("x", GREY, False), ("+", VERMILION, True)):
-        rows, columns = np.nonzero((kind == Kind.UNDECIDED) & (positive == irregular))
-        ax.plot(across[columns], up[rows], marker, color=colour, markersize=3 + 2 * irregular, linestyle="none")
+    undecided, irregular = found.kind == Kind.UNDECIDED, found.exponent > found.exponent_error
+    for marker, colour, size, here in (("x", GREY, 3, undecided & ~irregular), ("+", VERMILION, 5, undecided & irregular)):
+        ax.plot(*(values[here.ravel()] for values in every.values()), marker, color=colour, markersize=size, linestyle="none")
     if (kind == Kind.CYCLE).any():
         figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     shown = [code for code in PLAIN if (kind == code).any()]
@@ -312,9 +281,8 @@ def fate_map_figure(found: FateMap) -> Sheet:
         period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is proved by Lyapunov
         exponents, as far as the motion was followed; crosses are undecided, upright
         ones in colour with an exponent above its 95 % interval: irregular so far.""",
-        a={**{f"{name}_deg" if name in model.about["angles"] else name: column for name, column in
-              zip(varied, (np.tile(across, up.size), np.repeat(up, across.size)), strict=True)},
-           "kind": kind.ravel(), "period": period.ravel()},
+        a={f"{name}_deg" if model.is_angle(name) else name: values for name, values in every.items()}
+        | {"kind": found.kind.ravel(), "period": found.period.ravel()},
     )  # fmt: skip
 
 
@@ -342,27 +310,25 @@ def diagram_figure(found: Diagram) -> Sheet:
             found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
             "stable": branch.stable,
         }  # fmt: skip
-    ax.set(xlim=(unit * found.to[0], unit * found.to[1]))
-    ax.set(xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
+    limits = [unit * end for end in found.to]
+    ax.set(xlim=limits, xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
     ax.margins(y=0.12)
+    ax.autoscale_view()
+    inside = ax.transLimits.frozen()
     named: list[tuple[str, float, float]] = []
-    low, high = ax.get_ylim()
     for one_label in found.labels:
-        if one_label.label not in LABEL_MARKERS:
+        name, at = one_label.label, (unit * one_label.value, one * one_label.height)
+        if name not in LABEL_MARKERS:
             continue
-        at = unit * one_label.value, one * one_label.height
-        ax.plot(*at, LABEL_MARKERS[one_label.label], color=BLACK, markersize=4, markerfacecolor="white", zorder=4)
-        place = ((one_label.value - found.to[0]) / (found.to[1] - found.to[0]), (at[1] - low) / (high - low))
-        if any(name == one_label.label and abs(place[0] - x) + abs(place[1] - y) < CLOSE for name, x, y in named):
-            continue
-        named.append((one_label.label, *place))
-        ax.annotate(one_label.label, at, xytext=_aside(one_label, place), textcoords="offset points", fontsize=7)
+        ax.plot(*at, LABEL_MARKERS[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4)
+        x, y = inside.transform(at)
+        if not any(name == other and abs(x - left) + abs(y - low) < CLOSE for other, left, low in named):
+            named.append((name, x, y))
+            ax.annotate(name, at, xytext=_aside(one_label, (x, y)), textcoords="offset points", fontsize=7)
     if not (found.equilibria or found.cycles):
         say(ax, "no equilibria and no cycles found here")
-    tables["labels"] = {
-        "label": np.array([label.label for label in found.labels]), found.vary: np.array([label.value for label in found.labels]),
-        found.name: np.array([label.height for label in found.labels]),
-    }  # fmt: skip
+    columns = {"label": "label", found.vary: "value", found.name: "height"}
+    tables["labels"] = {title: np.array([getattr(one, name) for one in found.labels]) for title, name in columns.items()}
     return figure.describe(
         f"""Equilibria (black; grey without contact) and cycles (colours, least and largest {found.name}) over {found.vary}: full
         where stable, dashed where not. LP folds and H Hopf points of equilibria; of cycles LPC folds, PD period doublings, NS

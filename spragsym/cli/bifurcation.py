@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -117,7 +118,6 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
 
     Curves of onsets where they are asked for, or were found along the first parameter, or where there are no folds to show.
     """
-    from ..figures import bifurcation_figure
     from ..figures.style import window
 
     p, ranges = case.set(*vary), case.between
@@ -127,9 +127,9 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
             onsets = ss.onset_curves(p, vary, min(n, 30), damping=False if undamped else None, between=shown)
     else:
         click.echo("the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in", err=True)
-    axes = [(case.axis(vary[0]), case.axis(vary[1]))]
     drawing = f"drawing folds{', onsets' if onsets else ''} and cusps in the plane of {plane}"
-    drawn(path, drawing, lambda: bifurcation_figure(p, vary, between=shown, n=n, onsets=onsets), axes)
+    figure = partial(ss.figures.bifurcation_figure, p, vary, between=shown, n=n, onsets=onsets)
+    drawn(path, drawing, figure, lambda: [[*map(case.axis, vary)]])
 
 
 @o.of_model(statics=True, spanned=2)
@@ -157,11 +157,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
     with show_progress(f"searching for onsets {plane}"):
         found = ss.onset_curves(case.set(*names), names, n, damping=False if undamped else None, between=case.between)
-    if plot is not None:
-        from ..figures import stability_figure
-
-        axes = [(case.axis(names[0]), case.axis(names[1]))]
-        drawn(plot, f"drawing onsets {plane}", lambda: stability_figure(found), axes)
+    drawn(plot, f"drawing onsets {plane}", lambda: ss.figures.stability_figure(found), lambda: [[*map(case.axis, names)]])
     columns = ("criticality", *names, *coordinates, "omega", "lyapunov", "lyapunov_error")
     curves = [case.row({name: getattr(curve, name) for name in columns}) for curve in found.curves]
     # Points at which two conditions hold, and those at which the kind of the onset changes.

@@ -3,6 +3,7 @@
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -99,13 +100,11 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
         raise click.UsageError(
             "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and numbers for others"
         )
-    from ..figures import eigenvalue_figure
-
     name, (low, high) = case.span.name, case.span.between[case.span.name]
-    p, across, (_, per) = case.set(name, **{name: None}), case.axis(name), case.of("growth")
-    words = (r"frequency Im $\lambda$", r"growth Re $\lambda$")
-    axes = [(across, None if case.study is None else (f"{word} (1/s)", per)) for word in words]
-    drawn(plot, f"drawing eigenvalues over {name}", lambda: eigenvalue_figure(p, name, low=low, high=high), axes)
+    words = () if case.study is None else (r"frequency Im $\lambda$ (1/s)", r"growth Re $\lambda$ (1/s)")
+    p, axes = case.set(name, **{name: None}), [(case.axis(name), (word, case.of("growth")[1])) for word in words]
+    figure = partial(ss.figures.eigenvalue_figure, p, name, low=low, high=high)
+    drawn(plot, f"drawing eigenvalues over {name}", figure, lambda: axes)
 
 
 def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str, Any]]:

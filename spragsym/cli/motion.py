@@ -20,7 +20,7 @@ from .output import drawn, print_rows, print_table, refuse, resumed
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
-    from ..orbits import Cycle, CycleBranch
+    from ..orbits import Cycle
 
 #: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a sweep followed to the end.
 LONGEST = 2e6
@@ -62,12 +62,15 @@ def simulate(
     summary = case.row(_summary(tr, transient))
     if output is not None:
         tr.save(output)
-    if plot is not None:
-        from ..figures import motion_figure
-        from ..figures.motions import Units
 
-        units = None if case.study is None else Units(1e3 * case.study.scales.length, case.study.scales.time, "mm")
-        drawn(plot, "drawing the motion", lambda: motion_figure(tr, transient, units))
+    def figure() -> Any:
+        from ..figures.motions import Units, motion_figure
+
+        return motion_figure(
+            tr, transient, None if case.study is None else Units(1e3 * case.study.scales.length, case.time, "mm")
+        )
+
+    drawn(plot, "drawing the motion", figure)
 
     def table() -> None:
         for name, value in {"model": case.model.name, **summary}.items():
@@ -178,10 +181,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, force: bool, 
     begin = [float(value) for value in start.values()]
     with resumed(force):
         found = fate_map(p, start=begin, progress=not quiet, store=store, **settings)
-    if plot is not None:
-        from ..figures import fate_map_figure
-
-        drawn(plot, "drawing the map", lambda: fate_map_figure(found))
+    drawn(plot, "drawing the map", found.plot)
     click.echo(f"{store}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))
 
 
@@ -255,11 +255,8 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
     unit, title = along.unit, along.title
     with show_progress(f"equilibria and cycles along {along.name}"):
         found = diagram(p, along.name, along.between[along.name], starts=starts, points=points)
-    if plot is not None:
-        from ..figures import diagram_figure
-
-        first = case.axis(found.name, after=": rest, cycles from least to largest")
-        drawn(plot, "drawing the diagram", lambda: diagram_figure(found), [(case.axis(found.vary), first)])
+    up = ": rest, cycles from least to largest"
+    drawn(plot, "drawing the diagram", found.plot, lambda: [(case.axis(found.vary), case.axis(found.name, after=up))])
     labels = [
         {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
         for label in found.labels
@@ -323,8 +320,14 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[st
         )
     with show_progress(f"following cycles along {along.name}"):
         branch = cycle_branch(found, along.name, (low, high), points=points)
-    if plot is not None:
-        _draw(case, branch, plot)
+    period = None if case.study is None else ("period (s)", case.time)
+    first = case.model.coordinates[0]
+    drawn(
+        plot,
+        "drawing the branch",
+        branch.plot,
+        lambda: [(case.axis(along.name), up) for up in (case.axis(first, "RMS of "), period)],
+    )
     events = branch.events
     columns = {along.name: branch.values, "period": branch.periods, "rms": branch.rms, "stable": branch.stable}
     return {
@@ -335,14 +338,6 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[st
             how=case.said(event.how for event in events),
         ),
     }  # fmt: skip
-
-
-def _draw(case: Case, branch: CycleBranch, path: Path) -> None:
-    from ..figures import branch_figure
-
-    along, period = case.axis(branch.vary), None if case.study is None else ("period (s)", case.time)
-    axes = [(along, case.axis(case.model.coordinates[0], "RMS of ")), (along, period)]
-    drawn(path, "drawing the branch", lambda: branch_figure(branch), axes)
 
 
 def _shown(value: Any) -> Any:

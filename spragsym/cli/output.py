@@ -22,7 +22,7 @@ from ..numerics.decimals import upward
 from ..progress import show_progress
 
 if TYPE_CHECKING:
-    from ..figures.style import Sheet, Shown
+    from ..figures.style import Shown
 
 #: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
@@ -136,13 +136,17 @@ def drawable(path: Path | None) -> None:
         raise ParameterError(f"--plot {path}: the ending must be .pdf, .png or .svg")
 
 
-def drawn(path: Path, part: str, make: Callable[[], Sheet], axes: Iterable[tuple[Shown | None, Shown | None]] = ()) -> None:
-    """Draw a figure in its house's style, and write it; ``axes`` says of each panel what its two axes show, None as it is."""
+def drawn(
+    path: Path | None, part: str, make: Callable[[], Any], axes: Callable[[], Iterable[Sequence[Shown | None]]] = tuple
+) -> None:
+    """Draw a figure if its file is asked for; ``axes`` says of each panel what its two axes show, None as it is."""
+    if path is None:
+        return
     from ..figures.style import house_style, in_units, picture
 
     with house_style(), show_progress(part):
         figure = make()
-        for ax, shown in zip(figure.axes, axes, strict=False):
+        for ax, shown in zip(figure.axes, axes(), strict=False):
             for axis, one in zip((ax.xaxis, ax.yaxis), shown, strict=True):
                 in_units(axis, one)
         put(path, picture(figure, path.suffix[1:]))

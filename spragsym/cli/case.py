@@ -70,7 +70,8 @@ class Case:
     """What a command is about, and in what units it answers.
 
     ``values`` of its parameters are radians, None for those that were not given and have no base value; ``start`` is the initial
-    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model; ``spans`` vary.
+    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model; ``spans`` vary;
+    ``force`` overwrites files.
     """
 
     model: Model
@@ -79,6 +80,7 @@ class Case:
     start: Mapping[str, Any] = field(default_factory=dict)
     ask: Mapping[str, Any] = field(default_factory=dict)
     spans: tuple[Span, ...] = ()
+    force: bool = False
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""

@@ -37,7 +37,7 @@ LONGEST = 2e6
 @o.force
 @o.as_json
 def simulate(
-    case: Case, t_end: float, transient: float | None, output: Path | None, plot: Path | None, force: bool, **settings: Any
+    case: Case, t_end: float, transient: float | None, output: Path | None, plot: Path | None, **settings: Any
 ) -> Any:  # fmt: skip
     """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
@@ -54,7 +54,7 @@ def simulate(
     from ..files import storage
 
     p, (t_end, transient) = case.set(), _times(case, t_end, transient, "all of a motion is kept")
-    refuse([output], force)
+    refuse([output], case.force)
     if output is not None:
         storage.check_target(output, 10_000_000)
     with show_progress("following the motion"):
@@ -107,7 +107,7 @@ def _summary(tr: Any, transient: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
-@o.of_model(kind=o.Axis, start=True)
+@o.of_model(kind=o.Numbers, start=True)
 @o.t_end
 @o.transient
 @o.rtol
@@ -116,7 +116,7 @@ def _summary(tr: Any, transient: float) -> dict[str, Any]:
 @o.quiet
 @o.file("--output", "-o", "store", folder=True, required=True, help="FILE.nc or FILE.csv.")
 @o.force
-def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store: Path, force: bool, **settings: Any) -> None:
+def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store: Path, **settings: Any) -> None:
     """Simulate over a grid of parameters, to a file.
 
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
@@ -135,7 +135,7 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store:
     case.require()
     t_end, transient = _times(case, t_end, transient, "each motion of a sweep is followed to its end")
     p, start = _grid(case)
-    with resumed(force):
+    with resumed(case.force):
         options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": store}
         result = ss.rms_sweep(p, **options)
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
@@ -148,13 +148,12 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store:
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
     """The parameters and the initial state, each axis of more than one number along a dimension of its own."""
     axes = {**case.values, **case.start}
-    long = [name for name, axis in axes.items() if axis.size > 1]
-    opened = dict(zip(long, np.ix_(*(axes[name] for name in long)), strict=True))
-    grid = {name: opened.get(name, axis.reshape(()) if axis.size == 1 else axis) for name, axis in axes.items()}
-    return case.model.Parameters(**{name: grid.pop(name) for name in case.values}), grid
+    long = [name for name, axis in axes.items() if np.size(axis) > 1]
+    axes |= dict(zip(long, np.ix_(*(axes[name] for name in long)), strict=True))
+    return case.model.Parameters(**{name: axes.pop(name) for name in case.values}), axes
 
 
-@o.of_model(kind=o.Axis, start=True)
+@o.of_model(kind=o.Numbers, start=True)
 @click.option("--t-end", type=float, default=40_000.0, help="How long to follow it; exponents come after.")
 @o.backend("heyoka", "scipy")
 @o.workers(1)
@@ -162,7 +161,7 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 @o.file("--output", "-o", "store", folder=True, required=True, help="FILE.csv.")
 @o.plot("the map")
 @o.force
-def fates(case: Case, quiet: bool, store: Path, plot: Path | None, force: bool, **settings: Any) -> None:
+def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: Any) -> None:
     """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
 
     Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two that vary. Killed or interrupted,
@@ -179,7 +178,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, force: bool, 
         raise ParameterError(f"--plot {plot}: it draws a map over two parameters that vary; give two of them several values")
     p, start = _grid(case)
     begin = [float(value) for value in start.values()]
-    with resumed(force):
+    with resumed(case.force):
         found = fate_map(p, start=begin, progress=not quiet, store=store, **settings)
     drawn(plot, "drawing the map", found.plot)
     click.echo(f"{store}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))

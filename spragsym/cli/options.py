@@ -19,7 +19,7 @@ from ..errors import ParameterError
 from ..models import load
 from ..models.load import USUAL
 from ..models.model import options_of
-from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, degrees, shown
+from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, Range, as_number, as_numbers, degrees, shown
 from .case import Case, Typed, in_degrees, study_of
 from .output import drawable, print_json, refuse
 
@@ -55,17 +55,13 @@ class Command(click.Command):
     def invoke(self, ctx: click.Context) -> Any:
         """Do the work; an error about an argument of Python names its option."""
         try:
-            return self.work(ctx)
+            return super().invoke(ctx)
         except ParameterError as error:
             name, sign, rest = str(error).partition(" = ")
             flags = {option.name: option.opts for option in self.params if isinstance(option, click.Option)}
             if type(error) is not ParameterError or name not in flags or not sign:
                 raise
             raise ParameterError(f"{max(flags[name], key=len)} = {rest}") from error
-
-    def work(self, ctx: click.Context) -> Any:
-        """Carry out the command."""
-        return super().invoke(ctx)
 
 
 #: As ``click.command``.
@@ -91,38 +87,32 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generi
         return as_number(_flag(param), number, self.allowed)
 
 
-class Axis(Number):
-    """Numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in a range."""
+class Numbers(Number):
+    """A number, numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in a range."""
 
     name = "numbers"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        if re.fullmatch(r"\s*[+-]?(0,\d+|\d+,0\d+)\s*", str(value)):
-            one, two = value.replace(",", "."), value.replace(",", ".0,")
+        text = str(value)
+        if "," not in text and ":" not in text:
+            return super().convert(value, param, ctx)
+        if re.fullmatch(r"\s*[+-]?(0,\d+|\d+,0\d+)\s*", text):
+            one, two = text.replace(",", "."), text.replace(",", ".0,")
             self.fail(f"{value!r} may be one number or two; write {one}, or {two}", param, ctx)
+        numbers = None
         try:
-            numbers = self._numbers(str(value))
+            if ":" not in text:
+                numbers = np.array([float(number) for number in text.split(",")])
+            else:
+                start, stop, count = text.split(":")
+                with np.errstate(all="ignore"):  # an infinite end, which the range refuses
+                    numbers = np.linspace(float(start), float(stop), int(count)) if 1 < int(count) <= MOST else None
         except ValueError:
             self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx)
         if numbers is None:
             self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone", param, ctx)
-        as_numbers(_flag(param), numbers if numbers.size > 1 else numbers[0], self.allowed)
+        as_numbers(_flag(param), numbers, self.allowed)
         return numbers
-
-    def _numbers(self, text: str) -> FloatArray | None:
-        if ":" not in text:
-            return np.array([float(number) for number in text.split(",")])
-        start, stop, count = text.split(":")
-        with np.errstate(all="ignore"):  # an infinite end, which the range refuses
-            return np.linspace(float(start), float(stop), int(count)) if 1 < int(count) <= MOST else None
-
-
-class Numbers(Number):
-    """A number, or numbers as :class:`Axis` takes them."""
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        many = isinstance(value, str) and ("," in value or ":" in value)
-        return Axis(self.allowed).convert(value, param, ctx) if many else super().convert(value, param, ctx)
 
 
 class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -227,6 +217,17 @@ def workers(default: int) -> Decorator:
     return click.option("--workers", "-j", type=int, callback=_processes, default=default, help=text)
 
 
+#: Options that say what a command is about, which are looked at before the others.
+ABOUT = [
+    click.Option(["--model"], metavar="NAME|DIR", help=f"{TEXT} Its parameters become options.", expose_value=False),
+    click.Option(
+        ["--data"], metavar="FILE", expose_value=False,
+        help="Take the parameters, and the model, from the data of a brake, and answer in the units of that file.",
+    ),
+    click.Option(["--trust"], is_flag=True, help=TRUST, expose_value=False),
+]  # fmt: skip
+
+
 class OfModel(Command):
     """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
 
@@ -246,7 +247,7 @@ class OfModel(Command):
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
         self.values, self.spanned = values, spanned
-        self.text = self.help
+        self.text, self.work = self.help, self.callback
         self._be_about(load(USUAL))
 
     def _be_about(self, model: Model) -> None:
@@ -256,17 +257,9 @@ class OfModel(Command):
             "last": "".join(model.axes[-1:]),
             "coordinate": model.coordinates[0], "state": ",".join(model.components).upper(),
         }  # fmt: skip
-        data = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
-        asked = [
-            click.Option(["--model"], metavar="NAME|DIR", help=f"{TEXT} Its parameters become options."),
-            click.Option(["--data"], metavar="FILE", help=data),
-            click.Option(["--trust"], is_flag=True, help=TRUST),
-        ]
-        for option in asked:
-            option.expose_value = False
-        self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *asked]
+        self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *ABOUT]
         of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
-        self.help = f"{self.text}{of}"
+        self.help, self.callback = f"{self.text}{of}", self._work
 
     def make_context(
         self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
@@ -282,12 +275,10 @@ class OfModel(Command):
             about._be_about(load(name))
         return super(OfModel, about).make_context(info_name, args, parent, **extra)
 
-    def work(self, ctx: click.Context) -> Any:
+    def _work(self, **given: Any) -> None:
         """Do the work, about the case that the parameters are."""
-        return ctx.invoke(self._work, ctx)
-
-    def _work(self, ctx: click.Context) -> None:
-        given, units = ctx.params, Case(self.model, ctx.obj)
+        ctx = click.get_current_context()
+        units = Case(self.model, ctx.obj)
         values = {name: given.pop(name) for name in self.model.parameters}
         for entry in self.model.about["parameters"]:
             name = entry["name"]
@@ -301,13 +292,13 @@ class OfModel(Command):
         asked = given.pop("vary", None) or [Typed(name, name) for name in self._varies()]
         typed = [asked] if isinstance(asked, Typed) else asked
         spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(typed))
-        case = Case(self.model, ctx.obj, values, start, {name: one for name, one in ask.items() if one}, spans)
+        ask, force = {name: one for name, one in ask.items() if one}, given.pop("force", False)
+        case = Case(self.model, ctx.obj, values, start, ask, spans, force)
         json_output, plot = given.pop("json_output", False), given.get("plot")
-        assert self.callback is not None  # each has its work
-        takes_force = "force" in inspect.signature(self.callback).parameters
+        assert self.work is not None
         drawable(plot)
-        refuse([plot], given.get("force", False) if takes_force else given.pop("force", False))
-        done = self.callback(case, **given)
+        refuse([plot], force)
+        done = self.work(case, **given)
         if done is not None:
             told, tables = done
             if json_output:

@@ -56,7 +56,8 @@ def dataset(
     """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of ``codes``."""
     made = xarray().Dataset(data, coords=coords, attrs=attributes)
     for name in made.variables:
-        made[name].attrs = dict(zip(("units", "long_name"), explained[name], strict=True))
+        told = zip(("units", "long_name"), explained.get(name, ("", "")), strict=True)
+        made[name].attrs = {key: text for key, text in told if text}
     for name, kinds in codes.items():
         words = " ".join(kind.name.lower() for kind in kinds)
         made[name].attrs |= {"flag_values": np.array(list(kinds), dtype=np.int8), "flag_meanings": words}
@@ -107,22 +108,19 @@ def check_target(path: str | os.PathLike[str], bytes_needed: int) -> Path:
 
 
 def write(
-    path: Path,
-    dataset: Callable[[], Any],
-    columns: Callable[[], Mapping[str, Any]],
-    attrs: Mapping[str, Any],
+    path: Path, dataset: Callable[[], Any], columns: Mapping[str, Any], attrs: Mapping[str, Any],
     explained: Mapping[str, tuple[str, str]],
-) -> None:
+) -> None:  # fmt: skip
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes.
 
-    ``explained`` has unit and meaning of every column.
+    ``explained`` has unit and meaning of columns.
     """
     path = check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
     if path.suffix == ".nc":
         put(path, _sealed(bytes(dataset().to_netcdf(engine="h5netcdf")) + b"\n"))
     else:
-        put(path, _csv(columns(), attrs, explained))
+        put(path, _csv(columns, attrs, explained))
 
 
 def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mapping[str, tuple[str, str]]) -> bytes:
@@ -134,7 +132,7 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mappin
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-    text.writelines(f"# {name} [{explained[name][0]}]: {explained[name][1]}\n" for name in columns)
+    text.writelines("# {} [{}]: {}\n".format(name, *explained.get(name, ("", ""))) for name in columns)
     writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
     return _sealed(text.getvalue().encode())
 
@@ -147,11 +145,6 @@ def _sealed(data: bytes) -> bytes:
 def plain(text: str) -> str:
     """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma, quote, # or line end."""
     return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
-
-
-def write_text(path: Path, text: str) -> None:
-    """Write lines of text with the checksum after them, whole or not at all."""
-    put(path, _sealed(text.encode()))
 
 
 # ------------------------------------------------------------------------------------------------------ to read
@@ -176,11 +169,6 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
     if attributes.get("fingerprint") != key:
         raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
     return columns
-
-
-def read_text(path: Path) -> str:
-    """What :func:`write_text` wrote; errors as of :func:`read`."""
-    return _verified(path).decode()
 
 
 def _verified(path: Path) -> bytes:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -321,6 +320,10 @@ class Trajectory(Named):
         extrema = np.concatenate([late.samples.passages(row + n, sign) for sign in (1, -1)])
         return decay_rate_of(extrema, late.samples(extrema)[row])
 
+    @property
+    def _explained(self) -> Mapping[str, tuple[str, str]]:
+        return self.model.quantities
+
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
         data: dict[str, Any] = {name: ("t", getattr(self, name)) for name in self.components}
@@ -332,10 +335,6 @@ class Trajectory(Named):
             data["event"] = ("event_t", self.events.which.astype(np.int8))
         codes = {"event": Event} if "event" in data else {}
         return storage.dataset(data, coords, self._attributes(), self.model.quantities, codes)
-
-    def _save_columns(self, path: Path) -> None:
-        """Write netCDF to ``*.nc`` (extra ``sweep``), with the events, or the samples alone to ``*.csv``."""
-        storage.write(path, self.to_dataset, self.data, self._attributes(), self.model.quantities)
 
     # -------------------------------------------------------------------------------------------- inner parts
 

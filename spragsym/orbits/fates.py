@@ -272,15 +272,16 @@ class FateMap(Result):
         """How many points are of each kind."""
         return {kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind)) for kind in Kind}
 
-    def _save_columns(self, path: Path) -> None:
-        """Write ``*.csv``: one line a point."""
-        explained = {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
+    @property
+    def _explained(self) -> dict[str, tuple[str, str]]:
+        return {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
+
+    def _attributes(self) -> dict[str, Any]:
         names = (f"{name}0" for name in self.model.components)
-        made = {
+        return {
             **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
             "backend": self.backend, "fingerprint": _Asked(self.model, self.start, self.t_end, self.backend).key(self.inputs),
         }  # fmt: skip
-        storage.write(path, dict, self._columns, made, explained)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         columns = with_degrees(self.model, self.inputs) | {name: getattr(self, name) for name in (*MEASURED, "why")}

@@ -173,7 +173,7 @@ class Cycle(Result):
     def _save_columns(self, path: Path) -> None:
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
         motion = self.trajectory()
-        storage.write(path, self.to_dataset, motion.data, motion._attributes(), motion.model.quantities)
+        storage.write(path, self.to_dataset, motion.data(), motion._attributes(), motion.model.quantities)
 
     def __repr__(self) -> str:
         return (

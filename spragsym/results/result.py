@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import importlib
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from ..display import Shown, sorted_out, tables, text, words
 from ..errors import MissingExtraError
+from ..files import storage
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray
 
@@ -51,18 +51,19 @@ class Result(Shown):
 
     def to_dataframe(self) -> Any:
         """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be installed."""
-        return _imported("pandas", "a data frame").DataFrame({name: column.ravel() for name, column in self.data().items()})
+        try:
+            from pandas import DataFrame  # type: ignore[import-untyped]  # it brings no types
+        except ModuleNotFoundError as error:
+            raise MissingExtraError("a data frame", "pandas", "sweep") from error
+        return DataFrame({name: column.ravel() for name, column in self.data().items()})
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` of :meth:`data`, with unit and meaning where the model knows them (extra ``sweep``)."""
-        known = getattr(self.table_model, "quantities", {})
         variables = {}
         for name, column in self.data().items():
-            told = zip(("units", "long_name"), known.get(name, ("", "")), strict=True)
             dims = ("row",) if column.ndim == 1 else tuple(f"axis_{place}" for place in range(column.ndim))
-            column = column.astype(object) if column.dtype.kind == "U" else column
-            variables[name] = (dims, column, {key: text for key, text in told if text})
-        return _imported("xarray", "a dataset").Dataset(variables)
+            variables[name] = (dims, column.astype(object) if column.dtype.kind == "U" else column)
+        return storage.dataset(variables, {}, {}, self._explained, {})
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to ``*.csv`` or ``*.nc``."""
@@ -75,23 +76,33 @@ class Result(Shown):
         return self
 
     def _save_columns(self, path: Path) -> None:
-        from ..files.storage import provenance, write
+        """Write a dataset to ``*.nc`` (extra ``sweep``), or columns to ``*.csv``."""
+        made = getattr(self, "to_dataset", self.to_xarray)
+        storage.write(path, made, self._columns(), self._attributes(), self._explained)
 
-        known = getattr(self.table_model, "quantities", {})
-        write(path, self.to_xarray, self.data, provenance(), {name: known.get(name, ("", "")) for name in self.data()})
+    def _columns(self) -> Mapping[str, NDArray[Any]]:
+        """Columns of a ``*.csv``."""
+        return self.data()
+
+    def _attributes(self) -> dict[str, Any]:
+        """What else a file says."""
+        return storage.provenance()
+
+    @property
+    def _explained(self) -> Mapping[str, tuple[str, str]]:
+        """Unit and meaning of columns: as a rule, of those that the page has."""
+        model = self.table_model
+        return {
+            name: told
+            for name, told in getattr(model, "quantities", {}).items()
+            if name in (*model.parameters, *model.components)
+        }
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra ``plot``)."""
         import spragsym  # a shorthand for what a user asks the package: no room imports one behind it
 
         return spragsym.figures.plot(self, ax, **options)
-
-
-def _imported(module: str, feature: str) -> Any:
-    try:
-        return importlib.import_module(module)
-    except ModuleNotFoundError as error:
-        raise MissingExtraError(feature, module, "sweep") from error
 
 
 def _short(result: Any) -> str:

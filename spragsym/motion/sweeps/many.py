@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import cache, partial
 from importlib.resources import files
 from importlib.resources.abc import Traversable
-from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
@@ -212,6 +211,10 @@ class Sweep(Named):
         at_rest, on_cycle = not np.isnan(rest[0]), not np.isnan(cycle[0])
         return Outcome(regime, which, rest if at_rest else (), cycle=cycle if on_cycle else (), names=names, **known)
 
+    @property
+    def _explained(self) -> Mapping[str, tuple[str, str]]:
+        return self.model.quantities
+
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
@@ -229,10 +232,6 @@ class Sweep(Named):
         columns = {**self._told(), "reason": self.reason.astype(object)}
         results = {name: (dims, values) for name, values in columns.items()}
         return storage.dataset(results, inputs, self._attributes(), self.model.quantities, self.table_codes)
-
-    def _save_columns(self, path: Path) -> None:
-        """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
-        storage.write(path, self.to_dataset, self._columns, self._attributes(), self.model.quantities)
 
     def _told(self) -> dict[str, NDArray[Any]]:
         return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}

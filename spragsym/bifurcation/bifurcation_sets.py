@@ -207,7 +207,7 @@ def on_lines(
     reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
     curves = FoldCurves(Augmented(family, condition), np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]]))
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
-    joined = curves.joined([states[:, places] for places in _chains(curves, states, near)], [lines[name] for name in vary])
+    joined = curves.joined([states[:, places] for places in _chains(curves, states, near)])
     chains = [curves.smooth(chain) for chain in joined]
     return OnLines(curves, chains, lines, undecided, whole, tuple(Remark("on lines: {}", text) for text in remarks))
 
@@ -301,17 +301,14 @@ class FoldCurves:
                 break
         return out
 
-    def joined(self, chains: Sequence[FloatArray], lines: Sequence[FloatArray]) -> list[FloatArray]:
-        """Chains followed beyond both ends: to the end of a range, or to the end of another chain, with which it then is one.
-
-        ``lines`` are the values of either parameter at which all points are known, so that none is passed unseen.
-        """
+    def joined(self, chains: Sequence[FloatArray]) -> list[FloatArray]:
+        """Chains followed beyond both ends: to the end of a range, or to the end of another chain, with which it then is one."""
         left, out = list(chains), []
         while left:
             chain = left.pop(0)
             for side in (1, -1):
                 while not _is_closed(chain):
-                    path, met = self._beyond(chain, left, lines, side)
+                    path, met = self._beyond(chain, left, side)
                     chain = np.concatenate([chain, path], axis=1)
                     if met is None:
                         break
@@ -321,25 +318,20 @@ class FoldCurves:
             out.append(chain)
         return out
 
-    def _beyond(
-        self, chain: FloatArray, others: Sequence[FloatArray], lines: Sequence[FloatArray], side: int
-    ) -> tuple[FloatArray, tuple[int, int] | None]:
+    def _beyond(self, chain: FloatArray, others: Sequence[FloatArray], side: int) -> tuple[FloatArray, tuple[int, int] | None]:
         """Points behind the last by pseudo-arclength, and which chain they lead to, from which end; −1 is its own begin."""
         known = [(k, way, other[:, 0 if way > 0 else -1]) for k, other in enumerate(others) for way in (1, -1)]
         known += [(-1, 1, chain[:, 0])] if chain.shape[1] > 2 else []
-        path = [chain[:, -1]]
+        path, fixed = [chain[:, -1]], None
         before, pace = chain[:, -2] if chain.shape[1] > 1 else None, PACE
         for _ in range(PACES):
-            if pace < LEAST:
+            if pace < LEAST or fixed is not None:
                 break
             end = path[-1]
             along = self.tangents(end[:, None])[:, 0]
             along = along * (side if before is None else np.sign(along @ ((end - before) / self.scale)))
-            start, fixed = self._stopped(end, end + pace * along * self.scale, self.spans)
-            found, good = self._at(start, along, fixed, pace)
-            if good and fixed is None:
-                start, fixed = self._stopped(end, found, lines)
-                found, good = self._at(start, along, fixed, pace) if fixed is not None else (found, good)
+            start, stop = self._within(end, end + pace * along * self.scale)
+            found, good = self._at(start, along, stop, pace)
             if not good or abs(self.tangents(found[:, None])[:, 0] @ along) < STRAIGHT:
                 pace *= 0.5
                 continue
@@ -347,11 +339,8 @@ class FoldCurves:
                 if self._lies_between(there, end, found):
                     return np.array([*path[1:], *([there] if k < 0 else [])]).reshape(-1, len(end)).T, (k, way)
             path.append(found)
-            if fixed is not None:
-                # A line on which the point belongs to the inside of a chain is no end: what leads there is drawn already.
-                return (np.array(path[1:]).T if found[fixed] in self.spans[fixed - len(end)] else chain[:, :0]), None
-            before, pace = end, 1.5 * pace
-        return np.array(path[1:]).reshape(-1, len(end)).T, None
+            before, pace, fixed = end, 1.5 * pace, stop
+        return np.array(path[1:]).reshape(-1, len(chain)).T, None
 
     def _at(self, start: FloatArray, along: FloatArray, fixed: int | None, near: float) -> tuple[FloatArray, bool]:
         """The point in the plane across ``along``, or where an unknown is as in ``start``; and whether it is proved."""
@@ -361,22 +350,17 @@ class FoldCurves:
             found[fixed] = start[fixed]
         return found[:, 0], bool(good[0])
 
-    def _stopped(
-        self, end: FloatArray, to: FloatArray, lines: Sequence[FloatArray] | FloatArray
-    ) -> tuple[FloatArray, int | None]:
-        """Where the way from one point to another first passes a line, and the number of the parameter that stands there."""
-        share, place, there = 1.0, None, 0.0
-        for number in (-2, -1):
-            low, high = sorted((end[number], to[number]))
-            room = 1e-12 * self.scale[number]
-            passed = [value for value in lines[number] if low - room <= value <= high + room and abs(value - end[number]) > room]
-            for value in passed:
-                at = (value - end[number]) / (to[number] - end[number])
-                if place is None or at < share:
-                    share, place, there = at, len(end) + number, value
-        start = end + min(share, 1.0) * (to - end)
-        if place is not None:
-            start[place] = there
+    def _within(self, end: FloatArray, to: FloatArray) -> tuple[FloatArray, int | None]:
+        """Where the way from one point to another first comes to an end of a range, and the number of the parameter there."""
+        way = to - end
+        last = np.where(way[-2:] > 0, self.spans[:, 1], self.spans[:, 0])
+        with np.errstate(all="ignore"):
+            share = np.where((way[-2:] != 0) & (last != end[-2:]), (last - end[-2:]) / way[-2:], np.inf)
+        number = int(share.argmin())
+        if not share[number] <= 1:
+            return to, None
+        start, place = end + share[number] * way, len(end) - 2 + number
+        start[place] = last[number]
         return start, place
 
     def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:

@@ -147,7 +147,7 @@ def overhead_table() -> None:
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)
             measured = fastest(lambda motions=motions: integrators.measure(motions, "heyoka"), times)
-            judged = fastest(lambda c=course, p=problem, f=flow: classify(c, p, f), times)
+            judged = fastest(lambda c=course, f=flow: classify(c, f), times)
             whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
             print(
                 f"| {degrees:g} | {t_end:g} | {alone:.0f} | {measured:.0f} | {judged:.0f} | {whole:.0f} | {whole / alone:.2f} |",

@@ -42,17 +42,18 @@ NOISE = 100.0
 FAR, ROUNDS = 1e6, 40
 
 
-def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETTLED) -> Outcome:
+def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
     """The outcome of a motion, from what was measured of it after its transient, and how it goes on.
 
     ``tol`` is what may be left to the limit of a settled motion. The outcome is without ``equilibrium``, which
     :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
+    problem = onward.problem
     apart = not course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any()
     if apart and problem.field.aloft and problem.field.aloft(problem.constants, course.last):
         found = Outcome(Regime.LIFT_OFF)
     else:
-        found = at_rest(course, problem, tol) or on_cycle(course, problem, onward, tol) or Outcome()
+        found = at_rest(course, problem, tol) or on_cycle(course, onward, tol) or Outcome()
     return replace(found, names=problem.field.components)
 
 

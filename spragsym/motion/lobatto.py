@@ -38,12 +38,6 @@ def sample_times(begin: Any, end: Any) -> FloatArray:
     return t
 
 
-def _barycentric() -> FloatArray:
-    """Barycentric weights of the Lobatto points."""
-    points, weights = lobatto()
-    return np.sqrt(weights) * (-1.0) ** np.arange(len(points))
-
-
 @dataclass(frozen=True)
 class PiecewisePolynomial:
     """States over time, polynomials by ``states`` (2 n, k) at the Lobatto points ``t`` of all steps; steps share a sample."""
@@ -51,33 +45,39 @@ class PiecewisePolynomial:
     t: FloatArray
     states: FloatArray
 
+    @property
+    def steps(self) -> FloatArray:
+        """Ends of the steps."""
+        return self.t[::DEGREE]
+
+    def by_steps(self, values: FloatArray) -> FloatArray:
+        """Values at the samples, (…, k), as (…, steps, DEGREE + 1)."""
+        return values[..., np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+
     def __call__(self, times: FloatArray) -> FloatArray:
         """States at times, which are not checked, shape (4, …)."""
         return self.at(self.step_of(times), times)
 
     def step_of(self, times: FloatArray) -> IndexArray:
         """Indices of the steps that contain these times."""
-        steps = self.t[::DEGREE]
-        return np.clip(np.searchsorted(steps, times, side="right") - 1, 0, len(steps) - 2)
+        return np.clip(np.searchsorted(self.steps, times, side="right") - 1, 0, len(self.steps) - 2)
 
     def at(self, step: IndexArray, times: FloatArray) -> FloatArray:
         """States at times within given steps, by Lagrange's polynomials in barycentric form."""
-        points, _ = lobatto()
+        points, weights = lobatto()
         index = step[..., None] * DEGREE + np.arange(DEGREE + 1)
         begin, end = self.t[index[..., 0]], self.t[index[..., -1]]
         distance = (2 * (times - begin) / (end - begin) - 1)[..., None] - points
         hit = distance == 0
-        share = _barycentric() / np.where(hit, 1.0, distance)
+        share = np.sqrt(weights) * (-1.0) ** np.arange(len(points)) / np.where(hit, 1.0, distance)
         share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
         return (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
 
     def slopes(self, row: int) -> FloatArray:
         """Derivative of a component at the samples; where two steps meet that of the later one."""
-        steps = self.t[::DEGREE]
-        inside = self.states[row, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
         points, _ = lobatto()
         derivatives = legendre.legval(points, legendre.legder(np.linalg.inv(legendre.legvander(points, DEGREE))))
-        slopes = inside @ derivatives * (2 / np.diff(steps))[:, None]
+        slopes = self.by_steps(self.states[row]) @ derivatives * (2 / np.diff(self.steps))[:, None]
         return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
 
     def after(self, begin: float) -> PiecewisePolynomial:
@@ -110,21 +110,18 @@ class PiecewisePolynomial:
 
     def weights(self) -> FloatArray:
         """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
-        _, unit = lobatto()
         weights = np.zeros_like(self.t)
-        steps = self.t[::DEGREE]
-        for j, weight in enumerate(unit):
-            weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(steps) / 2
+        for j, weight in enumerate(lobatto()[1]):
+            weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(self.steps) / 2
         return weights
 
     def integrals_to(self, times: FloatArray, integrands: Callable[[FloatArray], FloatArray]) -> FloatArray:
         """Integrals of k functions of the state from the first sample to each time, shape (len(times), k)."""
         points, unit = lobatto()
-        steps = self.t[::DEGREE]
-        inside = integrands(self.states)[:, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
-        whole = np.cumsum((inside * unit).sum(axis=2) * np.diff(steps) / 2, axis=1)
+        whole = np.cumsum((self.by_steps(integrands(self.states)) * unit).sum(axis=2) * np.diff(self.steps) / 2, axis=1)
         step = self.step_of(times)
-        half = (times - steps[step])[:, None] / 2
-        begun = steps[step][:, None] + half * (points + 1)
+        begin = self.steps[step][:, None]
+        half = (times[:, None] - begin) / 2
+        begun = begin + half * (points + 1)
         part = (integrands(self.at(np.repeat(step[:, None], len(points), axis=1), begun)) * unit * half).sum(axis=2)
         return (np.concatenate([np.zeros((len(whole), 1)), whole], axis=1)[:, step] + part).T

@@ -13,14 +13,13 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TypeAlias
+from typing import Any
 
 import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.field import REACH, TURN, Field, apart, in_one_turn
 from ..models.parameters import FloatArray
-from ..numerics.interval_arrays import ComplexArray
 from . import integrators
 from .integrators import Flow
 from .measures import Course
@@ -50,8 +49,6 @@ PASSAGES, STEPS, MET = 9, 20, 1e-9
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
 
-#: Multipliers and their vectors.
-Modes: TypeAlias = tuple[ComplexArray, ComplexArray]
 
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
@@ -187,15 +184,15 @@ class _Cycle:
         return returns[int(np.argmin(off))]
 
 
-def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Outcome | None:
+def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
-    around = problem.field.around
+    around = onward.problem.field.around
     seen = _returns(course, onward, around)
     if seen is None:
         return None
     times, places, fixed = seen
     states = section(places, fixed)
-    scale = _scale(states if fixed == 0 else section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), fixed)
+    scale = _scale(section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), fixed)
     states /= scale
     for k in _candidates(states):
         period = float(times[-1] - times[-1 - k])
@@ -320,37 +317,21 @@ def _nears(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
         return True
     if len(off) < 2 or np.abs(off[0] - cycle.slope @ off[1]).max() > MISSED * sizes[1] + tol:
         return False
-    modes = _modes(cycle.slope)
-    return _contracted(modes, off, sizes) and _goes_on(cycle, modes, off[0], tol)
+    return _goes_on(cycle, off[0], tol)
 
 
-def _modes(slope: FloatArray) -> Modes:
-    """Multipliers and their vectors; where the vectors nearly coincide, the three coordinates of the section instead."""
-    values, vectors = np.linalg.eig(slope)
-    return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(len(vectors))).astype(complex)
-
-
-def _contracted(modes: Modes, off: FloatArray, sizes: FloatArray) -> bool:
-    """Whether what lacks has become smaller at least half as fast as the slowest multiplier says, while it was small."""
-    values, vectors = modes
-    far = np.flatnonzero(sizes > 4 * CLOSE)
-    last = (far[0] if len(far) else len(sizes)) - 1
-    if last < 1:
-        return False
-    now, then = np.linalg.norm(np.linalg.solve(vectors, off[[0, last]].T), axis=0)
-    return bool(now <= then * np.abs(values).max() ** (last / 2))
-
-
-def _goes_on(cycle: _Cycle, modes: Modes, off: FloatArray, tol: float) -> bool:
+def _goes_on(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
     """Whether the return map itself contracts wherever its linearization leads, half as fast at least on the average.
 
     The linearization maps the states none of whose modal parts is larger than the motion's now into themselves, and a motion
     that decays slowly turns through all of them. Motions have neared a cycle at its rate 0.04 of its extent away, and left it.
     """
-    values, vectors = modes
+    values, vectors = np.linalg.eig(cycle.slope)
+    if abs(np.linalg.det(vectors)) <= 1e-9:  # they nearly coincide: the coordinates of the section instead
+        vectors = np.eye(len(vectors))
     slowest = int(np.argmax(np.abs(values)))
     left = np.abs(np.linalg.solve(vectors, off))[slowest]
-    places = np.array(list(_same_size(off, *modes)))
+    places = np.array(list(_same_size(off, values, vectors)))
     images = cycle.returned(cycle.place + places) - cycle.place
     missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
     if not (missed <= MISSED * np.abs(places).max(axis=1) + tol).all():
@@ -359,7 +340,7 @@ def _goes_on(cycle: _Cycle, modes: Modes, off: FloatArray, tol: float) -> bool:
     return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest])))
 
 
-def _same_size(off: FloatArray, values: ComplexArray, vectors: ComplexArray) -> Iterator[FloatArray]:
+def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArray]:
     """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones, eight phases of a pair."""
     parts = np.linalg.solve(vectors, off)
     turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)

@@ -260,7 +260,7 @@ class Trajectory(Named):
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
         problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
-        found = classify(late.course(), problem, Onward(problem, self.backend), as_number("tol", tol, POSITIVE))
+        found = classify(late.course(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE))
         return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
 
     def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:

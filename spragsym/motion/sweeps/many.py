@@ -286,7 +286,7 @@ def _record(course: Course | Exception, problem: Problem, backend: str) -> Recor
     if not np.isfinite(values).all():
         return _no_result(out_of_range())
     try:
-        outcome = classify(course, problem, Onward(problem, backend))
+        outcome = classify(course, Onward(problem, backend))
     except (ConvergenceError, ArithmeticError) as error:
         return _no_result(error)
     told, field = vars(outcome) | outcome.places(), problem.field

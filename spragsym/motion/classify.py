@@ -7,9 +7,7 @@ linearization with the damping of the friction law, and cycles by the closed orb
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -93,7 +91,7 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
     field, constants = problem.field, problem.constants
     mode = field.mode_at_rest([*place.tolist(), *np.zeros(len(place))], constants)
     try:
-        state = equilibrium_near(field, constants, place, lambda _: mode)
+        state = equilibrium_near(field, constants, place, mode)
     except ConvergenceError:
         return None
     if any(border.sign(mode) * border.level(state, constants, mode) < 0 for border in field.borders if border.kink):
@@ -102,14 +100,13 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
 
 
 def equilibrium_near(
-    field: Field, constants: Any, place: FloatArray, mode_at: Callable[[list[float]], Mode] | None = None
+    field: Field, constants: Any, place: FloatArray, kept: Mode | None = None
 ) -> FloatArray:  # fmt: skip
-    """The state of rest that Newton's method finds from a place, in the modes ``mode_at`` states, by default their own."""
-    mode_at = mode_at or partial(field.initial_mode, constants=constants)
+    """The state of rest that Newton's method finds from a place, in a mode that is kept, or in those of the states."""
     q, n = np.array(place, dtype=float), len(place)
     for _ in range(ROUNDS):
         state = [*q.tolist(), *[0.0] * n]
-        mode = mode_at(state)
+        mode = kept or field.initial_mode(state, constants)
         pull = np.array(field.acceleration(state, constants, mode, math), dtype=float)
         try:
             step = np.linalg.solve(field.matrix(state, constants, mode)[n:, :n], -pull)

@@ -76,16 +76,16 @@ class Turns:
     def __init__(self) -> None:
         self.low, self.high = np.inf, -np.inf
         #: Time and all that is carried.
-        self.tops: deque[tuple[float, list[float]]] = deque(maxlen=KEPT)
-        self.lows: deque[tuple[float, list[float]]] = deque(maxlen=KEPT)
+        self.tops: deque[list[float]] = deque(maxlen=KEPT)
+        self.lows: deque[list[float]] = deque(maxlen=KEPT)
 
     def add(self, t: float, direction: int, carried: list[float]) -> None:
         """Note one; ``direction`` is negative where x is largest."""
         if direction < 0:
-            self.tops.append((t, carried))
+            self.tops.append([t, *carried])
             self.high = max(self.high, carried[0])
         else:
-            self.lows.append((t, carried))
+            self.lows.append([t, *carried])
             self.low = min(self.low, carried[0])
 
 

@@ -120,17 +120,17 @@ def prepare(
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
     constants = model.field.constants(p.scalars(*model.parameters))
-    check_direction(model, constants, start)
+    if error := undirected(model, constants, start):
+        raise error
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
     return Problem(constants, start, t_end, t_record, rtol, as_count("max_steps", max_steps), partial(field_of, model))
 
 
-def check_direction(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> None:
-    """An error where a motion starts with a spring that has no length, and so no direction."""
+def undirected(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> ParameterError | None:
+    """The error of a motion that starts with a spring that has no length, and so no direction."""
     place, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
     for (dx, dy, _), spring in zip(geometry(*place, *of_statics(model, constants)), model.about["springs"], strict=True):
         if dx == dy == 0:
-            name = spring["name"]
-            raise ParameterError(
-                f"the start {place} puts both ends of {name} on one point, where it has no direction; start anywhere else"
-            )
+            ends = f"both ends of {spring['name']} on one point"
+            return ParameterError(f"the start {place} puts {ends}, where it has no direction; start anywhere else")
+    return None

@@ -200,7 +200,10 @@ def solved(
         residual = np.concatenate([loop.gaps.ravel(), values])
         if float(np.abs(residual).max()) <= rounding(loop):
             return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
-        step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
+        try:
+            step = np.linalg.solve(np.vstack([loop.slopes(len(free)), rows]), -residual)
+        except np.linalg.LinAlgError as error:
+            raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = float(np.abs(step).max())
         scale = 1 + float(np.abs(loop.guess.coordinates()).max())
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
@@ -217,14 +220,6 @@ def solved(
             break
         loop, before = looped(flow, guess, free), width
     raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
-
-
-def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
-    """−matrix⁻¹ residual."""
-    try:
-        return np.asarray(np.linalg.solve(matrix, -residual), dtype=float)
-    except np.linalg.LinAlgError as error:
-        raise ConvergenceError("Newton's method meets a singular matrix") from error
 
 
 def through(place: FloatArray, normal: FloatArray, unknowns: int) -> Conditions:

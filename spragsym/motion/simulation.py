@@ -248,8 +248,9 @@ class Trajectory(Named):
 
     def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
-        late = self.after(transient)
-        return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
+        late, row = self.after(transient), self._row(of, self.components)
+        extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
+        return float(np.abs(extrema - late._centre(of, about)).max())
 
     def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
         """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
@@ -315,10 +316,9 @@ class Trajectory(Named):
 
         NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle see :meth:`outcome`.
         """
-        row, n = self._row(of, self.model.coordinates), len(self.model.coordinates)
-        late = self.after(transient)
-        extrema = np.concatenate([late.samples.passages(row + n, sign) for sign in (1, -1)])
-        return decay_rate_of(extrema, late.samples(extrema)[row])
+        row, late = self._row(of, self.model.coordinates), self.after(transient)
+        turns = late._turns(row)
+        return decay_rate_of(turns, late.samples(turns)[row])
 
     @property
     def _explained(self) -> Mapping[str, tuple[str, str]]:
@@ -351,13 +351,11 @@ class Trajectory(Named):
             raise ParameterError(f"about = {about!r} is neither 'zero' nor 'mean'")
         return self.mean(0.0, of=of) if about == "mean" else 0.0
 
-    def _extrema(self, of: str | None) -> FloatArray:
-        """Values at the ends and at all local extrema: of a rate, where its own rate passes 0."""
-        values = self._values(of)
-        row, n = self._row(of, self.components), len(self.components) // 2
-        speed = self.state[row + n] if row < n else self.samples.slopes(row)
-        both = PiecewisePolynomial(self.t, np.array([values, speed]))
-        return np.concatenate([values[[0, -1]], *(both(both.passages(1, sign))[0] for sign in (1, -1))])
+    def _turns(self, row: int) -> FloatArray:
+        """Times of all local extrema: of a rate, where its own rate passes 0."""
+        n = len(self.components) // 2
+        speed = PiecewisePolynomial(self.t, (self.state[row + n] if row < n else self.samples.slopes(row))[None])
+        return np.concatenate([speed.passages(0, sign) for sign in (1, -1)])
 
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]

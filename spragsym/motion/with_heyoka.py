@@ -486,12 +486,11 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
 
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, seen = motion.carried, motion.seen.turns
-        tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + len(last))
-        lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
+        tops, lows = (np.array(turns).reshape(-1, 1 + len(last)) for turns in (seen.tops, seen.lows))
         integrals = np.vstack([tops[:, 1 + size :], last[size:]]) / scale
         low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
         return Course(
-            begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows,
+            begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows[:, 1 : 1 + size],
             np.array(motion.seen.counts), (low, high),
         )  # fmt: skip
 

@@ -174,11 +174,11 @@ class Flight:
             own = np.array([*state[n:], *field.acceleration(state, constants, mode, FLOATS)])
             if not self.derivatives:
                 return own
-            columns = whole[m:].reshape(m, m + self.directions)
-            lower = np.array(field.jacobian(state, constants, mode, FLOATS), dtype=float) @ columns
+            columns = whole[m:].reshape(m, -1)
+            change = field.matrix(state, constants, mode, FLOATS) @ columns
             if self.directions:
-                lower[:, m:] += np.array(field.by_parameters(state, constants, mode, FLOATS), dtype=float) @ directions.T
-            return np.concatenate([own, columns[n:].ravel(), lower.ravel()])
+                change[n:, m:] += np.array(field.by_parameters(state, constants, mode, FLOATS), dtype=float) @ directions.T
+            return np.concatenate([own, change.ravel()])
 
         return rates
 

@@ -27,7 +27,7 @@ from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
 from ..measures import Course
-from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, check_direction, out_of_range
+from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, out_of_range, undirected
 from ..regimes import Outcome, Regime
 from ..return_map import Onward
 from ..simulation import initial_state
@@ -261,20 +261,17 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
 
 def measured(model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
-    records, problems, count = dict[int, Record](), dict[int, Problem](), len(model.parameters)
-    given = (*(settings[name] for name in ("t_end", "transient", "rtol", "max_steps")), partial(field_of, model))
-    for i, point in enumerate(points):
-        problems[i] = problem = Problem(model.field.constants(point[:count]), point[count:], *given)
-        try:
-            check_direction(model, problem.constants, problem.start)
-        except ParameterError as error:
-            records[i] = _no_result(error)
-            del problems[i]
+    given, count = [settings[name] for name in ("t_end", "transient", "rtol", "max_steps")], len(model.parameters)
+    constants = [model.field.constants(point[:count]) for point in points]
+    problems = [
+        Problem(own, point[count:], *given, partial(field_of, model)) for own, point in zip(constants, points, strict=True)
+    ]
+    errors = [undirected(model, problem.constants, problem.start) for problem in problems]
+    good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]
     with np.errstate(all="ignore"):  # numbers out of range show in the result
-        courses = integrators.measure(list(problems.values()), settings["backend"]) if problems else []
-        for (i, problem), course in zip(problems.items(), courses, strict=True):
-            records[i] = _record(course, problem, settings["backend"])
-    return [records[i] for i in range(len(points))]
+        courses = iter(integrators.measure(good, settings["backend"]) if good else ())
+        pairs = zip(problems, errors, strict=True)
+        return [_record(error or next(courses), problem, settings["backend"]) for problem, error in pairs]
 
 
 def _record(course: Course | Exception, problem: Problem, backend: str) -> Record:
@@ -325,17 +322,11 @@ def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, Floa
 
 def _dimensions(inputs: dict[str, FloatArray], shape: Shape) -> tuple[str, ...]:
     """A name for every axis: the input that alone varies along it, and along no other axis."""
-
-    def axes(values: FloatArray) -> tuple[int, ...]:
-        lead = len(shape) - values.ndim
-        return tuple(lead + i for i, size in enumerate(values.shape) if size > 1)
-
-    along = {name: axes(values) for name, values in inputs.items()}
+    sizes = {name: (*[1] * (len(shape) - values.ndim), *values.shape) for name, values in inputs.items()}
     names = []
-    for axis in range(len(shape)):
-        candidates = [name for name, varied in along.items() if axis in varied]
-        alone = len(candidates) == 1 and along[candidates[0]] == (axis,)
-        names.append(candidates[0] if alone else f"axis_{axis}")
+    for axis, size in enumerate(shape):
+        along = [name for name, own in sizes.items() if own[axis] > 1]
+        names.append(along[0] if len(along) == 1 and inputs[along[0]].size == size else f"axis_{axis}")
     return tuple(names)
 
 

@@ -178,10 +178,10 @@ def _checked(answer: Any, missing: set[int]) -> Answer:
 def _answers(workers: Workers, function: Callable[[Task], Answer], tasks: list[Task]) -> Iterator[Any]:
     if callable(workers):
         yield from _foreign(workers, function, tasks)
-    elif min(count(workers), len(tasks)) < 2:
+    elif (size := min(count(workers), len(tasks))) < 2:
         yield from map(function, tasks)
     else:
-        with pool(min(count(workers), len(tasks))) as own:
+        with pool(size) as own:
             yield from own(function, tasks)
 
 

@@ -91,19 +91,19 @@ class PiecewisePolynomial:
     def passages(self, row: int, sign: int) -> FloatArray:
         """Times where a component, times a sign, ceases to be negative: Illinois method."""
         values = sign * self.states[row]
-        (before,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
-        step, low, high = before // DEGREE, self.t[before], self.t[before + 1]
-        below, above = values[before], values[before + 1]
-        root, was_left, was_right = high, np.zeros(len(high), dtype=bool), np.zeros(len(high), dtype=bool)
+        (first,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
+        step, low, high = first // DEGREE, self.t[first], self.t[first + 1]
+        below, above = values[first], values[first + 1]
+        root, side = high, np.zeros(len(high))
         for _ in range(60):
             last, root = root, high - above * (high - low) / (above - below)
             value = sign * self.at(step, root)[row]
-            left = value < 0
+            left, before = value < 0, side
+            side = np.where(left, -1.0, 1.0)
             # Where an end of the interval stays twice in a row, its value is halved: that draws the next root to its side.
-            above = np.where(left, np.where(was_left, above / 2, above), value)
-            below = np.where(left, value, np.where(was_right, below / 2, below))
+            halved = np.where(side == before, 0.5, 1.0)
+            above, below = np.where(left, halved * above, value), np.where(left, value, halved * below)
             low, high = np.where(left, root, low), np.where(left, high, root)
-            was_left, was_right = left, ~left
             if np.all(np.abs(root - last) <= 1e-15 * (1 + np.abs(root))):
                 break
         return root

@@ -9,12 +9,11 @@ so that one of 10¹⁰ hides nothing of the others.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import combinations, pairwise
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -117,18 +116,20 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     return np.concatenate(found).astype(complex)
 
 
-def _factors(loop: Loop, kind: str) -> Iterator[tuple[complex, float]]:
+def _pairs(loop: Loop) -> tuple[Any, Any]:
+    """Places of the first and of the second of all pairs of multipliers."""
+    return np.triu_indices(len(loop.multipliers.others), 1)
+
+
+def _factors(loop: Loop, kind: str) -> tuple[ComplexArray, FloatArray]:
     """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at most, and their errors."""
-    values, errors = loop.multipliers.others, loop.multipliers.errors
+    values, moved = loop.multipliers.others, loop.multipliers.errors
     if kind == "torus":
-        for (a, e), (b, f) in combinations(zip(values.tolist(), errors.tolist(), strict=True), 2):
-            scale = 1 + abs(a * b)
-            yield (1 - a * b) / scale, (abs(a) * f + abs(b) * e) / scale
-        return
-    sign = 1 if kind == "period_doubling" else -1
-    for value, error in zip(values.tolist(), errors.tolist(), strict=True):
-        scale = 1 + abs(value)
-        yield (1 + sign * value) / scale, error / scale
+        one, other = _pairs(loop)
+        moved = np.abs(values[one]) * moved[other] + np.abs(values[other]) * moved[one]
+        values = values[one] * values[other]
+    scale = 1 + np.abs(values)
+    return (1 + (1 if kind == "period_doubling" else -1) * values) / scale, moved / scale
 
 
 def criterion_of(kind: str, loop: Loop) -> float:
@@ -136,25 +137,31 @@ def criterion_of(kind: str, loop: Loop) -> float:
 
     That is a torus, if they are complex; nothing, if they are real.
     """
-    return math.prod((factor for factor, _ in _factors(loop, kind)), start=1.0 + 0.0j).real
+    return float(np.prod(_factors(loop, kind)[0]).real)
 
 
 def is_lost(loop: Loop, kind: str) -> bool:
     """Whether the sign of a test function is unknown, because a factor is less than its error and that is no small one."""
-    return any(not abs(factor) > error and not error < LOST for factor, error in _factors(loop, kind))
+    factors, errors = _factors(loop, kind)
+    return bool((~(np.abs(factors) > errors) & ~(errors < LOST)).any())
 
 
 def unsure(loop: Loop, kind: str) -> float:
     """Error of a test function: that of its smallest factor, times the others."""
-    factors = sorted(_factors(loop, kind), key=lambda pair: abs(pair[0]))
-    return float(factors[0][1] * np.prod([abs(factor) for factor, _ in factors[1:]])) if factors else 0.0
+    factors, errors = _factors(loop, kind)
+    if not factors.size:
+        return 0.0
+    least = int(np.argmin(np.abs(factors)))
+    return float(errors[least] * np.prod(np.abs(np.delete(factors, least))))
 
 
 def is_complex_pair(loop: Loop) -> bool:
     """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than their errors."""
-    pairs = combinations(zip(loop.multipliers.others, loop.multipliers.errors, strict=True), 2)
-    nearest = min(zip(_factors(loop, "torus"), pairs, strict=True), key=lambda both: abs(both[0][0]), default=None)
-    return nearest is not None and bool(abs(nearest[1][1][0].imag) > max(1e-9, nearest[1][1][1]))
+    factors, found = _factors(loop, "torus")[0], loop.multipliers
+    if not factors.size:
+        return False
+    one = _pairs(loop)[1][int(np.argmin(np.abs(factors)))]
+    return bool(abs(found.others[one].imag) > max(1e-9, found.errors[one]))
 
 
 #: Kinds of event that a test function tells.

@@ -72,13 +72,11 @@ class Onward:
         """The field of the motion, with its own constants."""
         return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
-    def _motions(self, states: FloatArray, duration: float) -> list[Problem]:
-        return [replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0) for state in states.tolist()]
-
     def courses(self, states: FloatArray, duration: float) -> list[Course]:
         """What is measured on the way from each of many states; an error where one of them cannot be continued."""
+        motions = [replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0) for state in states.tolist()]
         courses = list[Course]()
-        for course in integrators.measure(self._motions(states, duration), self.backend):
+        for course in integrators.measure(motions, self.backend):
             if isinstance(course, Exception):
                 raise course
             courses.append(course)
@@ -96,7 +94,9 @@ class Onward:
         before = last[m:] if sides == 2 else course.last
         unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
         turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
-        return Passage(course.last, (last[:m] - before).T / (sides * STEP), np.zeros((m, 2)), (), tuple(turns))
+        begin, (shift, square, *_) = float(state[0]), course.integrals[-1].tolist()
+        integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
+        return Passage(course.last, (last[:m] - before).T / (sides * STEP), np.zeros((m, 2)), (), tuple(turns), integrals)
 
     def _near(self, fly: Fly | None, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
         """The closed orbit to a precision that begins on the section of a state."""
@@ -124,20 +124,29 @@ class Onward:
         back = np.eye(place.size)
         back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
         slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
-        return Closed(place, loop.period, slope, fixed)
+        return Closed(loop, slope, fixed)
 
 
 @dataclass(frozen=True)
 class Closed:
-    """A closed orbit by its state (2 n,) on a section, all over which the number at the place ``fixed`` has one value.
+    """A closed orbit that begins on a section, all over which the number at the place ``fixed`` has one value.
 
     The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return in the other numbers; its eigenvalues are the multipliers.
     """
 
-    state: FloatArray
-    period: float
+    loop: Loop
     slope: FloatArray
     fixed: int
+
+    @property
+    def state(self) -> FloatArray:
+        """Where it begins."""
+        return self.loop.states[0]
+
+    @property
+    def period(self) -> float:
+        """The period."""
+        return self.loop.period
 
 
 def section(states: FloatArray, fixed: int) -> FloatArray:
@@ -152,7 +161,11 @@ class _Cycle:
     orbit: Closed
     onward: Onward
     scale: FloatArray
-    around: tuple[int, ...]
+
+    @property
+    def around(self) -> tuple[int, ...]:
+        """Coordinates that come around."""
+        return self.onward.problem.field.around
 
     @property
     def place(self) -> FloatArray:
@@ -200,7 +213,7 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
             orbit = onward.closed(places[-1], fixed, period, 4 * CLOSE * float(scale.max()))
         except ConvergenceError:
             continue
-        cycle = _Cycle(orbit, onward, scale, around)
+        cycle = _Cycle(orbit, onward, scale)
         largest = float(np.abs(np.linalg.eigvals(orbit.slope)).max())
         rounds = max(1, round(k * orbit.period / period))
         off = states[::-1][::rounds] - cycle.place  # latest first
@@ -352,18 +365,13 @@ def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArra
 
 def _described(cycle: _Cycle, regime: Regime, rate: float, distance: float) -> Outcome:
     """The outcome, with averages over the cycle's one period, and the state of the cycle that stands for it."""
-    period, tops, mean, spread = cycle.orbit.period, cycle.orbit.state[None], math.nan, math.nan
-    if cycle.orbit.fixed:
-        (course,) = cycle.onward.courses(cycle.orbit.state[None], 1.1 * period)
-        row = int(np.argmin(np.abs(course.maxima_t - period)))
-        tops = course.maxima[(course.maxima_t > 1e-3 * period) & (course.maxima_t <= course.maxima_t[row])]
-        if not abs(tops[-1, 0] - cycle.orbit.state[0]) > TURN / 2 or 0 not in cycle.around:
-            mean, spread = course.moments(row)
+    orbit, (mean, rms) = cycle.orbit, cycle.orbit.loop.moments()
+    tops = np.array([orbit.state, *(turn.state for turn in orbit.loop.tops() if orbit.fixed)])
     tops = in_one_turn(tops, cycle.around)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
-    for place, scale in zip((i for i in range(tops.shape[1]) if i != cycle.orbit.fixed), cycle.scale, strict=True):
+    for place, scale in zip((i for i in range(tops.shape[1]) if i != orbit.fixed), cycle.scale, strict=True):
         tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]
+    state = np.where(np.arange(tops.shape[1]) == orbit.fixed, 0.0, tops[0])
     return Outcome(
-        regime, rate=rate, distance=distance, period=period, cycle_mean=mean, cycle_rms=math.hypot(mean, spread),
-        cycle=tuple(np.where(np.arange(tops.shape[1]) == cycle.orbit.fixed, 0.0, tops[0]).tolist()),
-    )  # fmt: skip
+        regime, rate=rate, distance=distance, period=orbit.period, cycle_mean=mean, cycle_rms=rms, cycle=tuple(state.tolist())
+    )

@@ -15,6 +15,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.field import TURN, Field, apart
 from ..models.parameters import FloatArray
 from .integrators import Flow
+from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of
 from .solution import Crossing, Passage, Turn
 
@@ -151,6 +152,22 @@ class Loop:
             ]  # fmt: skip
             before, shift = each.by_state @ before, each.by_parameters + each.by_state @ shift
         return tuple(found)
+
+    def samples(self) -> PiecewisePolynomial:
+        """One round by the polynomials through its samples."""
+        return self.flow.samples(self.states[0], self.constants, self.period)
+
+    def moments(self) -> tuple[float, float]:
+        """Mean and root mean square of the first coordinate; NaN where it turns around."""
+        if self.winding:
+            return math.nan, math.nan
+        parts = [each.integrals for each in self.passages if each.integrals is not None]
+        if len(parts) == len(self.passages):
+            mean, square = (math.fsum(part[i] for part in parts) / self.period for i in (0, 1))
+            return mean, math.sqrt(square)
+        samples = self.samples()
+        x, weights = samples.states[0], samples.weights() / self.period
+        return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
 
 
 #: Further equations: ``conditions(loop)`` gives their values (r,) and slopes (r, unknowns).

@@ -20,7 +20,7 @@ from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import Point, Setting, at_zero, between, corrected, placed, point_of, started, steps, turning, within
 from .events import MERGES, Finding, Seen, findings, touching, vertical
-from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, same_cycle, sampled
+from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
 #: Lengths of a step along the arc: the first, the longest, the one below which a branch is given up, and that of a kink of it.
@@ -219,7 +219,7 @@ def cycle_branch(
     lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
         vary, np.array([loop.values[index] for loop in loops]), np.array([loop.period for loop in loops]),
-        np.array([moments(loop)[1] for loop in loops]), lowest, highest,
+        np.array([loop.moments()[1] for loop in loops]), lowest, highest,
         np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops)), tuple(events), (low, high),
         tuple(places),
     )  # fmt: skip
@@ -330,7 +330,7 @@ def _passes(start: Point, point: Point, ahead: Point) -> bool:
 
 def stillest(loop: Loop) -> tuple[float, FloatArray]:
     """Least size of the field at the turns of an orbit, or all along one that only turns around, and where that is."""
-    states = [turn.state for turn in loop.turns()] or list(sampled(loop).states.T)
+    states = [turn.state for turn in loop.turns()] or list(loop.samples().states.T)
     sizes = [float(np.linalg.norm(rate(loop.field, state, loop.constants))) for state in states]
     return min(sizes), states[int(np.argmin(sizes))]
 

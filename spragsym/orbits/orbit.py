@@ -128,7 +128,7 @@ class Cycle(Result):
     @cached_property
     def samples(self) -> PiecewisePolynomial:
         """One period by the polynomials through its samples."""
-        return sampled(self.loop)
+        return self.loop.samples()
 
     @property
     def spring_force(self) -> tuple[float, float]:
@@ -192,7 +192,7 @@ def cycle_of(loop: Loop) -> Cycle:
             f"the derivatives of the flow are not resolved: the trivial multiplier is {found.trivial:.6g} instead of 1; "
             "use another backend, or a less steep friction law"
         )
-    (mean, rms), (lowest, highest) = moments(loop), range_of(loop)
+    (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=max(error_of(loop, difference(loop)), lost), residual=loop.missed,
@@ -249,24 +249,6 @@ def range_of(loop: Loop) -> tuple[float, float]:
         return -math.pi, math.pi
     values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.states[:, 0].tolist()]
     return min(values), max(values)
-
-
-def moments(loop: Loop) -> tuple[float, float]:
-    """Mean and root mean square of the first coordinate; NaN where it turns around."""
-    if loop.winding:
-        return math.nan, math.nan
-    parts = [each.integrals for each in loop.passages if each.integrals is not None]
-    if len(parts) == len(loop.passages):
-        mean, square = (math.fsum(part[i] for part in parts) / loop.period for i in (0, 1))
-        return mean, math.sqrt(square)
-    samples = sampled(loop)
-    x, weights = samples.states[0], samples.weights() / loop.period
-    return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
-
-
-def sampled(loop: Loop) -> PiecewisePolynomial:
-    """One round by the polynomials through its samples."""
-    return loop.flow.samples(loop.states[0], loop.constants, loop.period)
 
 
 def refined(loop: Loop) -> Loop:

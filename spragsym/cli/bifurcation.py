@@ -121,7 +121,7 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     from ..figures.style import window
 
     p, ranges = case.set(*vary), case.between
-    shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
+    shown, onsets, plane = window(case.model, vary, ranges, lambda: found["cusps"]), None, " and ".join(vary)
     if undamped or len(found["onsets"]) or not (len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):
             onsets = ss.onset_curves(p, vary, min(n, 30), damping=False if undamped else None, between=shown)

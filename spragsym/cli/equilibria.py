@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -177,7 +177,8 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     states = case.rows({along.name: found.values, **words, "growth": found.growth, **found.places})
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})
-        | {key: one for end in ("before", "after") for key, one in _places(case, found.columns, getattr(jump, end), end).items()}
+        | case.row({name: jump.before[name] for name in found.columns}, "_before")
+        | case.row({name: jump.after[name] for name in found.columns}, "_after")
         | {"error": jump.error}
         for jump in found.jumps
     ]
@@ -193,10 +194,6 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
             click.echo("No jumps")
 
     return {"vary": along.title, "states": states, "jumps": jumps}, tables
-
-
-def _places(case: Case, columns: tuple[str, ...], place: Mapping[str, float], end: str) -> dict[str, Any]:
-    return case.row({name: place[name] for name in columns}, f"_{end}")
 
 
 @o.of_model(statics=True)

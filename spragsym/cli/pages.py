@@ -75,13 +75,11 @@ def report(
     study = read_brake(file, trust or model or False)  # the report has its own warnings
     if model not in (None, study.model):
         raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
-    options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
-    less = f" ({' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest)" if options else ""
     found = Report(study, Asked(redesign=redesign, oscillation=oscillation, safety=safety))
     blocks = found.blocks()
 
     def computed() -> str | None:
-        with show_progress(f"computing the report{less}"):
+        with show_progress("computing the report (--no-oscillation and --no-redesign leave out what takes longest)"):
             return next(blocks, None)
 
     for block in iter(computed, None):

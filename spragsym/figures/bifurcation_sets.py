@@ -14,13 +14,13 @@ import spragsym as ss
 
 from ..assumed import MU0_RANGE
 from ..generated import equilibrium as _equilibrium
-from ..models.parameters import ARTICLE, FloatArray, Parameters, ParameterSet
+from ..models.parameters import ARTICLE, FloatArray, Parameters
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import Stability
 from .curves import LABELS, passages
-from .equilibrium_curves import both_ways, table_of_path
-from .planes import draw_bifurcation_set, draw_regions
+from .equilibrium_curves import table_of_path
+from .planes import draw_plane
 from .style import (
     BASE_TEXT,
     BLACK,
@@ -59,7 +59,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
     tables: dict[str, Table] = {}
     lines = []
     for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
-        up, _ = both_ways(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
+        up = ss.quasi_static_path(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
         pieces = passages(up)
         lines += [(on_surface(mu0, np.full(mu0.size, np.radians(angle)), x), color) for mu0, x in pieces]
         for (mu0, x), (_, landed) in itertools.pairwise(pieces):
@@ -68,7 +68,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
         for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
             place = angle, mu0[at] + (-0.06 if at == 0 else 0.05), x[at] + 0.12
             ax.text(*place, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
-        tables[f"a_path_{name}"] = table_of_path(up, "mu0")
+        tables[f"a_path_{name}"] = table_of_path(up)
     tables["a"] = draw_surface(ax, p, lines, detail)
     return figure.describe(
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}. Blue
@@ -84,7 +84,6 @@ def figure_12() -> Sheet:
     """The bifurcation set."""
     figure, ax = single(SINGLE, 2.7)
     p = Parameters.article()
-    table = draw_plane(ax, p)
     label_regions(ax, p, [(20, 0.3), (155, 0.25)], (98, 0.6))
     for name, angle in PATHS_DEG.items():
         line_at(ax, angle, width=0.6)
@@ -94,7 +93,7 @@ def figure_12() -> Sheet:
         contact
         in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13.
         {RANGE_TEXT}""",
-        a=table,
+        a=_drawn_plane(ax, p),
     )
 
 
@@ -110,7 +109,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
         for number in np.unique(onsets.curve)
     ]
     shown = stacked(list(map(table_of_points, flutter)), "curve", POINT)
-    tables = {"a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail), "b": draw_plane(plane, p)}
+    tables = {"a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail), "b": _drawn_plane(plane, p)}
     tables |= {"a_flutter": shown, "b_flutter": shown}
     for line in flutter:
         plane.plot(line[:, 0], line[:, 1], color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
@@ -129,16 +128,9 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     )
 
 
-def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int | None = None) -> Table:
-    """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
-    between = {"theta0": (0.0, np.pi), "mu0": mu0}
-    found = ss.bifurcation_set(p, n=n, between={"mu0": mu0})
-    draw_regions(ax, p, tuple(between), between)
-    draw_bifurcation_set(found, ax, color=VERMILION)
-    angle_axis(ax)
-    ax.set(ylabel=r"$\mu_0$", ylim=mu0)
-    tables = [{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves]
-    return stacked(tables, "curve", ("theta0_deg", "mu0"))
+def _drawn_plane(ax: Axes, p: Parameters) -> Table:
+    found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
+    return stacked([{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves], "curve")
 
 
 def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> None:

@@ -37,6 +37,7 @@ from .style import (
     single,
     stacked,
     styled,
+    symbol,
     write_along,
 )
 
@@ -228,12 +229,8 @@ def figure_6() -> Sheet:
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.7)
     p = Parameters.article(mu0=0.7)
     curves = branches(p)
-    draw_branches(curves, ax=left, color=GREY, linewidth=0.8)
-    up, back = both_ways(p, "theta0", np.radians(np.linspace(0.5, 179.5, 359)))
-    _draw_both_ways(left, up, back, rising=(0.55,), falling=(0.35, 0.9))
-    mark_folds(ss.folds(p), ax=left)
-    write_along(left, r"$\theta_0$ rising", 40, 0.45, color=VERMILION)
-    write_along(left, r"$\theta_0$ falling", 58, 1.5, color=BLUE)
+    values = np.radians(np.linspace(0.5, 179.5, 359))
+    rising, falling = _both_ways(left, p, curves, values, [(0.55,), (0.35, 0.9)], [(40, 0.45), (58, 1.5)])
     angle_axis(left)
     left.set(ylabel=LABELS["x"], ylim=(-2.1, 2.3))
     linear = draw_linear(right, p, "x")
@@ -255,8 +252,7 @@ def figure_6() -> Sheet:
         from where that ends it returns without a jump. Thin line: rising, broad line: falling. (b) Linear
         model: between its poles, shaded, there is no steady sliding in contact. {LINES_TEXT}
         {RANGE_TEXT}""",
-        a=table_of(curves), b=linear,
-        a_rising=table_of_path(up, "theta0_deg"), a_falling=table_of_path(back, "theta0_deg"),
+        a=table_of(curves), b=linear, a_rising=rising, a_falling=falling,
     )  # fmt: skip
 
 
@@ -265,23 +261,14 @@ def figure_13() -> Sheet:
     """The paths a–a′ and b–b′: hysteresis, and a jump without return."""
     figure, (axes,) = panels(1, 2, DOUBLE, 2.7)
     tables: dict[str, Table] = {}
-    for ax, (letter, angle) in zip(axes, PATHS_DEG.items(), strict=True):
+    places = [(0.3, 0.45), (0.3, 0.98)], [(0.3, 0.22), (0.2, 1.55)]
+    for ax, (letter, angle), at in zip(axes, PATHS_DEG.items(), places, strict=True):
         p = Parameters.article(theta0=np.radians(angle))
         curves = branches(p, "mu0", *MU0_RANGE)
-        draw_branches(curves, ax=ax, color=GREY, linewidth=0.8)
-        up, back = both_ways(p, "mu0", np.linspace(*MU0_RANGE, 401))
-        _draw_both_ways(ax, up, back, rising=(0.5,), falling=(0.5,))
-        mark_folds(ss.folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
+        rising, falling = _both_ways(ax, p, curves, np.linspace(*MU0_RANGE, 401), [(0.5,)] * 2, at)
         ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
         remark(ax, rf"$\theta_0 = {angle:g}^\circ$")
-        tables |= {
-            letter: table_of(curves),
-            f"{letter}_rising": table_of_path(up, "mu0"),
-            f"{letter}_falling": table_of_path(back, "mu0"),
-        }
-    for ax, rising, falling in zip(axes, ((0.3, 0.45), (0.3, 0.22)), ((0.3, 0.98), (0.2, 1.55)), strict=True):
-        write_along(ax, r"$\mu_0$ rising", *rising, color=VERMILION)
-        write_along(ax, r"$\mu_0$ falling", *falling, color=BLUE)
+        tables |= {letter: table_of(curves), f"{letter}_rising": rising, f"{letter}_falling": falling}
     return figure.describe(
         f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at θ₀ = 60°: a
         jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {BASE_TEXT}.
@@ -290,19 +277,27 @@ def figure_13() -> Sheet:
     )
 
 
-def both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path]:
-    """The reference state followed up, and the state where it ends followed back."""
+def _both_ways(
+    ax: Axes, p: Parameters, curves: Sequence[Branch], values: FloatArray, arrows: Sequence[tuple[float, ...]],
+    places: Sequence[tuple[float, float]],
+) -> list[Table]:  # fmt: skip
+    """All equilibria, and the reference state followed up, and where that ends back; tables of both ways.
+
+    The way back is a broad line and the way up a thin one on it: both are seen where they coincide.
+    """
+    vary, tables = curves[0].vary, []
+    draw_branches(curves, ax=ax, color=GREY, linewidth=0.8)
     up = ss.quasi_static_path(p, vary, values)
-    slot = int(np.nanargmin(np.abs(ss.equilibria(p.replace(**{vary: values[-1]})).x - up.x[-1])))
-    back = ss.quasi_static_path(p, vary, values[::-1], start=slot)
-    return up, back
+    back = ss.quasi_static_path(p.following(x=float(up.x[-1])), vary, values[::-1])
+    draw_path(back, ax=ax, color=BLUE, arrows=arrows[1], linewidth=3.2, alpha=0.45, zorder=2.1)
+    draw_path(up, ax=ax, color=VERMILION, arrows=arrows[0])
+    for word, path, color, place in zip(("rising", "falling"), (up, back), (VERMILION, BLUE), places, strict=True):
+        write_along(ax, f"${symbol(vary)}$ {word}", *place, color=color)
+        tables.append(table_of_path(path))
+    mark_folds(ss.folds(p, vary), ax=ax, high=values[-1])
+    return tables
 
 
-def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], falling: tuple[float, ...]) -> None:
-    """Draw the way back as a broad line and the way up as a thin one on it: both are seen where they coincide."""
-    draw_path(back, ax=ax, color=BLUE, arrows=falling, linewidth=3.2, alpha=0.45, zorder=2.1)
-    draw_path(up, ax=ax, color=VERMILION, arrows=rising)
-
-
-def table_of_path(path: Path, name: str) -> Table:
-    return stacked([{name: value, "x": state} for value, state in passages(path)], "piece")
+def table_of_path(path: Path) -> Table:
+    title = f"{path.vary}_deg" if path.parameters.model.is_angle(path.vary) else path.vary
+    return stacked([{title: value, "x": state} for value, state in passages(path)], "piece")

@@ -151,18 +151,26 @@ def _no(what: str, complete: bool) -> str:
     return f"no {what} here" if complete else f"no {what} found here; not complete"
 
 
-def draw_regions(ax: Axes, p: ParameterSet, vary: Sequence[str], between: Between) -> bool:
-    """Shade where there are three equilibria in a plane, for a model that counts them in closed form; whether it does."""
+def draw_plane(
+    ax: Axes, p: ParameterSet, between: Between, vary: Sequence[str] | None = None, n: int | None = None
+) -> tuple[BifurcationSet, bool]:
+    """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model that counts in closed form."""
+    model = p.model
+    vary = tuple(model.two(vary))
+    between = window(model, vary, between, lambda: ss.cusps(p, vary))
+    found = ss.bifurcation_set(p, vary, n, between=between)
+    draw_bifurcation_set(found, ax, color=VERMILION)
+    _span(ax, model, vary, between)
     (left, right), (low, high) = (map(p.ranges[name].reached, between[name]) for name in vary)
     inside = dict(zip(vary, (np.linspace(left, right, 400), np.linspace(low, high, 240)[:, None]), strict=True))
     try:
         count = ss.count(p.replace(**inside), method="closed")
     except ModelError:
-        return False
+        return found, False
     if (count == 3).any():
-        places = (as_drawn(p.model, name, values.ravel()) for name, values in inside.items())
+        places = (as_drawn(model, name, values.ravel()) for name, values in inside.items())
         ax.contourf(*places, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
-    return True
+    return found, True
 
 
 @styled
@@ -188,12 +196,7 @@ def bifurcation_figure(
     figure, ax = single(SINGLE, 2.7)
     model = p.model
     vary = tuple(model.two(vary))
-    between = between or (onsets.between if onsets else {})
-    shown = between if {*vary} <= {*between} else window(model, vary, between, ss.cusps(p, vary))
-    found = ss.bifurcation_set(p, vary, n, between=shown)
-    draw_bifurcation_set(found, ax, color=VERMILION)
-    _span(ax, model, vary, shown)
-    shaded = draw_regions(ax, p, vary, shown)
+    found, shaded = draw_plane(ax, p, between or (onsets.between if onsets else {}), vary, n)
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):

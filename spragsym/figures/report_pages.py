@@ -23,10 +23,9 @@ from ..files.text import filled
 from ..models.parameters import ParameterSet
 from ..report.states import unit_of
 from ..report.texts import sections
-from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
 from .motions import draw_phase, draw_spectrum
-from .planes import draw_onset_curves
+from .planes import draw_onset_curves, draw_plane
 from .style import (
     BLACK,
     BLUE,
@@ -218,7 +217,7 @@ def draw_operating_point(
     """
     ax = own_axes(ax)
     top = max(_TOP, 1.15 * mu0[1], 1.15 * jump if jump < _FAR else 0.0)
-    draw_plane(ax, p, (0.0, top), n)
+    draw_plane(ax, p, {"mu0": (0.0, top)}, n=n)
     return mark_brake(ax, p, theta0, mu0, jump)
 
 

@@ -299,15 +299,16 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
             axis.set_major_formatter(FuncFormatter(lambda value, _: f"{one * value:.6g}"))
 
 
-def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:
-    """Ranges to show: those given, the parameter's own, or one that has room for its base value, for 1 and for all cusps."""
-    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+def window(model: Model, vary: Sequence[str], between: Between, cusps: Callable[[], Points] | None = None) -> Between:
+    """Ranges to show: those given, the parameter's own, or of one without end as far as its base value, 1 and all cusps need."""
     out = dict(between)
-    for name in (name for name in vary if name in entries and name not in between):
-        entry = entries[name]
-        farthest = 0.0 if cusps is None else float(np.abs(getattr(cusps, name)).max(initial=0.0))
-        far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
-        out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
+    for entry in model.about["parameters"]:
+        name, low, high = entry["name"], entry["low"], entry["high"]
+        if name in vary and name not in between:
+            if None in (low, high):
+                farthest = float(np.abs(getattr(cusps(), name)).max(initial=0.0)) if cusps else 0.0
+                far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
+            out[name] = (-far if low is None else low, far if high is None else high)
     return out
 
 

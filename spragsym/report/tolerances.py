@@ -1,6 +1,5 @@
 """Variation within the tolerances of a brake: the friction that works, brakes at shares, corners, proofs, probabilities."""
 
-import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -16,9 +15,8 @@ from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Intervals, stacked
-from ..numerics.jets import gradient, variables
 from ..results.result import Result
-from ..statics.balance import NOTHING, BalanceInUnits
+from ..statics.balance import BalanceInUnits
 from .study import Study
 from .units import Measured
 
@@ -98,16 +96,14 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
 
 
 def corners(study: Study) -> FloatArray:
-    """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur, at upper ends only of
-    what rises, or of quantities with which the friction does."""
-    names = varied(study)
-    rising = friction_rises_with(study) if study.rise is None or study.of_friction else {study.rise.quantity}
+    """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances that may occur, at its upper
+    end only."""
+    names, rises = varied(study), study.rises.quantity
     together = study.together(names)
     found = together.corners()
-    for group in together.groups:
-        if len(group) == 1 and names[group[0]] in rising:
-            found = found[found[:, group[0]] == 1.0]
-    drawn = [1.0 if name in rising else float(study.quantities[name].cdf(study.values[name])) for name in names]
+    if rises in together.titles:  # it depends on no other quantity
+        found = found[found[:, names.index(rises)] == 1.0]
+    drawn = [1.0 if name == rises else float(study.quantities[name].cdf(study.values[name])) for name in names]
     return np.concatenate([np.array(drawn).reshape(1, -1), found])
 
 
@@ -238,43 +234,21 @@ OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
 
 
 def working_friction(study: Study) -> tuple[float, float, float]:
-    """The friction that works: least, as drawn, and largest within the tolerances; 0 for a model without friction.
-
-    The ends are those of the law at the corners of the tolerances; where it says less or more between them, they are bounds.
-    """
+    """The friction that works: least, as drawn, and largest within the tolerances, by bounds; 0 for a model without friction."""
     p = study.dimensionless
     if not study.kind.about["friction"]:
         return 0.0, 0.0, 0.0
     here = float(p.model.friction(p, study.law))
-    names = [name for name in friction_depends_on(study) if name in study.tolerances]
-    ends = itertools.product(*((study.quantities[name].low, study.quantities[name].high) for name in names))
-    at = study.kind.parameter_set({**study.values, **dict(zip(names, np.array(list(ends)).T, strict=True))})
-    at_corners = np.atleast_1d(p.model.friction(at, study.law)).tolist()
-    least, most = min(here, *at_corners), max(here, *at_corners)
-    below, above = friction_bounds(study)
-    return (
-        least if below >= least - CLOSE * abs(least) - NOTHING else below, here,
-        most if above <= most + CLOSE * abs(most) + NOTHING else above,
-    )  # fmt: skip
+    if not set(friction_depends_on(study)) & set(study.tolerances):
+        return here, here, here
+    low, high = friction_bounds(study)
+    return low, here, high
 
 
 def friction_depends_on(study: Study) -> tuple[str, ...]:
     """Quantities on which the friction that works depends."""
     law = study.kind.law
     return ("mu0",) if law["at_rest"] == "mu0" and study.law == "friction_at_rest" else tuple(law["quantities"])
-
-
-def friction_rises_with(study: Study) -> set[str]:
-    """Quantities along which friction is proved not to fall, over all tolerances."""
-    if not study.kind.about["friction"]:
-        return set()
-    law = _Law(study)
-    prepared, shape = law.balance.prepared(Intervals.between(law.low, law.high)), law.low.shape[1:]
-    of = {quantity: name for quantity, name in study.kind.parameters.items() if quantity in friction_depends_on(study)}
-    jets = variables([prepared[law.balance.codes.index(name)] for name in of.values()], 1)
-    arguments = law.balance.arguments(prepared, dict(zip(of.values(), jets, strict=True)))
-    slopes = gradient(law.balance.at((), arguments).friction, len(of))
-    return {name for name, slope in zip(of, slopes, strict=True) if (stacked([slope], shape).low >= 0).all()}
 
 
 def friction_bounds(study: Study) -> tuple[float, float]:

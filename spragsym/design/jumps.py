@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.defining_systems import FAR
+from ..bifurcation.defining_systems import ranges
 from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Parts, Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
@@ -166,20 +166,15 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
     balance = Balance(p.model, contact=True)
     names, shape = list(balance.parameters), found.value.shape
-    value, state = found.value.reshape(-1), found.state.reshape(balance.n, -1)
-    out = {name: np.full(value.shape, np.nan) for name in names}
-    rows = np.flatnonzero(np.isfinite(state).all(axis=0))
-    if rows.size:
-        there = p.replace(**{vary: np.where(np.isnan(value), 0.0, value).reshape(shape)})
-        values = balance.floats(np.stack([column.reshape(-1)[rows] for column in there.broadcast(*names)]))
-        at = balance.at(list(state[:, rows]), values, xp=np)
-        K, moved = (np.moveaxis(filled(matrix, rows.shape), -1, 0) for matrix in (at.stiffness(), at.by_parameters(names)))
-        w = np.linalg.svd(K)[0][:, :, -1]
-        along = np.einsum("Ni,Nij->jN", w, moved)
-        with np.errstate(all="ignore"):
-            for name, one in zip(names, along, strict=True):
-                out[name][rows] = 0.0 if name == vary else 0.0 - one / along[names.index(vary)]
-    return {name: one.reshape(shape) for name, one in out.items()}
+    there = p.replace(**{vary: np.nan_to_num(found.value)})
+    with np.errstate(all="ignore"):  # without a fold the state is NaN, and so are the slopes
+        values = balance.floats(np.stack([column.reshape(-1) for column in there.broadcast(*names)]))
+        at = balance.at(list(found.state.reshape(balance.n, -1)), values, xp=np)
+        K, moved = (np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), at.by_parameters(names)))
+        along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)
+        slopes = 0.0 - along / along[names.index(vary)]
+    slopes[names.index(vary)] += 1.0
+    return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
 
 
 class Followed:
@@ -212,11 +207,8 @@ class Followed:
 
     def _until(self, allowed: Range, until: float | FloatArray | None) -> FloatArray:
         if until is None:
-            far = FAR * max(1.0, abs(self.model.base.get(self.vary) or 0.0))
-            end = allowed.high if self.forward > 0 else allowed.low
-            until = (
-                allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max(initial=0.0)))
-            )
+            far = allowed.reached(float(ranges(self.model, (self.vary,), {})[0, int(self.forward > 0)]))
+            until = self.forward * max(self.forward * far, float((self.forward * self.begin).max(initial=-np.inf)))
         ends = np.broadcast_to(as_numbers("until", until, allowed), self.shape).reshape(-1)
         if ((ends - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
+from ..bifurcation.tubes import halves
 from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
@@ -314,10 +315,7 @@ class _Law:
                 break
             done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
             low, high = low[:, open_], high[:, open_]
-            middle = 0.5 * (low + high)
-            side, rows = np.argmax([self._moves(low, high, side) for side in range(len(low))], axis=0), np.arange(open_.size)
-            first, second = high.copy(), low.copy()
-            first[side, rows] = second[side, rows] = middle[side, rows]
+            _, first, second = halves(low, high, np.array([self._moves(low, high, side) for side in range(len(low))]))
             low, high = np.concatenate([low, second], axis=1), np.concatenate([first, high], axis=1)
         return max(done, float(above.max()))
 

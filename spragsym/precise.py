@@ -16,11 +16,12 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import mpmath
 
 from .errors import ParameterError, ParameterTypeError, hint
+from .models import Model
 from .models.load import USUAL, load
 from .models.parameters import ParameterSet, Range, Ranges
 from .numerics import balls
@@ -28,9 +29,6 @@ from .numerics.balls import Interval
 from .numerics.decimals import exactly
 from .questions import Method, model_of
 from .results.precise_states import CuspProof, PreciseEquilibria
-
-if TYPE_CHECKING:
-    from .models import Model
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
@@ -224,25 +222,20 @@ def _exactly(
             raise ParameterError(f"{name} is no parameter of {model.name}{hint(name, known)}; it has {', '.join(known)}")
     given: dict[str, Any] = {}
     for name in (one for one in model.parameters if one not in unasked):
-        allowed, degrees = model.Parameters.ranges[name], exact.get(f"{name}_deg")
-        if degrees is not None and exact.get(name) is not None:
+        allowed, degrees, value = model.Parameters.ranges[name], exact.get(f"{name}_deg"), exact.get(name)
+        if degrees is not None and value is not None:
             raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
         if degrees is not None:
             low, high = (round(math.degrees(end), 9) for end in (allowed.low, allowed.high))  # 180 where the end is π
             limits = replace(allowed, low=low, high=high)
             given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
             continue
-        value = exact.get(name)
-        own = None if p is None else getattr(p, name)
-        if value is None and own is not None:
-            value = float(own)
-        elif value is None:
-            base = model.base.get(name) if p is None else None
-            if base is None:
-                degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])
-                why = "it has no base value" if p is None else "it is missing from p"
-                raise ParameterError(f"give one of {name}{degrees_too}: {why}")
-            value = repr(base)
+        if value is None and (own := model.base.get(name) if p is None else getattr(p, name)) is not None:
+            value = repr(own) if p is None else float(own)
+        if value is None:
+            degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])
+            why = "it has no base value" if p is None else "it is missing from p"
+            raise ParameterError(f"give one of {name}{degrees_too}: {why}")
         given[name] = as_exact(name, value, allowed)
     return given
 

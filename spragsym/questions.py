@@ -14,13 +14,11 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
+from typing import Any, Literal, ParamSpec, TypeAlias, TypeVar
 
 from .errors import ModelError, ParameterError, ParameterTypeError
+from .models.model import Model
 from .models.parameters import Parameters, ParameterSet
-
-if TYPE_CHECKING:
-    from .models.model import Model
 
 P = ParamSpec("P")
 R = TypeVar("R")

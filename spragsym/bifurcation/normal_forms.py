@@ -17,11 +17,12 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..models.field import undecorated
+from ..models.model import Model
 from ..numerics import balls
 from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
 from ..numerics.balls import XP, Ball, Undecided, ball
@@ -30,9 +31,6 @@ from ..numerics.jets import Jet, constant
 from ..statics.balance import Balance
 from ..statics.forces import Values
 from ..statics.precise_balance import PreciseBalance
-
-if TYPE_CHECKING:
-    from ..models.model import Model
 
 #: Bits of all balls; the box around the point has some fifty of them.
 BITS = 106

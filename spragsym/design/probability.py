@@ -7,13 +7,14 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..display import Table
 from ..errors import ParameterError
 from ..models.load import USUAL, load
+from ..models.model import Model
 from ..models.parameters import Parameters, PhysicalParameters, Range, as_count, as_number
 from ..models.quantities import Quantities, quantities
 from ..motion.sweeps import workers as processes
@@ -26,9 +27,6 @@ from . import sampling
 from .jumps import have_jumped
 from .sampling import Correlation, Dependence, dependence
 from .tube_certificates import Pieces, Splitting
-
-if TYPE_CHECKING:
-    from ..models.model import Model
 
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
 Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]

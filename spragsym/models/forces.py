@@ -1,6 +1,6 @@
 """Quantities of a state: directions, lengths and forces of springs, and the force of the contact."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -12,9 +12,13 @@ from .parameters import FloatArray, ParameterSet
 
 def columns_of(model: Any) -> tuple[str, ...]:
     """Names of what says where a state of a model is: direction and length of each inclined spring, and the coordinates."""
-    number = len(model.about["springs"])
-    ends = [f"_{place + 1}" if number > 1 else "" for place in range(number)]
-    return tuple(dict.fromkeys([*(f"{name}{end}" for end in ends for name in ("theta", "L")), *model.coordinates]))
+    return tuple(dict.fromkeys([*(f"{name}{end}" for end in _ends(model) for name in ("theta", "L")), *model.coordinates]))
+
+
+def _ends(model: Any) -> list[str]:
+    """What stands behind names of what is told of each inclined spring: a number where there are several."""
+    count = len(model.about["springs"])
+    return [""] if count == 1 else [f"_{place + 1}" for place in range(count)]
 
 
 def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
@@ -37,7 +41,7 @@ def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArr
     return model.algebra.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
 
 
-def told_of(model: Any) -> dict[str, Callable[[Any, Sequence[Any]], FloatArray]]:
+def told_of(model: Any) -> dict[str, partial[FloatArray]]:
     """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of the only inclined spring, or
     ``spring_force_1``, …; ``contact_force``."""
 
@@ -45,9 +49,7 @@ def told_of(model: Any) -> dict[str, Callable[[Any, Sequence[Any]], FloatArray]]
         tensions = model.algebra.spring_forces(*states[: len(model.coordinates)], *of_statics(model, constants))
         return tensions[spring]
 
-    count = len(model.about["springs"])
-    names = ["spring_force"] if count == 1 else [f"spring_force_{j + 1}" for j in range(count)]
-    found: dict[str, Callable[[Any, Sequence[Any]], FloatArray]] = {name: partial(tension, j) for j, name in enumerate(names)}
+    found = {f"spring_force{end}": partial(tension, place) for place, end in enumerate(_ends(model))}
     return found | ({"contact_force": partial(contact_force, model)} if model.about["contact"]["gap"] is not None else {})
 
 

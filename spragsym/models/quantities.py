@@ -33,12 +33,14 @@ class Quantities:
 
     def __init__(self, model: Model) -> None:
         self.model, self.about = model, model.about
-        self.bases = {entry["name"]: entry["unit"] for entry in self.about["units"]}
-        self.parameters = {entry["quantity"]: entry["name"] for entry in self.about["parameters"]}
-        self.coordinates = {entry["name"]: entry["unit"] for entry in self.about["coordinates"]}
-        self.units = self.bases | {entry["quantity"]: entry["quantity_unit"] for entry in self.about["parameters"]}
-        self.meanings = {entry["name"]: entry["meaning"] for entry in self.about["units"]}
-        self.meanings |= {entry["quantity"]: entry["meaning"] for entry in self.about["parameters"]}
+
+        def by(key: str, section: str, value: str) -> dict[str, str]:
+            return {entry[key]: entry[value] for entry in self.about[section]}
+
+        self.bases, self.coordinates = by("name", "units", "unit"), by("name", "coordinates", "unit")
+        self.parameters = by("quantity", "parameters", "name")
+        self.units = self.bases | by("quantity", "parameters", "quantity_unit")
+        self.meanings = by("name", "units", "meaning") | by("quantity", "parameters", "meaning")
         self.law: Mapping[str, Any] = self.about["friction"] or {"quantities": (), "at_rest": "", "belt": "0"}
 
     @property

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
+from ..models.model import Model
 from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
 from ..motion.integrators import Flow
@@ -24,9 +25,6 @@ from ..numerics.balls import Undecided
 from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged
-
-if TYPE_CHECKING:
-    from ..models.model import Model
 
 #: Returns of a motion are looked at over this time.
 LOOKED_AT = 400.0

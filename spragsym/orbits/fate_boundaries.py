@@ -25,7 +25,7 @@ from ..results.result import Result
 from .attractors import Attractor, attractor, followed, followed_cycle, same
 from .branch import cycle_branch
 from .events import MERGES
-from .finding import cycle_at
+from .finding import cycle_at, returns
 from .orbit import same_cycle
 from .system import JUDGED, PARTED, TOLERANCES, Saddle, System, Verdict, growth_of_cycle, judged, saddle_near, surely
 
@@ -63,9 +63,6 @@ LONGEST = 5e6
 
 #: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is followed after so many failures.
 UNLIKE, LOST = 0.5, 8
-
-#: Pairs of states of a hovering motion from which a cycle is looked for.
-TRIES = 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -454,9 +451,14 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
 def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:
     """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
     system, around = asked.at((low + high) / 2), asked.system.field.around
-    hovering, parted = _hovering(asked, low, high)
+    one, other = (asked.at(value).motion(asked.start, JUDGED[0], rtol=FINE[0]) for value in (low, high))
+    times = np.linspace(0.0, JUDGED[0], int(10 * JUDGED[0]) + 1)
+    parted = np.flatnonzero(np.abs(one(times) - other(times)).max(axis=0) > PARTED)
+    until = float(times[parted[0]]) if len(parted) else JUDGED[0]
+    hovering = system.flow.plain(asked.start, system.constants, until)
+    states = np.array([turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0] or [hovering.state])
     rests: list[tuple[float, Saddle]] = []
-    for state in hovering:
+    for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, state)
             if saddle is not None and saddle.attracts:
@@ -464,35 +466,12 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
     off, rest = min(rests, key=itemgetter(0), default=(math.inf, None))
     if rest is not None and off < CLOSE:
         return "equilibrium", rest.state, rest.growth, off
-    extent = float(np.ptp(hovering, axis=0).max())
-    for state, period, off in _returns(hovering, parted, extent, around):
+    extent = float(np.ptp(states, axis=0).max())
+    for begin, end in returns(hovering.turns, around):
         with suppress(ConvergenceError):
-            cycle = cycle_at(system, state, period)
+            cycle = cycle_at(system, begin.state, end.t - begin.t)
             growth = growth_of_cycle(cycle)
-            near = float(np.abs(apart(cycle.samples.states.T, state, around)).max(axis=1).min())
+            near = float(np.abs(apart(cycle.samples.states.T, begin.state, around)).max(axis=1).min())
             if growth is not None and near < CLOSE * extent:
-                return "cycle", cycle.state, growth, max(off, near)
-    return "unknown", hovering[-1], math.nan, math.nan
-
-
-def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
-    """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
-    span = JUDGED[0]
-    one, other = (asked.at(value).motion(asked.start, span, rtol=FINE[0]) for value in (low, high))
-    times = np.linspace(0.0, span, int(10 * span) + 1)
-    parted = np.abs(one(times) - other(times)).max(axis=0) > PARTED
-    until = float(times[int(np.argmax(parted))]) if parted.any() else span
-    course = one.course()
-    kept = course.maxima_t <= until
-    return (course.maxima[kept], course.maxima_t[kept]) if kept.any() else (one(until)[None], np.array([until]))
-
-
-def _returns(
-    states: FloatArray, times: FloatArray, extent: float, around: tuple[int, ...]
-) -> list[tuple[FloatArray, float, float]]:  # fmt: skip
-    """States of a hovering motion that are alike, with the time between them and by how much they differ: nearest first."""
-    found = [
-        (states[i], float(times[j] - times[i]), float(np.abs(apart(states[j], states[i], around)).max()))
-        for j in range(len(states) // 2, len(states)) for i in range(max(0, j - 12), j)
-    ]  # fmt: skip
-    return sorted((each for each in found if each[2] < CLOSE * extent), key=lambda each: each[2])[:TRIES]
+                return "cycle", cycle.state, growth, near
+    return "unknown", states[-1], math.nan, math.nan

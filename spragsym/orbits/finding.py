@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ import numpy as np
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..models.field import Field
+from ..models.field import Field, apart
 from ..models.model import Model
 from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
@@ -29,8 +28,8 @@ from .system import JUDGED, System, judged
 #: Returns of a motion are looked at over this time.
 LOOKED_AT = 400.0
 
-#: Most returns of one stretch of motion that are tried.
-TRIES = 8
+#: Rounds after which a state may return, and most pairs that are tried.
+ROUNDS, TRIES = 60, 8
 
 #: A return that misses by more than this share of the motion's extent is not tried.
 FAR = 0.3
@@ -53,7 +52,7 @@ AROUND = 1e-13
 SHARE, FREE = 0.1, 0.01
 
 #: How closely an amplitude is met, relatively; by how many steps, and the longest of them, as a factor.
-MET, ROUNDS, FARTHEST = 1e-3, 20, 2.0
+MET, TRIALS, FARTHEST = 1e-3, 20, 2.0
 
 
 def cycle(
@@ -130,23 +129,19 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     if isinstance(near, Cycle):
         near.require(field, "near")
         return _checked(_towards(flow, near.loop.guess, system.values))
-    settled = isinstance(near, Trajectory)
-    approached = near is None or settled
+    approached = near is None or isinstance(near, Trajectory)
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
     try:
-        passage = flow.plain(start, system.constants, LOOKED_AT, loose=True)
+        if not approached:
+            passage = flow.plain(start, system.constants, LOOKED_AT, loose=True)
+            if (found := _by_returns(system, passage.turns)) is not None:
+                return _checked(found)
+        verdict = judged(system, start, times=JUDGED if patient or approached else JUDGED[:1])
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
-    found = _by_returns(system, passage.turns, stable=approached)
-    if found is not None:
-        return _checked(found)
-    try:
-        verdict = judged(system, passage.state, times=JUDGED if patient or settled else JUDGED[:1])
-    except ConvergenceError as error:
-        raise ConvergenceError(f"no cycle was found near the motion, which could not be followed: {error}") from error
-    if verdict.kind == Regime.LIMIT_CYCLE and (patient or settled):
+    if verdict.kind == Regime.LIMIT_CYCLE and (patient or approached):
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
     why = stands_still(system, verdict.end) or (
@@ -200,39 +195,32 @@ def _state(field: Field, near: Any) -> FloatArray:
     return np.array([as_number("near", value, FINITE) for value in state.tolist()])
 
 
-def _by_returns(system: System, turns: Sequence[Turn], *, stable: bool) -> Loop | None:
-    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
-    for first, second in islice(_pairs([turn for turn in turns if turn.border == -1]), TRIES):
-        try:
-            loop = _from_guess(system.flow, Guess(first.state[None], second.t - first.t, system.values))
-        except ConvergenceError:
-            continue
-        # What a motion approaches is stable; near a state that is given there may be either.
-        if not _rests(loop) and not (stable and np.abs(loop.multipliers.others).max() > 1):
-            return loop
+def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
+    """The first closed orbit that Newton's method finds from two states that are alike, from the first one on if it can be."""
+    around = system.field.around
+    for begin, end in [*returns(turns, around, first=True), *returns(turns, around)]:
+        with suppress(ConvergenceError):
+            loop = _from_guess(system.flow, Guess(begin.state[None], end.t - begin.t, system.values))
+            if not _rests(loop):
+                return loop
     return None
 
 
-def _pairs(turns: list[Turn]) -> Iterator[tuple[Turn, Turn]]:
-    """Pairs of alike highest states: from the first one on, nearest first, and from the last one back, fewest returns first.
+def returns(turns: Sequence[Turn], around: tuple[int, ...], *, first: bool = False) -> list[tuple[Turn, Turn]]:
+    """Pairs of alike states, largest in x: of each number of rounds the nearest, or that from the first state on.
 
-    Of two that there are, as of a long period, their distance is seen against that of the lowest ones.
+    Those come first that are the nearest, times their rounds.
     """
-    highest = [turn for turn in turns if turn.direction < 0]
-    if len(highest) < 2:
-        return
-    states = np.array([turn.state for turn in highest])
-    scale = np.ptp(states if len(highest) > 2 else [turn.state for turn in turns], axis=0)
+    turns = [turn for turn in turns if turn.border == -1]
+    highest, found = [turn for turn in turns if turn.direction < 0], []
+    states, scale = np.array([turn.state for turn in highest]), np.ptp([turn.state for turn in turns] or np.zeros((1, 1)), axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
-    if len(highest) > 2:
-        away = np.abs((states[1:] - states[0]) / scale).max(axis=1)
-        yield from ((highest[0], highest[i + 1]) for i in np.argsort(away)[: TRIES // 2] if away[i] < FAR)
-    away = np.abs((states[:-1] - states[-1]) / scale).max(axis=1)[::-1]
-    best = np.inf
-    for k, distance in enumerate(away[:60]):
-        if distance < min(FAR, 0.5 * best):
-            best = distance
-            yield highest[-2 - k], highest[-1]
+    for rounds in range(1, min(len(highest), ROUNDS)):
+        off = np.abs(apart(states[rounds:], states[:-rounds], around) / scale).max(axis=1)
+        i = 0 if first else int(off.argmin())
+        if off[i] < FAR:
+            found.append((rounds * float(off[i]), i, i + rounds))
+    return [(highest[i], highest[j]) for _, i, j in sorted(found)[:TRIES]]
 
 
 def _from_guess(flow: Flow, guess: Guess) -> Loop:
@@ -305,7 +293,7 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
         beyond = f"; to first order only amplitudes below {least:.3g} do not come to {border}" if asked > least else ""
         return f"give a smaller one, and go on from it with cycle_branch{beyond}"
 
-    for _ in range(ROUNDS):
+    for _ in range(TRIALS):
         try:
             found = _along(flow, given, state, place, form, z)
         except ConvergenceError as error:

@@ -100,7 +100,7 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
         try:
             solution = integrate(problems[row], backend)
             counts = np.bincount(events_of(problems[row].field, solution.crossings).which, minlength=len(Event))
-            found[row] = course_of(solution.samples, counts)
+            found[row] = course_of(solution.samples, counts, problems[row].field.around)
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
     return [found[row] for row in range(len(problems))]

@@ -2,6 +2,7 @@
 
 import math
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,8 +24,9 @@ class Course:
     """Quantities measured on a motion while it runs; its steps are not kept, nor turning points before the latest KEPT of a kind.
 
     States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t`` where the first coordinate x is
-    largest, ``minima`` (l, 2 n); ``integrals`` (k + 1, n + 1) from ``begin`` to the maxima, and last to ``end``: of
-    u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each kind; least and largest x, ``reach``.
+    largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at ``passages_t`` of an x that comes around through whole turns;
+    ``integrals`` (k + 1, n + 1) from ``begin`` to the maxima, and last to ``end``: of u = x − x(begin), of u², and of the other
+    coordinates; how many ``events`` (4,) of each kind; least and largest x, ``reach``.
     """
 
     begin: float
@@ -37,6 +39,8 @@ class Course:
     minima: FloatArray
     events: IndexArray
     reach: tuple[float, float]
+    passages_t: FloatArray
+    passages: FloatArray
 
     def moments(self, row: int = -1) -> tuple[float, float]:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
@@ -50,8 +54,8 @@ class Course:
         return np.array([self.moments()[0], *(self.integrals[-1, 2:] / (self.end - self.begin))])
 
 
-def course_of(samples: PiecewisePolynomial, events: IndexArray) -> Course:
-    """The course of a motion given by its samples, and the number of events of each kind."""
+def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence[int]) -> Course:
+    """The course of a motion given by its samples, and the number of events of each kind; coordinates that come ``around``."""
     t, states = samples.t, samples.states
     n = len(states) // 2
 
@@ -63,10 +67,12 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray) -> Course:
     maxima, minima = samples(highest).T, samples(lowest).T
     extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
     late = highest[-KEPT:]
+    turning = PiecewisePolynomial(t, np.sin(states[:1] / 2))
+    passed = np.sort(np.concatenate([turning.passages(0, sign) for sign in (1, -1) if 0 in around] or [late[:0]]))[-KEPT:]
     return Course(
         float(t[0]), float(t[-1]), states[:, 0], states[:, -1], late, maxima[-KEPT:],
         samples.integrals_to(np.append(late, t[-1]), integrands), minima[-KEPT:], events,
-        (float(extrema.min()), float(extrema.max())),
+        (float(extrema.min()), float(extrema.max())), passed, samples(passed).T,
     )  # fmt: skip
 
 
@@ -78,6 +84,8 @@ class Turns:
         #: Time and all that is carried.
         self.tops: deque[list[float]] = deque(maxlen=KEPT)
         self.lows: deque[list[float]] = deque(maxlen=KEPT)
+        #: Where x passes a whole turn.
+        self.passages: deque[list[float]] = deque(maxlen=KEPT)
 
     def add(self, t: float, direction: int, carried: list[float]) -> None:
         """Note one; ``direction`` is negative where x is largest."""

@@ -43,9 +43,6 @@ ALIGNED, AWAY = 0.98, 0.5
 #: By how much the linearized map may be wrong about a return, relative to the distance at the return before.
 MISSED = 0.25
 
-#: Passages of an x that turns around which are looked at, and Newton's steps for the time of each; by how much it may be missed.
-PASSAGES, STEPS, MET = 9, 20, 1e-9
-
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
 
@@ -81,10 +78,6 @@ class Onward:
                 raise course
             courses.append(course)
         return courses
-
-    def ends(self, states: FloatArray, duration: float) -> FloatArray:
-        """Final states of the motions from many states."""
-        return np.array([course.last for course in self.courses(states, duration)])
 
     def _differences(self, sides: int, state: FloatArray, _: object, duration: float, __: object) -> Passage:
         """``fly`` by differences of the plain flow, to one or to both ``sides``; crossings are not reported."""
@@ -179,31 +172,35 @@ class _Cycle:
 
     def returned(self, places: FloatArray) -> FloatArray:
         """The return map: where motions from places on the section next meet it, after about a period."""
-        fixed, period = self.orbit.fixed, self.orbit.period
-        states = np.insert(places * self.scale, fixed, self.orbit.state[fixed], axis=1)
-        if fixed == 0:
-            ends = self.onward.ends(self.orbit.state[None], period)[0]
-            found = np.array([_passed(self.onward, state, ends[0], period)[1] for state in states])
-            return section(_near(found, self.orbit.state, self.around), fixed) / self.scale
-        courses = self.onward.courses(states, 1.1 * period)
+        states = np.insert(places * self.scale, self.orbit.fixed, self.orbit.state[self.orbit.fixed], axis=1)
+        courses = self.onward.courses(states, 1.1 * self.orbit.period)
         return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
 
     def _next(self, place: FloatArray, course: Course) -> FloatArray:
-        late = np.flatnonzero(course.maxima_t > 0.5 * self.orbit.period)
+        times, states = _marks(course, self.orbit.fixed)
+        late = np.flatnonzero(times > 0.5 * self.orbit.period)
         if not len(late):
             raise ConvergenceError("no cycle: the motion does not return to its section; start elsewhere")
-        returns = section(_near(course.maxima[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
-        off = np.abs(returns - place).max(axis=1) + np.abs(course.maxima_t[late] / self.orbit.period - 1)
+        returns = section(_near(states[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
+        off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.orbit.period - 1)
         return returns[int(np.argmin(off))]
+
+
+def _marks(course: Course, fixed: int) -> tuple[FloatArray, FloatArray]:
+    """Times and states of the passages of a section: where x is largest, or passes a whole turn."""
+    return (course.maxima_t, course.maxima) if fixed else (course.passages_t, course.passages)
 
 
 def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
     around = onward.problem.field.around
-    seen = _returns(course, onward, around)
-    if seen is None:
+    # An x that turns around and never back has no maxima.
+    fixed = len(course.last) // 2 if len(course.maxima) >= FEWEST or 0 not in around else 0
+    times, places = _marks(course, fixed)
+    if len(times) < FEWEST:
         return None
-    times, places, fixed = seen
+    places = _near(places, places[-1], around)
+    places[:, fixed] = 0.0
     states = section(places, fixed)
     scale = _scale(section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), fixed)
     states /= scale
@@ -228,51 +225,6 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
             return _described(cycle, regime, -math.log(max(largest, 1e-300)) / orbit.period, distance)
     return None
-
-
-def _returns(course: Course, onward: Onward, around: tuple[int, ...]) -> tuple[FloatArray, FloatArray, int] | None:
-    """Times and states of a motion's passages of a section, and the place of the number that is fixed there; None for too few.
-
-    Where x is largest; an x that turns around and never back passes 0, and is followed for some turns more.
-    """
-    n = len(course.last) // 2
-    if len(course.maxima) >= FEWEST:
-        places = _near(course.maxima, course.maxima[-1], around)
-        places[:, n] = 0.0
-        return course.maxima_t, places, n
-    moved = float(course.last[0] - course.first[0])
-    if 0 not in around or not abs(moved) > FEWEST * TURN:
-        return None
-    turn = math.copysign(TURN, moved)
-    rest = (-course.last[0] / turn) % 1.0
-    t, state, goal = 0.0, course.last, float(course.last[0]) + (rest if rest > 0 else 1.0) * turn
-    passages = []
-    try:
-        for _ in range(PASSAGES):
-            duration, state = _passed(onward, state, goal, (goal - float(state[0])) * (course.end - course.begin) / moved)
-            t, goal = t + duration, goal + turn
-            passages.append((t, state))
-    except ConvergenceError:
-        return None
-    times, states = (np.array(column) for column in zip(*passages, strict=True))
-    places = _near(states, np.zeros(2 * n), (0,))
-    places = _near(places, places[-1], around)
-    places[:, 0] = 0.0
-    return times, places, 0
-
-
-def _passed(onward: Onward, state: FloatArray, goal: float, duration: float) -> tuple[float, FloatArray]:
-    """When x reaches a value from a state, near a duration, and the state there; Newton's method on the time."""
-    n = len(state) // 2
-    for _ in range(STEPS):
-        if not 0 < duration < math.inf:
-            break
-        end = onward.ends(state[None], duration)[0]
-        left = goal - float(end[0])
-        if abs(left) <= MET:
-            return duration, end
-        duration += left / float(end[n]) if end[n] else math.nan
-    raise ConvergenceError("the motion does not pass the section again")
 
 
 def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:

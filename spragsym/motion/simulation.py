@@ -280,7 +280,7 @@ class Trajectory(Named):
     def course(self) -> Course:
         """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the samples."""
         counts = self._event_counts() if self.events is None else np.bincount(self.events.which, minlength=len(Event))
-        return course_of(self.samples, counts)
+        return course_of(self.samples, counts, self.model.field.around)
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""

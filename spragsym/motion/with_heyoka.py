@@ -146,6 +146,8 @@ class Carrier(ABC):
         self.jumped = False
         system, seen, accelerations, approaches = equations(field, watch=watch, derivatives=derivatives, directions=directions)
         rates = [(-1, seen[0][len(field.coordinates)])] if turning or watch else []
+        if watch and 0 in field.around:
+            rates.append((PASSAGE, hy.sin(seen[0][0] / 2.0)))
         if turning:
             rates += [(i, b.rate(seen[0], accelerations, *seen[1:])) for i, b in enumerate(field.borders) if b.kink]
         self.solver = hy.taylor_adaptive_batch(
@@ -349,6 +351,9 @@ LANES = 8
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed.
 BURST = 20_000
 
+#: What stands for a border where x, that comes around, passes a whole turn.
+PASSAGE = -2
+
 #: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
 NEAR = 1e-3
 
@@ -405,7 +410,11 @@ class Lanes(Carrier):
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         self.look(t)
-        self.seen[lane].turns.add(t, direction, self.dense[:, lane].tolist())
+        turns, carried = self.seen[lane].turns, self.dense[:, lane].tolist()
+        if border == PASSAGE:
+            turns.passages.append([t, *carried])
+        else:
+            turns.add(t, direction, carried)
 
     def carry(self, motions: Sequence[Traveller], begin: float, end: float) -> None:
         """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way."""
@@ -486,12 +495,12 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
 
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, seen = motion.carried, motion.seen.turns
-        tops, lows = (np.array(turns).reshape(-1, 1 + len(last)) for turns in (seen.tops, seen.lows))
+        tops, lows, passed = (np.array(each).reshape(-1, 1 + len(last)) for each in (seen.tops, seen.lows, seen.passages))
         integrals = np.vstack([tops[:, 1 + size :], last[size:]]) / scale
         low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
         return Course(
             begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows[:, 1 : 1 + size],
-            np.array(motion.seen.counts), (low, high),
+            np.array(motion.seen.counts), (low, high), passed[:, 0], passed[:, 1 : 1 + size],
         )  # fmt: skip
 
     found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]

@@ -264,7 +264,8 @@ def measured(model: Any, settings: Mapping[str, Any], points: Sequence[tuple[flo
     given, count = [settings[name] for name in ("t_end", "transient", "rtol", "max_steps")], len(model.parameters)
     constants = [model.field.constants(point[:count]) for point in points]
     problems = [
-        Problem(own, point[count:], *given, partial(field_of, model)) for own, point in zip(constants, points, strict=True)
+        Problem(own, point[count:], *given, field_of=partial(field_of, model))
+        for own, point in zip(constants, points, strict=True)
     ]
     errors = [undirected(model, problem.constants, problem.start) for problem in problems]
     good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]

@@ -28,16 +28,16 @@ from .precise_balance import PreciseBalance
 REAL = 1e-9
 #: Growth rate over the frequency below which a state is practically neutral.
 NEUTRAL = 1e-4
-#: States that are looked at together: few enough for arrays of intervals to stay in cache.
-TOGETHER = 1 << 14
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
 #: Number of states at which it is looked at whether anything damps: some are in contact.
 PLACES = 64
-#: Numbers whose signs are asked for at a state of balls of so many bits.
-Ask: TypeAlias = Callable[[State, int], Matrix]
+#: A matrix with all entries of one number type, intervals or balls.
+Taken: TypeAlias = Callable[[Matrix], Matrix]
+#: Numbers whose signs are asked for at a state.
+Ask: TypeAlias = Callable[[State, Taken], Matrix]
 
 
 @dataclass(frozen=True)
@@ -68,8 +68,8 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[Float
     Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see :func:`decay`.
     """
     balance = Balance(eq.parameters.model, eq.contact)
-    every = (np.broadcast_to(value[..., None], eq.stability.shape) for value in eq.parameters.broadcast(*balance.parameters))
-    given = np.array([value[states] for value in every]).reshape(len(balance.parameters), states[-1].size)
+    columns = (np.broadcast_to(value[..., None], eq.stability.shape) for value in eq.parameters.broadcast(*balance.parameters))
+    given = np.array([value[states] for value in columns]).reshape(len(balance.parameters), states[-1].size)
     q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
     if around is None:
         off = eq.error[states] * np.maximum(1.0, np.abs(q))
@@ -81,28 +81,14 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[Float
         ends, alone = (boxes[:, :, place[states]] for boxes in around)
     sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
-    parts = [
-        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
-        for begin in range(0, max(1, undamped.size), TOGETHER)
-    ]
-    return Linearized(*(np.concatenate(part) for part in zip(*parts, strict=True)))
-
-
-def _linearized(
-    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array
-) -> tuple[FloatArray, Int8Array, ComplexArray]:
-    every = _damped(balance, q, given)
+    with np.errstate(all="ignore"):
+        every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, q, given)))
+    every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     fastest = every[:, 0].real
     sign = -decay(balance, given, ends, alone, undamped, fastest)
     # What rounding leaves is on the side that is proved.
-    return np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest)), sign, every
-
-
-def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> ComplexArray:
-    """All λ with dampers and the slope of the friction law, by falling real part; NaN where they are no floats."""
-    with np.errstate(all="ignore"):
-        every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, states, given)))
-    return np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
+    growth = np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest))
+    return Linearized(growth, sign, every)
 
 
 def classified(
@@ -185,8 +171,8 @@ def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray
 def _over(balance: Balance, parameters: Intervals, ends: FloatArray) -> tuple[Int8Array, Int8Array, BoolArray]:
     """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
     at = balance.state(Intervals(ends), parameters)
-    elementary, minors = invariants(*(_rows(matrix(part, at.shape)) for part in (at.stiffness(), at.mass())))
-    return _signs(elementary, at.shape), _signs(minors, at.shape), without_flutter(balance, parameters)
+    elementary, minors = _signs_over(at, _types)
+    return elementary, minors, without_flutter(balance, parameters)
 
 
 def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
@@ -210,37 +196,29 @@ def decay(
     Arguments as for :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there every second
     coefficient is 0.
     """
-    shape = ends.shape[2:]
+
+    def asked(shift: Any) -> Ask:
+        return lambda at, taken: _routh_twice(shift, *map(taken, (at.mass(), at.damping(), at.stiffness())))
+
     with np.errstate(all="ignore"):
         at = balance.state(Intervals(ends), balance.prepared(Intervals.point(given)))
-        M, C, K = (matrix(part, shape) for part in (at.mass(), at.damping(), at.stiffness()))
-        without = C.magnitude.max(axis=(0, 1)) <= NOTHING
+        without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
-        signs = [_signs(part, shape) for part in _routh_twice(_rows(M), _rows(C), _rows(K), Intervals.point(half))]
-        found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
+        told = _told_to_decay(_signs_over(at, asked(Intervals.point(half))))
+        found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
     for row in np.flatnonzero(found == 0).tolist():
-        shift = ball(float(half[row]), BITS)
-
-        def ask(at: State, bits: int, shift: Any = shift) -> Matrix:
-            M, C, K = (as_balls(part, bits) for part in (at.mass(), at.damping(), at.stiffness()))
-            return _routh_twice(M, C, K, shift)
-
-        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], ask)
+        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], asked(ball(float(half[row]), BITS)))
         if again is not None:
             found[row : row + 1] = _told_to_decay(again)
     return found
 
 
-def _rows(part: Intervals) -> list[list[Any]]:
-    return list(map(list, part))
+def _types(at: State, taken: Taken) -> Matrix:
+    """What tells the type."""
+    return invariants(taken(at.stiffness()), taken(at.mass()))
 
 
-def _types(at: State, bits: int) -> Matrix:
-    """:func:`invariants` of balls."""
-    return invariants(*(as_balls(part, bits) for part in (at.stiffness(), at.mass())))
-
-
-def _routh_twice(M: Matrix, C: Matrix, K: Matrix, shift: Any) -> list[list[Any]]:
+def _routh_twice(shift: Any, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
     """:func:`_routh` for the imaginary axis, and for the line right of it by ``shift``."""
     moved = [[k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)]
     damped = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
@@ -259,7 +237,7 @@ def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
     return np.where(here != 0, here, np.minimum(beyond, 0)).astype(np.int8)
 
 
-def invariants(K: Matrix, M: Matrix) -> tuple[list[Any], list[Any]]:
+def invariants(K: Matrix, M: Matrix) -> Matrix:
     """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's matrix, of any number type."""
     n = len(K)
     # det(K + κ M) = det M Π (κ_i + κ): the coefficient of κᵏ is e_{n−k} det M.
@@ -275,11 +253,11 @@ def invariants(K: Matrix, M: Matrix) -> tuple[list[Any], list[Any]]:
     return e[1:], [determinant([row[:size] for row in hermite[:size]]) for size in range(2, n + 1)]
 
 
-def _signs(values: Sequence[Any], shape: Shape) -> Int8Array:
-    if not values:
-        return np.zeros((0, *shape), dtype=np.int8)
-    known = stacked(values, shape)
-    return (known.low > 0).astype(np.int8) - (known.high < 0).astype(np.int8)
+def _signs_over(at: State, ask: Ask) -> list[Int8Array]:
+    """Signs of what is asked over boxes."""
+    parts = ask(at, lambda part: [list(row) for row in matrix(part, at.shape)])
+    known = (stacked(part, at.shape) for part in parts)
+    return [(part.low > 0).astype(np.int8) - (part.high < 0).astype(np.int8) for part in known]
 
 
 def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> tuple[Int8Array, BoolArray]:
@@ -315,7 +293,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
 
 def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:
     """Signs of what is asked of a state of balls."""
-    parts = ask(precise.state(q), precise.bits)
+    parts = ask(precise.state(q), lambda part: as_balls(part, precise.bits))
     return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]
 
 

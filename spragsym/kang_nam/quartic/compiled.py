@@ -39,7 +39,8 @@ def _solve(
 ) -> IntArray:
     settled, rows, here = np.empty(size, dtype=np.bool_), np.empty(size, dtype=np.int64), slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
-    further = tuple(np.empty((size, out.slots - 1), dtype=column.dtype) for column in first)
+    shape = size, out.slots - 1
+    further = *np.empty((len(COLUMNS) - 1, *shape)), np.empty(shape, dtype=np.int8)  # of the stability, the last
     theta0, mu0, kappa, alpha, sigma, beta = values
     used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), settled, out.count[here], first, (rows, *further))
     if used:

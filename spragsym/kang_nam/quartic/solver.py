@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from types import ModuleType
@@ -46,28 +46,26 @@ class _Closed(Linearizing):
 
     def column(self, name: str) -> NDArray[Any] | None:
         """A column of the kernel's, or made of these; None for another name."""
-        if name in COLUMNS:
-            return np.moveaxis(self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1)
         if name in ("escalated", "fold"):
             return _flags(self.p.shape, self.escalated if name == "escalated" else self.folds)
-        made = {"eigenvalues": self._eigenvalues, "marginal": self._marginal}.get(name)
-        return None if made is None else made()
+        if name in ("eigenvalues", "marginal"):
+            return self._eigenvalues() if name == "eigenvalues" else self._marginal()
+        return self._padded(name) if name in COLUMNS else None
 
-    def _known(self, *names: str) -> list[NDArray[Any]]:
-        return [column for name in names if (column := self.column(name)) is not None]
+    def _padded(self, name: str) -> NDArray[Any]:
+        return np.moveaxis(self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1)
 
     def _marginal(self) -> BoolArray:
         """At a fold the two slots that hold one state."""
-        (theta,) = self._known("theta")
-        out = np.zeros(theta.shape, dtype=np.bool_)
-        out[..., :-1] |= theta[..., :-1] == theta[..., 1:]
-        out[..., 1:] |= out[..., :-1]
-        return out & _flags(self.p.shape, self.folds)[..., None]
+        theta = self._padded("theta")
+        alike = (theta[..., :-1] == theta[..., 1:]) & _flags(self.p.shape, self.folds)[..., None]
+        none = np.zeros_like(alike[..., :1])
+        return np.concatenate([alike, none], axis=-1) | np.concatenate([none, alike], axis=-1)
 
     def _eigenvalues(self) -> ComplexArray:
         """The four λ of (27)."""
         mu0, alpha, sigma, beta = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
-        theta, L = self._known("theta", "L")
+        theta, L = map(self._padded, ("theta", "L"))
         with np.errstate(all="ignore"):  # empty slots; parameters near the largest floats overflow
             K = _stability.stiffness(np.cos(theta), np.sin(theta), L, mu0, alpha, sigma, beta, int(self.contact))
             trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
@@ -100,23 +98,15 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     out.clear()
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
-    return _answer(p, contact, out, left, fold, reasons)
-
-
-def _answer(
-    p: Parameters, contact: bool, out: Slots, escalated: IntArray, folds: IntArray, reasons: Mapping[int, str]
-) -> Equilibria:
     decided = np.ones(p.shape, dtype=np.bool_)
-    undecided: tuple[Undecided, ...] = ()
-    remarks: tuple[str, ...] = ()
-    if reasons:
-        decided.reshape(-1)[list(reasons)] = False
-        anywhere = (-math.inf,) * 2, (math.inf,) * 2
-        places = (tuple(int(i) for i in np.unravel_index(number, p.shape)) for number in reasons)
-        undecided = tuple(Undecided(at, *anywhere, reason) for at, reason in zip(places, reasons.values(), strict=True))
-        remarks = (f"{len(reasons)} of {decided.size} points have no answer; the first: {undecided[0].reason}",)
-    counts = out.count.reshape(p.shape)
-    return Equilibria(p, contact, counts, decided, undecided, remarks, _Closed(p, contact, out, escalated, folds))
+    undecided: list[Undecided] = []
+    for number, reason in reasons.items():
+        decided.reshape(-1)[number] = False
+        place = tuple(map(int, np.unravel_index(number, p.shape)))
+        undecided.append(Undecided(place, (-math.inf,) * 2, (math.inf,) * 2, reason))
+    remarks = [f"{len(reasons)} of {decided.size} points have no answer; the first: {one.reason}" for one in undecided[:1]]
+    source = _Closed(p, contact, out, left, fold)
+    return Equilibria(p, contact, out.count.reshape(p.shape), decided, tuple(undecided), tuple(remarks), source)
 
 
 def _flags(shape: Shape, rows: IntArray) -> BoolArray:
@@ -240,10 +230,12 @@ def _solve_widely(
 
 def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
     """States rounded to float64, by at most half a unit in the last place, which the error includes."""
+    from mpmath import log10  # numbers of any size
+
     for state in found.states:
         if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
             raise ConvergenceError(
-                f"log10 L = {_log10(state.L):.6g} at an equilibrium of "
+                f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of "
                 f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "
                 "spragsym.precise carries it"
             )
@@ -253,10 +245,7 @@ def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, f
         columns["error"][slot, place] += 1.2e-16
 
 
-def _log10(value: Any) -> float:
-    """The logarithm of an mpf, of any size."""
-    _, mantissa, exponent, _ = value._mpf_
-    return math.log10(mantissa) + int(exponent) * math.log10(2)
+# ---------------------------------------------------------------------------------------------------- backends
 
 
 @dataclass

@@ -1,6 +1,6 @@
 """Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in ``_deg``.
 
-A result says by ``table_model``, ``table_angles``, ``table_varied`` and ``table_codes`` what its columns are, by
+A result says by ``table_model``, ``table_angles`` and ``table_codes`` what its columns are, by
 ``table_values`` which they are, and by ``as_table`` what to show in their place.
 """
 
@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 
 from .numerics.interval_arrays import IntArray
 
+#: Columns of the parameter that varies; the first two have its name.
+VARIED = ("value", "values", "to", "others")
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
@@ -38,8 +40,6 @@ class Shown:
     table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}
     #: Angles that are no parameters, coordinates or directions of springs.
     table_angles: ClassVar[frozenset[str]] = frozenset()
-    #: Columns of the parameter that varies, beside ``value`` and ``values``, which have its name.
-    table_varied: ClassVar[frozenset[str]] = frozenset()
 
     @property
     def table_model(self) -> Any:
@@ -65,8 +65,7 @@ class Words:
 
     def is_angle(self, name: str) -> bool:
         """Whether a column's numbers are radians."""
-        varied = name in self.kind.table_varied or name in ("value", "values")
-        return name in self.kind.table_angles or self.known(self.vary if varied else name)
+        return name in self.kind.table_angles or self.known(self.vary if name in VARIED else name)
 
     def heading(self, key: str) -> str:
         """A column's name, of an angle with its unit."""

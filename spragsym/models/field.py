@@ -329,7 +329,7 @@ class _Motion:
             def shift(mode: Any, place: int = 2 + k) -> Any:
                 return -reach - WIDTH * mode[place]
 
-            levels = self._generated("layers", "layer_rates", k, lambda mode: mode[1:2], shift)
+            levels = self._generated("layers", "layer_rates", k, slice(1, 2), shift)
             yield Border(f"layer {k + 1}", *levels, *_side(2 + k, 1), kink=False, scale=1e-3 / reach)
         if self.turns:
             rate = len(self.model.coordinates) + self._gap
@@ -340,7 +340,7 @@ class _Motion:
         for k in range(self.torsions):
             # Where a turning comes to π times its way, or to −0.93 times it: from there the other way counts it. Each way is
             # smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
-            levels = self._generated("turning_borders", "turning_rates", k, lambda mode: mode[self.way :])
+            levels = self._generated("turning_borders", "turning_rates", k, slice(self.way, None))
             _, beyond = _side(self.way + k, 0)
 
             def jumps(state: Any, constants: Any, k: int = k) -> bool:
@@ -349,18 +349,18 @@ class _Motion:
             yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps)
 
     def _generated(
-        self, level: str, rate: str, row: int, taken: Callable[[Any], Any] = lambda _: (),
+        self, level: str, rate: str, row: int, taken: slice = slice(0),
         shift: Callable[[Any], Any] | None = None,
     ) -> tuple[Callable[..., Any], Callable[..., Any]]:  # fmt: skip
         """Level and rate of a border: a row of two generated functions, which may take numbers of the mode too."""
         of_level, of_rate = (undecorated(getattr(self.model.algebra, name)) for name in (level, rate))
 
         def level_of(state: Any, constants: Any, mode: Any) -> Any:
-            value = of_level(*state, *constants, *taken(mode), xp=_namespace(state))[row]
+            value = of_level(*state, *constants, *mode[taken], xp=_namespace(state))[row]
             return value + shift(mode) if shift else value
 
         def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-            return of_rate(*state, *accelerations, *constants, *taken(mode), xp=_namespace(state))[row]
+            return of_rate(*state, *accelerations, *constants, *mode[taken], xp=_namespace(state))[row]
 
         return level_of, rate_of
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import combinations, islice, pairwise
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -105,8 +105,6 @@ class Diagram(Result):
     remarks : tuple of str
         What was looked for and not found.
     """
-
-    table_varied: ClassVar[frozenset[str]] = frozenset({"to"})
 
     vary: str
     to: tuple[float, float]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
 from operator import itemgetter
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -106,8 +106,6 @@ class FateBoundary(Result):
     above: Outcome
     others: FloatArray
     model: Field | None = attribute(default=None, repr=False)
-
-    table_varied: ClassVar[frozenset[str]] = frozenset({"others"})
 
 
 def fate_boundary(

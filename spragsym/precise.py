@@ -67,9 +67,7 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
     exact = exactly(value)
     # Python compares rational numbers with floats exactly, infinite ones too. π is irrational and its float lies below it: what
     # is beyond the float but below π is not worth a doubt.
-    below = exact <= allowed.low if allowed.open_low else exact < allowed.low
-    above = exact > allowed.high if allowed.closed_high else exact >= allowed.high
-    if below or above:
+    if not allowed.spans(exact):
         raise ParameterError(f"{name} = {value} is not in {allowed}" + (f": {allowed.remedy}" if allowed.remedy else ""))
     return exact
 

@@ -39,10 +39,14 @@ class Range:
     remedy: str = ""
     closed_high: bool = False
 
+    def spans(self, value: Any) -> Any:
+        """Whether a number of any type lies between the ends, or where those of an array do."""
+        above = value > self.low if self.open_low else value >= self.low
+        return above & (value <= self.high if self.closed_high else value < self.high)
+
     def contains(self, value: float) -> bool:
         """Whether a number is allowed."""
-        above = value > self.low if self.open_low else value >= self.low
-        return math.isfinite(value) and above and (value <= self.high if self.closed_high else value < self.high)
+        return math.isfinite(value) and bool(self.spans(value))
 
     def reached(self, end: float, length: float = 1.0) -> float:
         """An end, or a value next to it where the range does not hold it, by the length of what is searched."""
@@ -52,9 +56,7 @@ class Range:
 
     def inside(self, values: FloatArray) -> BoolArray:
         """Where numbers are allowed."""
-        above = values > self.low if self.open_low else values >= self.low
-        below = values <= self.high if self.closed_high else values < self.high
-        return np.isfinite(values) & above & below
+        return np.isfinite(values) & self.spans(values)
 
     def __str__(self) -> str:
         low = "(" if self.open_low or math.isinf(self.low) else "["

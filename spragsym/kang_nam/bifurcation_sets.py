@@ -17,7 +17,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -328,7 +328,7 @@ def _number(t: Fraction, exact: Fixed) -> int:
 
 def _events(exact: Fixed) -> list[Root]:
     """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
-    conditions, bits = list(_without_common_roots(_conditions(exact))), _BITS
+    conditions, bits = _conditions(exact), _BITS
     while True:
         found = sorted(root for condition in conditions for root in real_roots(condition, Fraction(0), Fraction(1), bits))
         after = [*(root.low for root in found[1:]), Fraction(1)]
@@ -337,36 +337,21 @@ def _events(exact: Fixed) -> list[Root]:
         bits *= 2
 
 
-def _conditions(exact: Fixed) -> Iterator[Polynomial]:
-    """Polynomials in t that are 0 at the events, and not at t = 0 and 1; multiple roots included."""
-    values = cache(partial(_values, exact))  # the three have nodes in common
+def _conditions(exact: Fixed) -> list[Polynomial]:
+    """Polynomials in t that are 0 at the events, and not at t = 0 and 1; each root once, and of one of them only."""
 
-    def of_kind(place: int) -> Callable[[Fraction], Fraction]:
-        return lambda s: values(s)[place]
+    @cache  # the three have nodes in common
+    def values(s: Fraction) -> tuple[Fraction, ...]:
+        if exact.alpha:
+            return tuple(_catastrophe.fold_events(s, *exact))
+        return tuple(_catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta))
 
+    found: list[Polynomial] = []
     for place, degree in enumerate(_DEGREES if exact.alpha else _DEGREES_WITHOUT_ALPHA):
-        in_sine = polynomials.interpolate(of_kind(place), degree, Fraction)
-        if not any(in_sine):  # the same at every θ
-            continue
-        condition = of_sine_in_t(polynomials.primitive(in_sine))
-        while sum(condition) == 0:
-            condition = polynomials.without(condition, (-1, 1))
-        yield condition
-
-
-def _without_common_roots(conditions: Iterator[Polynomial]) -> Iterator[Polynomial]:
-    """The roots, each once, and each of one polynomial only."""
-    before: list[Polynomial] = []
-    for condition in conditions:
-        rest = polynomials.squarefree(condition)
-        for other in before:
-            rest = polynomials.without(rest, polynomials.common_divisor(rest, other))
-        before.append(rest)
-        yield rest
-
-
-def _values(exact: Fixed, s: Fraction) -> tuple[Fraction, ...]:
-    """What is 0 at events of each of the three kinds, in sin θ."""
-    if exact.alpha:
-        return tuple(_catastrophe.fold_events(s, *exact))
-    return tuple(_catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta))
+        in_sine = polynomials.interpolate(lambda s, place=place: values(s)[place], degree, Fraction)  # type: ignore[misc]
+        if any(in_sine):  # else the same at every θ
+            condition = polynomials.squarefree(of_sine_in_t(polynomials.primitive(in_sine)))
+            for other in [(-1, 1), *found]:
+                condition = polynomials.without(condition, polynomials.common_divisor(condition, other))
+            found.append(condition)
+    return found

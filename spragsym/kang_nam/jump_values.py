@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.paths import first_end
-from ..design.jumps import FIRST_ANGLE, FROM_LOWER_END, Ends
+from ..design.jumps import FROM_LOWER_END, Ends
 from ..errors import ConvergenceError
 from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
@@ -170,24 +170,18 @@ def point_at(given: Mapping[str, FloatArray], i: Any) -> Parameters:
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
     found = folds(p, vary)
-    values = getattr(found, vary).tolist()
-    if vary == "theta0":
-        start = min([FIRST_ANGLE, *(value / 2 for value in values)])
-    else:
-        start = FROM_LOWER_END[vary] if vary in FROM_LOWER_END else float(getattr(p, vary))
-    ahead = [value for value in values if forward * (value - start) >= 0]
-    if not ahead:
+    values: FloatArray = getattr(found, vary)
+    start = min([FROM_LOWER_END[vary], *(values / 2)]) if vary in FROM_LOWER_END else float(getattr(p, vary))
+    ahead = values[forward * (values - start) >= 0]
+    if not ahead.size:
         return math.nan, math.nan
-    if forward > 0:
-        high = RANGES[vary].high
-        end = 2 * max(ahead) + 1 if math.isinf(high) else (max(ahead) + high) / 2
-    else:
-        end = min(ahead) / 2
-    jump = first_end(p, vary, (start, end))
+    last, high = forward * float((forward * ahead).max()), RANGES[vary].high
+    end = last / 2 if forward < 0 else 2 * last + 1 if math.isinf(high) else (last + high) / 2
+    jump = first_end(p, vary, (float(start), end))
     if jump is None:
         return math.nan, math.nan
-    row = int(np.abs(getattr(found, vary) - jump.value).argmin())
-    return values[row], float(found.theta[row])
+    row = int(np.abs(values - jump.value).argmin())
+    return float(values[row]), float(found.theta[row])
 
 
 #: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.

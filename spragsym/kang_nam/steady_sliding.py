@@ -15,7 +15,7 @@ from ..generated import kernel as solver
 from ..generated import laws
 from ..generated import linear_sprag as _linear
 from ..generated import stability as _stability
-from ..models.parameters import NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_numbers
+from ..models.parameters import NAMES, NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_numbers
 from ..numerics.interval_arrays import Int8Array
 from ..questions import of_article
 from ..results.equilibria import Stability
@@ -172,29 +172,20 @@ def linear_sprag(p: Parameters) -> LinearSprag:
     >>> print(np.degrees(model.poles).round(3))
     [62.784 82.034]
     """
-    p.require("theta0", "mu0")
-
-    c0, s0 = np.cos(p.theta0), np.sin(p.theta0)
+    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
+    c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        x, y = _linear.displacement(c0, s0, p.mu0, p.kappa, p.alpha, p.sigma, p.beta)
-        (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, p.mu0, p.alpha, p.sigma, p.beta, 1)
+        x, y = _linear.displacement(c0, s0, mu0, kappa, alpha, sigma, beta)
+        (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, mu0, alpha, sigma, beta, 1)
         _, determinant, _ = _stability.invariants(K11, K12, K21, K22)
-        e0, e1, e2 = _linear.pole_quadratic(p.mu0, p.alpha, p.sigma, p.beta)
+        e0, e1, e2 = _linear.pole_quadratic(mu0, alpha, sigma, beta)
         # Factors of the discriminant.
         middle = _twice_the_mean(e0, e2)
         large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
         # T = e0/large and large/e2. For α = 0 the second is infinite: a pole at 90°. For μ₀ = 0 as well, both are.
         poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
-    shape = p.shape
-    x, y, determinant = (np.broadcast_to(np.asarray(value, dtype=float), shape).copy() for value in (x, y, determinant))
-    return LinearSprag(
-        x,
-        y,
-        determinant,
-        poles=np.broadcast_to(poles, (*shape, 2)).copy(),
-        critical_friction=np.broadcast_to(linear_critical_friction(p), shape).copy(),
-    )
+    return LinearSprag(x, y, determinant, poles, np.broadcast_to(linear_critical_friction(p), p.shape).copy())
 
 
 @of_article("folds(p, vary) has the values at which states meet")

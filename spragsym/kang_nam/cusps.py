@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -79,28 +78,13 @@ def cusp_sines(
 
     For α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
     """
-    exact = kappa, alpha, sigma, beta
-    return _cusp_polynomial(*exact)[0], _cusp_roots(exact, bits)
-
-
-_ONE = Fraction(1)
-
-
-@lru_cache(maxsize=64)
-def _cusp_polynomial(kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction) -> tuple[polynomials.Polynomial, ...]:
-    """The polynomial of the cusps in sin θ, and the same with every root once."""
     coefficients = (
         _catastrophe.cusp_polynomial(kappa, alpha, sigma, beta) if alpha else _catastrophe.cusp_cubic(kappa, sigma, beta)
     )
-    polynomial = tuple(Fraction(value) for value in coefficients)
-    return polynomial, polynomials.squarefree(polynomial)
-
-
-def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[polynomials.Root]:
-    """Intervals as of :func:`cusp_sines`."""
-    _, simple = _cusp_polynomial(*exact)
-    roots = polynomials.real_roots(simple, -_ONE, _ONE, bits)
-    return [polynomials.Root(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
+    polynomial = tuple(map(Fraction, coefficients))
+    simple, one = polynomials.squarefree(polynomial), Fraction(1)
+    lowest = [polynomials.Root(-one, -one)] if polynomials.evaluate(simple, -one) == 0 else []
+    return polynomial, [*lowest, *polynomials.real_roots(simple, -one, one, bits)]
 
 
 def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
@@ -109,11 +93,11 @@ def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     if alpha == 1 + beta:
         yield from _cusps_without_a(tuple(map(balls.exact, exact)), bits)
         return
-    polynomial, roots = _cusp_polynomial(*exact)[0], _cusp_roots(exact, bits - 32)
+    polynomial, roots = cusp_sines(*exact, bits=bits - 32)
     if not alpha:
         # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
         # −1 − κ/(1 + β).
-        roots.append(polynomials.Root(_ONE, _ONE))
+        roots.append(polynomials.Root(Fraction(1), Fraction(1)))
     for low, high in roots:
         yield from _cusps_at(exact, SineRoot(polynomial, low, high))
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from ...errors import ConvergenceError
-from ...models.parameters import Parameters
+from ...models.parameters import NAMES, Parameters
 from ...numerics import balls
 from ...numerics.balls import Interval, Undecided, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
@@ -27,8 +27,7 @@ FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
 
 def precise_equilibria(_p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int) -> PreciseEquilibria:
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
-    given = [exact[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")]
-    found = equilibria(*given, contact=contact, digits=digits)
+    found = equilibria(*(exact[name] for name in NAMES), contact=contact, digits=digits)
     return PreciseEquilibria(found.states, True, {})
 
 

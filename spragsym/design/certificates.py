@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import itertools
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any, Self, TypeAlias
 
 import numpy as np
@@ -19,6 +20,7 @@ import numpy as np
 from ..bifurcation.tubes import ByColumn, halves
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet
+from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
@@ -185,13 +187,16 @@ def corners(low: FloatArray, high: FloatArray, most: int) -> FloatArray:
     return np.array([0.5 * (low + high), *itertools.islice(itertools.product(*ends), most)]).T
 
 
-def corner_values(names: Sequence[str], low: Any, high: Any) -> tuple[FloatArray, FloatArray]:
-    """Parameters of two corners of a box, each of shape (P,)."""
+def corner_values(
+    names: Sequence[str], low: Any, high: Any, units: Mapping[str, Unit] = MappingProxyType({})
+) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+    """Parameters of two corners of a box, and ends of units, each of shape (P,)."""
     for what, corner in (("low", low), ("high", high)):
         if corner.shape:
             raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
-    one, other = (np.array(p.scalars(*names)) for p in (low, high))
-    for name, least, most in zip(names, one, other, strict=True):
+    one = np.array([*low.scalars(*names), *(unit.low for unit in units.values())])
+    other = np.array([*high.scalars(*names), *(unit.high for unit in units.values())])
+    for name, least, most in zip([*names, *units], one, other, strict=True):
         if least > most:
             raise ParameterError(f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two")
     return one, other

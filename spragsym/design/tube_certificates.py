@@ -76,18 +76,16 @@ class Splitting(Claim):
         model = low.model
         self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
         self.balance = BalanceInUnits(model, True, units or {})
-        corner = corner_values(model.parameters, low, high)
-        ends = [dict(zip(model.parameters, values.tolist(), strict=True)) for values in corner]
-        for end, side in zip(ends, ("low", "high"), strict=True):
-            end |= {name: getattr(unit, side) for name, unit in self.balance.units.items()}
-        if begin > ends[0][vary]:
-            raise ParameterError(f"begin = {begin:g} is above low.{vary} = {ends[0][vary]:g}; begin where {vary} is lower")
+        names, ends = self.balance.parameters, corner_values(model.parameters, low, high, self.balance.units)
+        least = ends[0][names.index(vary)]
+        if begin > least:
+            raise ParameterError(f"begin = {begin:g} is above low.{vary} = {least:g}; begin where {vary} is lower")
         matter = {*self.balance.balanced, *self.balance.matter} - {vary}
-        self.free = tuple(name for name in self.balance.parameters if name in matter and ends[0][name] != ends[1][name])
+        self.free = tuple(name for name, *end in zip(names, *ends, strict=True) if name in matter and end[0] != end[1])
         self.sides = (*self.free, vary)
-        self.tubes = Tubes(self.balance, vary, self.free)
-        self.fixed = np.array([[ends[0][name]] for name in self.balance.parameters])
-        one, other = (np.array([[end[name]] for name in (*self.free, vary)]) for end in ends)
+        self.tubes, self.fixed = Tubes(self.balance, vary, self.free), ends[0][:, None]
+        self.rows = [*self.tubes.places, self.tubes.moving]
+        one, other = (end[self.rows, None] for end in ends)
         middle = 0.5 * (one + other)[:-1]
         parts = self._parts(one, other)
         start = self.tubes.place(parts.middles(), np.append(self._first(middle[:, 0]), begin)[:, None], self.tubes.n)
@@ -118,9 +116,9 @@ class Splitting(Claim):
 
     def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at a point of the box."""
-        fixed = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))
-        moved = dict(zip((*self.free, self.vary), values.tolist(), strict=True))
-        found = self.balance.scaled({**fixed, **moved})
+        fixed = self.fixed[:, 0].copy()
+        fixed[self.rows] = values
+        found = self.balance.scaled(dict(zip(self.balance.parameters, fixed.tolist(), strict=True)))
         return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
 
     def points(self, values: FloatArray) -> Pieces:

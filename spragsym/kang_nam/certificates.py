@@ -60,10 +60,7 @@ class _Closed(Claim):
         for side, unit in enumerate(matter.values(), len(NAMES)):
             for name in (one for one in NAMES if one in unit.powers):
                 powers[name].append((side, _whole_number(name, unit.powers[name])))
-        ends = [
-            np.array([*end, *(getattr(unit, what) for unit in matter.values())])[:, None]
-            for end, what in zip(corner_values(NAMES, low, high), ("low", "high"), strict=True)
-        ]
+        ends = [end[:, None] for end in corner_values(NAMES, low, high, matter)]
         if claim == "no jump":  # what goes on to the largest friction goes on to every other
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
         kept = {name: tuple(found) for name, found in powers.items() if found}

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.stats import qmc
 
 from ..bifurcation.tubes import halves
+from ..design.certificates import corner_values
 from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
@@ -291,10 +292,7 @@ class _Law:
         names = study.kind.law["quantities"]
         taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
         low, high, units = parameter_ends(study.with_quantities(taken))
-        self.low, self.high = (
-            np.array([[value] for value in (*corner.scalars(*corner.ranges), *(getattr(unit, side) for unit in units.values()))])
-            for corner, side in ((low, "low"), (high, "high"))
-        )
+        self.low, self.high = (end[:, None] for end in corner_values(low.model.parameters, low, high, units))
         self.balance = BalanceInUnits(low.model, True, units, study.law)
 
     def between(self, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -132,8 +132,8 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
         return False
     ends = [designs.sets(np.full(len(designs.names), side * radius)) for side in (-1, 1)]
     box = claims(ends[0], ends[1], "no jump", vary=vary, begin=begin)
-    rows, columns = np.array([(box.sides.index(name), k) for k, name in enumerate(designs.names)
-                              if name in box.sides and name != vary], dtype=np.int64).reshape(-1, 2).T  # fmt: skip
+    names = [name for name in designs.names if name in box.sides and name != vary]
+    rows, columns = ([order.index(name) for name in names] for order in (box.sides, designs.names))
     origin, scale = designs.origin[columns, None], designs.scale[columns, None]
 
     def inside(parts: Boxes) -> Boxes:

@@ -216,7 +216,7 @@ class Report(Result):
     @cached_property
     def others(self) -> tuple[tuple[dict[str, float], float | None], ...]:
         """Other stable states, by coordinate and unit, and where each ends as the loading parameter goes on; NaN if nowhere."""
-        found = others(self.study, self._equilibria, self._here)
+        found = () if self._here is None else others(self.study, self._equilibria, self.states)
         if self._here is None and self.study.rise is None:
             self.remarks.append("which state the brake is in is not known, since nothing is said to rise: name it with state")
         if not self._equilibria.complete:
@@ -252,9 +252,8 @@ class Report(Result):
         for vary, found in self.folds.items():
             for i, value in enumerate(getattr(found, vary).tolist()):
                 angle = math.degrees(value) if vary == "theta0" else None
-                friction, other = (
-                    study.told(value) if angle is None and study.of_friction is of else None for of in (True, False)
-                )
+                told = None if angle is not None else study.told(value)
+                friction, other = (told, None) if study.of_friction else (None, told)
                 before, after = (
                     in_units(study, {name: columns[name][i] for name in study.kind.model.coordinates})
                     for columns in (found.coordinates, found.after)

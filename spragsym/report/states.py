@@ -184,18 +184,18 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
     return tuple(_state(study, eq, slot, place, slot == nearest and off[slot] < SAME) for slot, place in enumerate(places))
 
 
-def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[tuple[dict[str, float], float | None], ...]:
-    """Other stable states of ``eq`` than the one that is ``here``: each place in units, and the loading parameter where it ends,
-    NaN where it does not, None where that is not known."""
+def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[dict[str, float], float | None], ...]:
+    """Other stable states of ``eq``, as they are known, than the current one: each place in units, and the loading parameter
+    where it ends, NaN where it does not, None where that is not known."""
     at, rise, found = study.at_work, study.rise, []
-    for slot, place in enumerate(_places(eq) if here is not None else ()):
-        if eq.stability[slot] != Stability.STABLE or _apart(place, here) < SAME:
+    for state, place in zip(known, _places(eq), strict=True):
+        if state.statics != "stable" or state.current:
             continue
         end = None
         if rise is not None:
             with suppress(SpragsymError):
                 end = study.told(float(jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
-        found.append((in_units(study, place), end))
+        found.append((dict(state.places), end))
     return tuple(found)
 
 

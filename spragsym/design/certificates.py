@@ -212,33 +212,23 @@ SLIGHT = 1e-6
 ROOM = 1e-6
 
 
-@dataclass(frozen=True)
-class Found:
-    """States of some parts: ``roots`` have their parts as points, with those alone that are in contact all over them.
-
-    ``open`` are the parts with states that are not known to be in contact or not, and with boxes that are left.
-    """
-
-    bounds: Intervals
-    roots: Roots
-    open: BoolArray
+#: Of some parts their bounds, and as roots, with the parts as points, the states that are in contact all over a part, and as what
+#: is left the boxes of which that, or whether they hold a state, is not known.
+Test: TypeAlias = Callable[[Balance, Intervals, Roots], BoolArray]
 
 
-Test: TypeAlias = Callable[[Balance, Found], BoolArray]
-
-
-def _one(balance: Balance, found: Found) -> BoolArray:
+def _one(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
     """Parts with one state at each point."""
-    return np.asarray((np.bincount(found.roots.point, minlength=found.open.size) == 1) & ~found.open)
+    proved, left = (np.bincount(point, minlength=bounds.shape[-1]) for point in (roots.point, roots.left_point))
+    return np.asarray((proved == 1) & (left == 0))
 
 
-def _none_flutters(balance: Balance, found: Found) -> BoolArray:
+def _none_flutters(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
     """Parts all of whose states have real κ only, those in boxes that are left included."""
-    roots = found.roots
     every = np.concatenate([roots.ends, roots.left], axis=2)
     point = np.concatenate([roots.point, roots.left_point])
-    real = stability.real(balance, balance.prepared(found.bounds[:, point]), every)
-    return np.asarray(np.bincount(point[~real], minlength=found.open.size) == 0)
+    real = stability.real(balance, balance.prepared(bounds[:, point]), every)
+    return np.asarray(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
 
 
 def _not_one(eq: Equilibria) -> BoolArray:
@@ -273,15 +263,11 @@ class ClaimOfStates(Claim):
         self.balance = Balance(self.model, contact=True)
         self.sides = tuple(self.balance.parameters)
         self.true, self.false = STATES[claim]
-        ends = corner_values(self.sides, low, high)
         nowhere = np.full((2, self.balance.n, 1), np.inf)
-        never = claim == "no flutter" and self._without_flutter(*ends)
-        self.whole = Parts(ends[0][:, None], ends[1][:, None], np.array([never]), nowhere)
-
-    def _without_flutter(self, low: FloatArray, high: FloatArray) -> bool:
-        """Whether no state of the box can flutter, wherever it is."""
-        bounds = self.balance.prepared(Intervals.between(low[:, None], high[:, None]))
-        return bool(stability.without_flutter(self.balance, bounds).all())
+        low, high = (end[:, None] for end in corner_values(self.sides, low, high))
+        bounds = self.balance.prepared(Intervals.between(low, high))
+        never = claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()  # wherever a state is
+        self.whole = Parts(low, high, np.array([never]), nowhere)
 
     def point(self, values: FloatArray) -> ParameterSet:
         return self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
@@ -309,14 +295,12 @@ class ClaimOfStates(Claim):
         proved = np.arange(point.size) < found.point.size
         kept, left = proved & in_contact, ~beyond & ~(proved & in_contact)
         states = Roots(ends[:, :, kept], ends[:, :, kept], point[kept], ends[:, :, left], point[left])
-        open_ = np.bincount(states.left_point, minlength=whole.size) > 0
         where = np.full(around.shape, -np.inf)
-        for box, row in zip(np.moveaxis(ends[:, :, ~beyond], 2, 0), point[~beyond], strict=True):
-            where[:, :, row] = np.maximum(where[:, :, row], box)
+        np.maximum.at(np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0))
         room = ROOM + boxes.MARGIN * np.maximum(where[0] + where[1], 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
         with np.errstate(all="ignore"):
-            holds = whole & self.true(balance, Found(bounds, states, open_))
+            holds = whole & self.true(balance, bounds, states)
         return replace(parts, holds=holds, around=where), self._weights(parts, states)
 
     def _weights(self, parts: Parts, states: Roots) -> FloatArray:

@@ -261,12 +261,9 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
 
 def measured(model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
-    given, count = [settings[name] for name in ("t_end", "transient", "rtol", "max_steps")], len(model.parameters)
-    constants = [model.field.constants(point[:count]) for point in points]
-    problems = [
-        Problem(own, point[count:], *given, field_of=partial(field_of, model))
-        for own, point in zip(constants, points, strict=True)
-    ]
+    count, names = len(model.parameters), ("t_end", "rtol", "max_steps")
+    given = {"t_record": settings["transient"], "field_of": partial(field_of, model), **{name: settings[name] for name in names}}
+    problems = [Problem(model.field.constants(point[:count]), point[count:], **given) for point in points]
     errors = [undirected(model, problem.constants, problem.start) for problem in problems]
     good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]
     with np.errstate(all="ignore"):  # numbers out of range show in the result

@@ -194,16 +194,20 @@ class Units:
 def _solver(model: Model) -> dict[str, str]:
     """The parts of a page that depend on how states are found: by search, or by the exported solver of closed forms."""
     folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
+    words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
+    parts = {
+        "HEAD": _filled(_asset("head.html"), words),
+        "SURFACE": "",
+        "LEGEND": "",
+        "BUNDLES": bundle,
+        "WORKER": "",
+        "SOLVER": "",
+    }
     if model.search is model or not folder.is_dir():
-        words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
-        head = _filled(_asset("head.html"), words)
-        return {"HEAD": head, "SURFACE": "", "LEGEND": "", "BUNDLES": bundle, "WORKER": "", "SOLVER": ""}
+        return parts
     own = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
     solver = f"{_in_a_script(exported('javascript')['spragsym.mjs'])}\n{own['start.js']}"
-    return {
-        "HEAD": own["head.html"],
-        "SURFACE": own["surface.html"],
-        "LEGEND": own["legend.html"],
+    return {name: own.get(f"{name.lower()}.html", part) for name, part in parts.items()} | {
         "BUNDLES": f"{bundle}\n{_in_a_script(own['closed_forms.js'])}",
         "WORKER": f'<script type="text/plain" id="worker">{_in_a_script(own["worker.js"])}</script>',
         "SOLVER": f'<script type="module" id="code">\n{solver}</script>',

@@ -181,13 +181,10 @@ class Trajectory(Named):
             (said.heading(key), *(said.cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
             for key, values in zip(self.components, self.state, strict=True)
         ]
-        known: dict[str, Any] = {
-            "model": self.model.name,
-            "p": self.p,
-            "rtol": self.rtol,
-            "backend": "SciPy's Radau" if self.implicit else self.backend,
-        }
-        known |= {} if self.events is None else {"events": len(self.events)}
+        known = {"model": self.model.name, "p": self.p, "rtol": self.rtol}
+        known["backend"] = "SciPy's Radau" if self.implicit else self.backend
+        if self.events is not None:
+            known["events"] = len(self.events)
         title = caption(said, f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}", known, f"{len(t)} samples")
         return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
 

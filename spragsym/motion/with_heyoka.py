@@ -36,7 +36,9 @@ CLOSE = 10.0
 #: Minus the exponent from which on an exponential of the place is felt: there it is below rounding.
 FELT = 37.0
 
-#: Largest tolerance of fields with a border that is curved.
+#: Largest tolerance of fields with a border that is curved. A level that is no linear function of the state has a Taylor series
+#: of its own, which agrees with that of the state to the tolerance only: where that is not far below the gap behind a border, the
+#: border just crossed would be met again.
 CURVED = 1e-3 * GAP
 
 T = TypeVar("T")
@@ -151,7 +153,7 @@ class Carrier(ABC):
         if turning:
             rates += [(i, b.rate(seen[0], accelerations, *seen[1:])) for i, b in enumerate(field.borders) if b.kink]
         self.solver = hy.taylor_adaptive_batch(
-            system, np.zeros((len(system), lanes)), tol=tolerance(field, tol), compact_mode=turning,
+            system, np.zeros((len(system), lanes)), tol=min(tol, CURVED) if field.curved else tol, compact_mode=turning,
             t_events=[self._border(row, border, seen) for row, border in enumerate(field.borders)] + [
                 hy.t_event_batch(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
                 for each in approaches
@@ -269,8 +271,11 @@ class Taylor(Carrier):
             begun = float(self.times[0])
             output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps + 1))
             steps = self._counted(0, begun, steps, most, t_end, self.known)
-            if output is not None:
-                pieces.append(_sampled(output))
+            if output is not None:  # to the Lobatto points of its steps
+                ends, series = output.times[:, 0], output.tcs[..., 0]
+                step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
+                states = (series * step**order) @ unit_points() ** order[:, None]
+                pieces.append((sample_times(ends[:-1], ends[1:]), states))
         if not np.isfinite(self.one).all():
             raise out_of_range()
         if not self.field.are_inside(self.one[: self.m], self.known, self.modes[0]):
@@ -298,22 +303,6 @@ class Taylor(Carrier):
 def missed(t: float) -> ConvergenceError:
     """The error of a motion that has passed a border unseen."""
     return ConvergenceError(f"heyoka missed a kink before t = {t:.6g}; use backend='scipy'")
-
-
-def tolerance(field: Field, rtol: float) -> float:
-    """What heyoka is given for its error.
-
-    A level that is no linear function of the state has a Taylor series of its own, which agrees with that of the state to this
-    tolerance only: where it is not far below the gap behind a border, the border just crossed would be met again.
-    """
-    return min(rtol, CURVED) if field.curved else rtol
-
-
-def _sampled(output: Any) -> Samples:
-    """Times and values of a heyoka continuous output at the Lobatto points of its steps."""
-    times, series = output.times[:, 0], output.tcs[..., 0]
-    step, order = np.diff(times)[:, None, None], np.arange(series.shape[2])
-    return sample_times(times[:-1], times[1:]), (series * step**order) @ unit_points() ** order[:, None]
 
 
 _CACHE = threading.local()

@@ -123,8 +123,6 @@ class Flight:
                 raise out_of_range()
             method = _method(self.stiff)
             options: dict[str, Any] = {"rtol": self.rtol, "atol": self.rtol * self.absolute}
-            if self.stiff:
-                options["jac"] = self._matrix(constants, mode)
             solver = method(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
             found = None
             while solver.status == "running" and found is None:
@@ -181,20 +179,6 @@ class Flight:
             return np.concatenate([own, change.ravel()])
 
         return rates
-
-    def _matrix(self, constants: tuple[float, ...], mode: Mode) -> Callable[[float, FloatArray], FloatArray]:
-        """The Jacobian of the field; of all columns that are carried in blocks, without its own derivatives."""
-        m, columns = self.field.size, self.field.size + self.directions
-
-        def matrix(_: float, whole: FloatArray) -> FloatArray:
-            own = self.field.matrix(whole[:m].tolist(), constants, mode, FLOATS)
-            if not self.derivatives:
-                return own
-            full = np.zeros((len(whole), len(whole)))
-            full[:m, :m], full[m:, m:] = own, np.kron(own, np.eye(columns))
-            return full
-
-        return matrix
 
     def _first_crossing(self, piece: _Piece, constants: tuple[float, ...]) -> tuple[float, int] | None:
         """When the motion first leaves its mode, and through which border."""

@@ -124,11 +124,7 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
     if name in _FIGURES:
         return _FIGURES[name](result, **options)
     draw: Callable[..., Any] = _DRAWN.get(name, _columns)
-    return draw(result, ax, **options)
-
-
-def _path(path: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
-    return draw_path(path, quantity or path.parameters.model.coordinates[0], ax=ax, **options)
+    return draw(result, ax=ax, **options)
 
 
 def _points(points: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
@@ -176,6 +172,6 @@ _FIGURES: Mapping[str, Callable[..., Any]] = {
     "Diagram": diagram_figure, "CycleBranch": branch_figure, "FateMap": fate_map_figure,
 }  # fmt: skip
 _DRAWN: Mapping[str, Callable[..., Any]] = {
-    "Path": _path, "Points": _points, "Onsets": _points, "Equilibria": _equilibria,
+    "Path": draw_path, "Points": _points, "Onsets": _points, "Equilibria": _equilibria,
     "BifurcationSet": draw_bifurcation_set, "OnsetCurves": draw_onset_curves, "Trajectory": _motion,
 }  # fmt: skip

@@ -314,7 +314,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
 @styled
 def draw_path(
     path: Path,
-    quantity: str = "x",
+    quantity: str | None = None,
     *,
     ax: Axes | None = None,
     color: str = BLACK,
@@ -322,7 +322,7 @@ def draw_path(
     **options: Any,
 ) -> list[Any]:
     """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on jumps."""
-    ax = own_axes(ax)
+    ax, quantity = own_axes(ax), quantity or path.parameters.model.coordinates[0]
     name_axes(ax, path.parameters.model, path.vary, quantity)
     artists: list[Any] = []
     pieces = passages(path, quantity)

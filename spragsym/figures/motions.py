@@ -1,4 +1,4 @@
-"""The article's Figures 3 and 7: the laws of friction and contact, and the motion in time."""
+"""Motions: over time, against their rate, and their spectra; the article's Figures 3 and 7, and what 7 rests on."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
-from numpy.typing import NDArray
+from scipy import ndimage
 
 import spragsym as ss
 
@@ -271,13 +271,13 @@ def _divided(
     """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table of what was computed."""
     tables: list[Table] = []
     for level in range(levels + 1):
-        angles = _centres(180.0, step_deg / 2**level)
-        frictions = _centres(MU0_RANGE[1], step_mu0 / 2**level)
-        shape = frictions.size, angles.size
+        ends = (180.0, step_deg / 2**level), (MU0_RANGE[1], step_mu0 / 2**level)
+        # Middles of equal cells from 0 on; the last cell may reach beyond the end.
+        angles, frictions = (step * np.arange(0.5, round(top / step), dtype=np.float64) for top, step in ends)
         if level == 0:
-            rms, asked = np.zeros(shape), np.ones(shape, dtype=bool)
+            rms, asked = np.zeros((frictions.size, angles.size)), np.ones((frictions.size, angles.size), dtype=bool)
         else:
-            rms, asked = _in_four(rms), _in_four(_beside_a_step(rms))
+            rms, asked = (cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms)))
         row, column = np.nonzero(asked)
         where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
         sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
@@ -289,23 +289,16 @@ def _divided(
     return angles, frictions, rms, stacked(tables)
 
 
-def _centres(top: float, step: float) -> FloatArray:
-    """Middles of equal cells from 0 on; the last cell may reach beyond ``top``."""
-    return step * np.arange(0.5, round(top / step), dtype=np.float64)
-
-
-def _in_four(cells: NDArray[Any]) -> NDArray[Any]:
-    return np.kron(cells, np.ones((2, 2), dtype=cells.dtype))
-
-
 def _beside_a_step(rms: FloatArray) -> BoolArray:
     """Cells that differ from a neighbour, beside or above, by a step."""
-    found = np.zeros(rms.shape, dtype=bool)
-    for axis in (0, 1):
-        steps = np.abs(np.diff(rms, axis=axis)) > _STEP_OF_RMS
-        for side in (0, 1):
-            found |= np.insert(steps, 0 if side else steps.shape[axis], False, axis=axis)
+    cross = ndimage.generate_binary_structure(2, 1)
+    above, below = ndimage.maximum_filter(rms, footprint=cross) - rms, rms - ndimage.minimum_filter(rms, footprint=cross)
+    found: BoolArray = np.maximum(above, below) > _STEP_OF_RMS
     return found
+
+
+#: Of the smaller, the assumed and the larger value.
+_SHADES = (BLUE, BLACK, VERMILION)
 
 
 @styled
@@ -317,16 +310,28 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     tables: dict[str, Table] = {}
     along = p.replace(theta0=np.radians(angles))
     speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
-    for letter, ax, symbol, sweep, values in (
+    for letter, ax, name, sweep, values in (
         ("a", axes[0], "V", rms_sweep(along, speeds[:, None], D, workers=workers), speeds),
         ("b", axes[1], "d", rms_sweep(along, V, creeps[:, None], workers=workers), creeps),
     ):
-        tables[letter] = _draw_rms(ax, angles, sweep.rms, values, symbol)
+        tables[letter] = columns = {"theta0_deg": angles}
+        for rms, value, color in zip(sweep.rms, values, _SHADES, strict=True):
+            ax.plot(angles, rms, color=color, linewidth=0.9, label=f"${name} = {value:.3g}$")
+            columns[f"rms_x_{name}_{value:.4g}"] = rms
+        angle_axis(ax, 20, 70, 10)
+        ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
+        ax.legend(loc="upper left", handlelength=1.2, borderaxespad=0.1)
+    ax = axes[2]
     coarse = p.replace(theta0=np.radians(np.arange(26.0, 60.0, 2.0 * step_deg)))
-    speeds = V * 10.0 ** np.linspace(-0.5, 0.5, 5)
-    jumps = sensitivity(coarse, speeds, creeps, refine=4, workers=workers)
-    tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
-    axes[2].axhline(float(np.degrees(ss.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    jumps = sensitivity(coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), creeps, refine=4, workers=workers)
+    places = np.degrees(jumps.theta0)
+    for place, creep, color in zip(places.T, creeps, _SHADES, strict=True):
+        ax.semilogx(jumps.V, place, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
+    ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
+    plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
+    ax.legend(handlelength=1.2)
+    ax.axhline(float(np.degrees(ss.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    tables["c"] = {"V": np.repeat(jumps.V, jumps.d.size), "d": np.tile(jumps.d, jumps.V.size), "theta0_deg": places.ravel()}
     return figure.describe(
         f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
         over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
@@ -335,25 +340,3 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         the article does not state.""",
         **tables,
     )
-
-
-_SHADES = (BLUE, BLACK, VERMILION)
-
-
-def _draw_rms(ax: Axes, angles: FloatArray, rms: FloatArray, values: FloatArray, symbol: str) -> Table:
-    for row, value, color in zip(rms, values, _SHADES, strict=True):
-        ax.plot(angles, row, color=color, linewidth=0.9, label=f"${symbol} = {value:.3g}$")
-    angle_axis(ax, 20, 70, 10)
-    ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
-    ax.legend(loc="upper left", handlelength=1.2, borderaxespad=0.1)
-    columns = {f"rms_x_{symbol}_{value:.4g}": row for row, value in zip(rms, values, strict=True)}
-    return {"theta0_deg": angles, **columns}
-
-
-def _draw_jumps(ax: Axes, speeds: FloatArray, creeps: FloatArray, jump_deg: FloatArray) -> Table:
-    for column, creep, color in zip(jump_deg.T, creeps, _SHADES, strict=True):
-        ax.semilogx(speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
-    ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
-    plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
-    ax.legend(handlelength=1.2)
-    return {"V": np.repeat(speeds, creeps.size), "d": np.tile(creeps, speeds.size), "theta0_deg": jump_deg.ravel()}

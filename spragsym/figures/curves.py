@@ -107,8 +107,8 @@ def branches(
     them, see :func:`spragsym.bifurcation.branches.linked`. Where a curve leaves the contact it ends at the last of these
     points.
     """
-    vary, ends = along(p.model, vary, low, high)
-    return curves_between(p, vary, ends, folds_between(p, vary, *ends) if contact else None, damping, n)
+    vary, ends, turns = _range(p, vary, low, high, contact)
+    return curves_between(p, vary, ends, turns, damping, n)
 
 
 def curves_between(
@@ -138,8 +138,11 @@ def chains_between(
             yield eq, (places[chain], slots[chain]), (begin, end)
 
 
-def along(model: Model, vary: str | None, low: float | None, high: float | None) -> tuple[str, tuple[float, float]]:
-    """The parameter that varies, and its ends that are given, or those that are shown."""
+def _range(
+    p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool
+) -> tuple[str, tuple[float, float], Points | None]:
+    """The parameter that varies, its ends that are given, or those that are shown, and the folds between them, in contact."""
+    model = p.model
     vary = model.axes[0] if vary is None else vary
     model.require_parameter(vary)
     allowed = model.Parameters.ranges[vary]
@@ -148,12 +151,7 @@ def along(model: Model, vary: str | None, low: float | None, high: float | None)
     low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
     if not allowed.low <= low < high <= allowed.high:
         raise ParameterError(f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first")
-    return vary, (low, high)
-
-
-def folds_between(p: ParameterSet, vary: str, low: float, high: float) -> Points:
-    """Folds along a parameter in a range."""
-    return ss.folds(p, vary, between={vary: (low, high)})
+    return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
 
 
 def _cuts(p: ParameterSet, vary: str, low: float, high: float, turns: Points | None, damping: bool) -> list[float]:
@@ -273,11 +271,10 @@ def plot_equilibria(
     8
     """
     ax = own_axes(ax)
-    quantity, (vary, ends) = quantity or p.model.coordinates[0], along(p.model, vary, low, high)
+    quantity, (vary, ends, turns) = quantity or p.model.coordinates[0], _range(p, vary, low, high, contact)
     if quantity not in columns_of(p.model):
         raise ParameterError(f"quantity = {quantity!r} is not one of {', '.join(columns_of(p.model))}")
     name_axes(ax, p.model, vary, quantity)
-    turns = folds_between(p, vary, *ends) if contact else None
     lines = draw_branches(curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options)
     if turns is not None:
         lines += mark_folds(turns, quantity, ax=ax, low=ends[0], high=ends[1], color=color)
@@ -400,8 +397,7 @@ def plot_eigenvalues(
         from matplotlib import pyplot
 
         axes = tuple(pyplot.gcf().subplots(2, 1, sharex=True))
-    vary, ends = along(p.model, vary, low, high)
-    return _drawn(axes, p.model, vary, ends, _courses(p, vary, ends, contact, n))
+    return _drawn(axes, p, vary, low, high, contact, n)[0]
 
 
 @styled
@@ -411,31 +407,15 @@ def eigenvalue_figure(
 ) -> Sheet:  # fmt: skip
     """Frequencies above growth rates, as a figure; arguments as :func:`plot_eigenvalues`."""
     figure, axes = panels(2, 1, SINGLE, 4.2, sharex=True)
-    vary, ends = along(p.model, vary, low, high)
-    courses = _courses(p, vary, ends, contact, n)
-    _drawn((axes[0, 0], axes[1, 0]), p.model, vary, ends, courses)
-    tables = [_table(vary, courses, part) for part in ("imag", "real")]
+    vary = vary or p.model.axes[0]
+    _, frequencies, rates = _drawn([*axes[:, 0]], p, vary, low, high, contact, n)
     return figure.describe(
         f"""Eigenvalues λ of {p.model.name} at its equilibria over {vary}: (a) frequencies, (b) growth rates. Black with all
         damping, red where λ grows by more than 1e-4 of its size; grey by (27), without dampers and the slope of the friction
         law.""",
-        a=tables[0], b=tables[1],
-    )  # fmt: skip
-
-
-#: Of each curve the values of the parameter, and at each all λ with damping and without, each of them in one column.
-_Courses = list[tuple[FloatArray, ComplexArray, ComplexArray]]
-
-
-def _courses(p: ParameterSet, vary: str, ends: tuple[float, float], contact: bool, n: int) -> _Courses:
-    turns, found = folds_between(p, vary, *ends) if contact else None, list[Any]()
-    for eq, at, _ in chains_between(p, vary, ends, turns, False, n):
-        values = np.asarray(getattr(eq.parameters, vary))[at[0]]
-        found.append((values, *(_followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues))))
-    if not found:
-        where = "in contact" if contact else "in lift-off"
-        raise ConvergenceError(f"no equilibrium {where} was found with {vary} from {ends[0]:g} to {ends[1]:g}: nothing to draw")
-    return found
+        a=frequencies,
+        b=rates,
+    )
 
 
 def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
@@ -452,18 +432,24 @@ def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
 
 
 def _drawn(
-    axes: tuple[Axes, Axes], model: Model, vary: str, ends: tuple[float, float], courses: _Courses
-) -> list[Line2D]:  # fmt: skip
-    lines: list[Line2D] = []
-    for values, damped, undamped in courses:
-        across = as_drawn(model, vary, values)
-        grows = damped.real > NEUTRAL * np.abs(damped)
-        below, above = (np.where(undamped.imag >= 0, part, np.nan) for part in (undamped.imag, undamped.real))
-        for ax, plain, part in zip(axes, (below, above), (damped.imag, damped.real), strict=True):
-            lines += ax.plot(across, plain, color=GREY, linewidth=0.7)
-            part = np.where(damped.imag >= 0, part, np.nan)
-            lines += ax.plot(across, part, color=BLACK, linewidth=1.1)
-            lines += ax.plot(across, np.where(grows, part, np.nan), color=VERMILION, linewidth=1.5)
+    axes: Sequence[Axes], p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool, n: int
+) -> tuple[list[Line2D], Table, Table]:
+    """The lines, and tables of frequencies and of growth rates: of each λ with damping, then of each without."""
+    vary, ends, turns = _range(p, vary, low, high, contact)
+    model, lines, courses = p.model, list[Line2D](), list[Any]()
+    nowhere = complex(np.nan, np.nan)
+    for eq, at, _ in chains_between(p, vary, ends, turns, False, n):
+        values = np.asarray(getattr(eq.parameters, vary))[at[0]]
+        damped, undamped = (_followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues))
+        growing = np.where(damped.real > NEUTRAL * np.abs(damped), damped, nowhere)
+        for every, color, width in ((undamped, GREY, 0.7), (damped, BLACK, 1.1), (growing, VERMILION, 1.5)):
+            upper = np.where(every.imag >= 0, every, nowhere)
+            for ax, part in zip(axes, (upper.imag, upper.real), strict=True):
+                lines += ax.plot(as_drawn(model, vary, values), part, color=color, linewidth=width)
+        courses.append((values, {"damped": damped, "undamped": undamped}))
+    if not lines:
+        where = "in contact" if contact else "in lift-off"
+        raise ConvergenceError(f"no equilibrium {where} was found with {vary} from {ends[0]:g} to {ends[1]:g}: nothing to draw")
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
@@ -471,15 +457,11 @@ def _drawn(
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)
     axes[1].set_xlabel(label(model, vary))
-    return lines
-
-
-def _table(vary: str, courses: _Courses, part: str) -> Table:
-    """Columns of all curves, one after the other: of each λ with damping, then of each without."""
-    return stacked([
-        {vary: values} | {
-            f"{name}_{i + 1}": column
-            for name, every in (("damped", damped), ("undamped", undamped)) for i, column in enumerate(getattr(every, part).T)
-        }
-        for values, damped, undamped in courses
-    ], "curve")  # fmt: skip
+    imag, real = (
+        stacked([
+            {vary: values} | {f"{name}_{i}": getattr(of, part) for name, one in both.items() for i, of in enumerate(one.T, 1)}
+            for values, both in courses
+        ], "curve")
+        for part in ("imag", "real")
+    )  # fmt: skip
+    return lines, imag, real

@@ -23,7 +23,7 @@ from ..files.text import filled
 from ..models.parameters import ParameterSet
 from ..report.states import unit_of
 from ..report.texts import sections
-from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
+from .curves import curves_between, draw_branches, draw_path, mark_folds
 from .motions import draw_phase, draw_spectrum
 from .planes import draw_onset_curves, draw_plane
 from .style import (
@@ -271,7 +271,7 @@ def draw_rising(
     allowed, end = p.model.Parameters.ranges[vary], float(ranges(p.model, (vary,), {})[0, 1])
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (_TOP, _FAR) if vary == "mu0" else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
-    turns = folds_between(p, vary, begin, min(max(far, further), high))
+    turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
     known = [value + _MORE * abs(value) for value in getattr(turns, vary).tolist() if begin < value < far]
     top = min(max(least, further, *known), high)
     top = top if top > begin else end  # nothing is applied yet, and nothing ends

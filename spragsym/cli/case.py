@@ -17,6 +17,7 @@ from ..errors import ParameterError, hint
 from ..models.model import options_of
 from ..models.parameters import FloatArray, Range
 from ..remarks import Remark
+from ..results.equilibria import Stability
 
 if TYPE_CHECKING:
     from ..models import Model
@@ -51,11 +52,6 @@ class Span:
     title: str
     ends: tuple[float, float] | None
     count: int
-
-    @property
-    def between(self) -> dict[str, tuple[float, float]]:
-        """The ends as a search takes them, the smaller first."""
-        return {} if self.ends is None else {self.name: (min(self.ends), max(self.ends))}
 
     @property
     def values(self) -> FloatArray:
@@ -97,13 +93,12 @@ class Case:
 
     @property
     def between(self) -> dict[str, tuple[float, float]]:
-        """Ranges of what varies, where they were given."""
-        return {name: ends for span in self.spans for name, ends in span.between.items()}
+        """Ranges of what varies, where they were given, the smaller end first."""
+        return {span.name: (min(span.ends), max(span.ends)) for span in self.spans if span.ends}
 
     def searching(self, *names: str) -> dict[str, Any]:
         """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
-        between = {name: ends for name, ends in self.between.items() if name in names}
-        return {**self.ask, **({"between": between} if between else {})}
+        return {**self.ask, "between": {name: ends for name, ends in self.between.items() if name in names} or None}
 
     @property
     def span(self) -> Span:
@@ -207,6 +202,8 @@ class Case:
 
     def row(self, values: Mapping[str, Any], end: str = "") -> dict[str, Any]:
         """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
+        if "stability" in values:
+            values = {**values, "stability": [Stability(code).name.lower() for code in values["stability"]]}
         titles = ((self.of(name, end), value) for name, value in values.items())
         return {title: _scaled(value, size) for (title, size), value in titles}
 

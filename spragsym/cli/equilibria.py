@@ -19,7 +19,6 @@ from ..models.parameters import INSIDE
 from ..numerics.decimals import upward
 from ..progress import show_progress
 from ..remarks import At, Remark
-from ..results.equilibria import Stability
 from . import options as o
 from .bifurcation import lengths, summed
 from .case import Case, Span
@@ -100,7 +99,7 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
         raise click.UsageError(
             "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and numbers for others"
         )
-    name, (low, high) = case.span.name, case.span.between[case.span.name]
+    name, (low, high) = case.span.name, case.between[case.span.name]
     words = () if case.study is None else (r"frequency Im $\lambda$ (1/s)", r"growth Re $\lambda$ (1/s)")
     p, axes = case.set(name, **{name: None}), [(case.axis(name), (word, case.of("growth")[1])) for word in words]
     figure = partial(ss.figures.eigenvalue_figure, p, name, low=low, high=high)
@@ -145,11 +144,10 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[dict[str, An
     ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
     """
     count = int(eq.count[point])
-    names = ("damped", *eq.columns, "eigenvalues", "damped_eigenvalues", "growth", "error", "marginal")
+    names = ("stability", "damped", *eq.columns, "eigenvalues", "damped_eigenvalues", "growth", "error", "marginal")
     columns = {name: getattr(eq, name)[point][:count] for name in names}
-    words = {"state": [eq.regime] * count, "stability": [Stability(code).name.lower() for code in eq.stability[point][:count]]}
     error, marginal = (columns.pop(name).tolist() for name in ("error", "marginal"))
-    return case.rows(words | columns, error=error, marginal=marginal)
+    return case.rows({"state": [eq.regime] * count, **columns}, error=error, marginal=marginal)
 
 
 @o.of_model(statics=True, values=True)
@@ -173,7 +171,7 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     along = case.span
     with show_progress(f"following a state along {along.name}"):
         found = ss.quasi_static_path(case.following(case.set(along.name), near), along.name, along.values, **case.ask)
-    words = {"stability": [Stability(code).name.lower() for code in found.stability], "damped": found.damped.astype(str)}
+    words = {"stability": found.stability, "damped": found.damped.astype(str)}
     states = case.rows({along.name: found.values, **words, "growth": found.growth, **found.places})
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})

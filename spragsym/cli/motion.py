@@ -219,7 +219,9 @@ def cycles(
         raise click.UsageError("--diagram goes with --vary, and without --prove")
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
-    start = None if near is None else _state(near, case)
+    names = (*case.model.coordinates, *case.model.rates)
+    ones = np.array([case.state(name) for name in names])  # as a state is typed, and printed to be typed again
+    start = None if near is None else _state(near, names) / ones
     p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
     if whole:
         return _diagram(case, p, [] if start is None else [start], points, plot)
@@ -230,8 +232,7 @@ def cycles(
         "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude, **found.forces,
         "crossings": len(found.events), "backend": found.backend,
     })  # fmt: skip
-    # As --near takes it.
-    summary["state"] = [value * one for value, one in zip(found.state.tolist(), _ones(case), strict=True)]
+    summary["state"] = (found.state * ones).tolist()
     if prove:
         with show_progress("proving it"):
             summary |= _proof(found, {} if digits is None else {"digits": digits})
@@ -253,7 +254,7 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
     along = case.span
     unit, title = along.unit, along.title
     with show_progress(f"equilibria and cycles along {along.name}"):
-        found = diagram(p, along.name, along.between[along.name], starts=starts, points=points)
+        found = diagram(p, along.name, case.between[along.name], starts=starts, points=points)
     up = ": rest, cycles from least to largest"
     drawn(plot, "drawing the diagram", found.plot, lambda: [(case.axis(found.vary), case.axis(found.name, after=up))])
     labels = [
@@ -290,20 +291,14 @@ def _proof(found: Cycle, asked: dict[str, int]) -> dict[str, Any]:
     return {"proved": True, **decimals, "stable_proved": proof.stable}
 
 
-def _state(text: str, case: Case) -> list[float]:
-    names = case.model.components
+def _state(text: str, names: Sequence[str]) -> FloatArray:
     try:
         numbers = [float(part) for part in text.split(",")]
     except ValueError:
         numbers = []
     if len(numbers) != len(names):
         raise ParameterError(f"--near {text!r} is not {len(names)} numbers with commas, {', '.join(names)}")
-    return [number / one for number, one in zip(numbers, _ones(case), strict=True)]
-
-
-def _ones(case: Case) -> list[float]:
-    """What one of each component of a state is where it is typed, and where it is printed to be typed again."""
-    return [case.state(name) for name in case.model.components]
+    return np.array(numbers)
 
 
 def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[str, Any]:
@@ -311,7 +306,7 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[st
     from ..orbits import cycle_branch
 
     along = case.span
-    unit, (low, high), value = along.unit, along.between[along.name], found.parameters[along.name]
+    unit, (low, high), value = along.unit, case.between[along.name], found.parameters[along.name]
     if not low <= value <= high:
         raise ParameterError(
             f"--vary {along.title}: the range from {unit * low:.10g} to {unit * high:.10g} does not hold the cycle's own "

@@ -226,14 +226,9 @@ class Elimination:
         return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, *others), _DEGREE_WITHOUT_ALPHA)
 
     @cached_property
-    def repeated(self) -> tuple[int, ...]:
-        """The factor whose roots are the multiple ones; ``(1,)`` where there are none."""
-        return polynomials.common_divisor(self.full, polynomials.derivative(self.full))
-
-    @cached_property
     def simple(self) -> tuple[int, ...]:
         """The roots, each once."""
-        return polynomials.without(self.full, self.repeated)
+        return polynomials.squarefree(self.full)
 
     def roots(self, bits: int) -> list[Root]:
         """All of them in 0 ≤ v < 1, to a width below 2^−bits."""

@@ -210,7 +210,7 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     common: polynomials.Polynomial = ()
     for v in _SAMPLES:
         c0, s0, _ = on_circle(v)
-        polynomial = polynomials.primitive(tuple(map(Fraction, _eliminated(vary, c0, s0, others))))
+        polynomial = polynomials.primitive(_eliminated(vary, c0, s0, others))
         if common and polynomial and polynomial not in (common, tuple(-value for value in common)):
             return None
         common = common or polynomial

@@ -136,7 +136,7 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0 leave."""
     level = Fraction(1), Fraction(0)
     without, change = kernel.f_along("mu0", *level, Fraction(0), *exact)
-    polynomial = polynomials.primitive(tuple(map(Fraction, kernel.fold_sextic(*without, *change))))
+    polynomial = polynomials.primitive(kernel.fold_sextic(*without, *change))
     repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     values = tuple(map(balls.exact, exact))
     for root in roots_on_the_line(polynomials.without(polynomial, repeated), bits - 32, positive=True):

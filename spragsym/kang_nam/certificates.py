@@ -96,16 +96,6 @@ _ALL = math.pi + 1e-15
 _MARGINS = (0.7, 0.25)
 
 
-def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
-    """f, f′, f_μ₀ and f_μ₀′."""
-    return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)
-
-
-def _not_in_contact(ground: Ground, others: list[Affine]) -> BoolArray:
-    """y ≥ 0 for the state of any direction here: κ ≤ σ (sin θ₀ − sin θ)."""
-    return (others[1] - others[3] * (ground.s0 - ground.s)).sign() < 0
-
-
 # ----------------------------------------------------------------------------------------------- all states in contact
 
 
@@ -113,13 +103,12 @@ def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[B
     """Every equilibrium in contact has f′ of a sign, or a positive discriminant of K in λ² if that is asked for too."""
 
     def test(ground: Ground) -> Verdict:
-        others = ground.others()
-        value, slope, _, _ = _balance(ground, others)
-        done = (value.sign() != 0) | (slope.sign() == slope_sign) | _not_in_contact(ground, others)
+        value, slope, _, _ = ground.balance()
+        done = (value.sign() != 0) | (slope.sign() == slope_sign) | (ground.pressed().sign() < 0)
         if not discriminant:
             return Verdict(done, (value, slope))
-        L, _, _ = kernel.state(ground.c, ground.s, ground.c0, ground.s0, others[1], others[3], others[4], 1)
-        K = kernel.stiffness(ground.c, ground.s, L, others[0], others[2], others[3], others[4], 1)
+        mu0, _, alpha, sigma, beta = ground.others()
+        K = kernel.stiffness(ground.c, ground.s, ground.length(), mu0, alpha, sigma, beta, 1)
         flutter = kernel.invariants(*K[0], *K[1])[2]
         return Verdict(done | (flutter.sign() > 0), (value, slope, flutter))
 
@@ -195,21 +184,13 @@ def _motion(values: dict[str, FloatArray], theta: FloatArray) -> dict[str, Float
     return {name: -change / slope for name, (change, _) in zip(NAMES, changes, strict=True)}
 
 
-def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
-    others = ground.others()
-    others[0] = Affine(friction, np.zeros_like(others[1].terms), np.zeros_like(friction))
-    return others
-
-
 def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
     result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
     none = np.zeros(len(boxes))
     for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
-        ground = at(boxes, line)
-        others = _with_friction(ground, friction)
-        value = _balance(ground, others)[0]
-        inside = others[1] - others[3] * (ground.s0 - ground.s)
+        ground = at(boxes, line).with_friction(friction)
+        value, inside = ground.balance()[0], ground.pressed()
         known = value.sign() == wanted, inside.sign() > 0
         result &= known[0] & known[1]
         # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
@@ -225,8 +206,7 @@ def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[Bool
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
 
     def test(ground: Ground) -> Verdict:
-        others = _with_friction(ground, np.zeros_like(ground.c.value))
-        value, slope, change, change_slope = _balance(ground, others)
+        value, slope, change, change_slope = ground.with_friction(np.zeros_like(ground.c.value)).balance()
         rise = slope * change - value * change_slope
         return Verdict(rise.sign() < 0, (rise,))
 
@@ -240,16 +220,10 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[B
     ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no
     other.
     """
-    ground = at(boxes, start)
-    others = _with_friction(ground, np.zeros(len(boxes)))
-    above = _balance(ground, others)[0].sign() > 0
-    side = ground.c0.sign()
-    near = lowest.where(side > 0, start)
-    ground = at(boxes, near)
-    L, _, _ = kernel.state(
-        ground.c, ground.s, ground.c0, ground.s0, *(ground.parameters[n] for n in ("kappa", "sigma", "beta")), 1
-    )
-    reach = 2 * ground.c0 - L * ground.c
+    ground = at(boxes, start).with_friction(np.zeros(len(boxes)))
+    above, side = ground.balance()[0].sign() > 0, ground.c0.sign()
+    ground = at(boxes, lowest.where(side > 0, start))
+    reach = 2 * ground.c0 - ground.length() * ground.c
     far = at(boxes, start.where(side > 0, lowest)).c.sign() * side > 0
     result = above & far & (side != 0) & (reach.sign() * side > 0)
     left = np.flatnonzero(above & ~result)
@@ -264,9 +238,8 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> BoolArray:
     """No equilibrium in contact without friction between two directions."""
 
     def test(ground: Ground) -> Verdict:
-        others = _with_friction(ground, np.zeros_like(ground.c.value))
-        value = _balance(ground, others)[0]
-        return Verdict((value.sign() != 0) | _not_in_contact(ground, others), (value,))
+        value = ground.with_friction(np.zeros_like(ground.c.value)).balance()[0]
+        return Verdict((value.sign() != 0) | (ground.pressed().sign() < 0), (value,))
 
     return covered(boxes, low, high, test)[0]
 
@@ -340,6 +313,24 @@ class Ground:
     def others(self) -> list[Affine]:
         """The parameters but θ₀, in order."""
         return [self.parameters[name] for name in NAMES[1:]]
+
+    def with_friction(self, mu0: FloatArray) -> Ground:
+        """The same with another friction for each box."""
+        friction = Affine(mu0, np.zeros_like(self.parameters["kappa"].terms), np.zeros_like(mu0))
+        return replace(self, parameters=self.parameters | {"mu0": friction})
+
+    def balance(self) -> tuple[Affine, Affine, Affine, Affine]:
+        """f, f′, f_μ₀ and f_μ₀′."""
+        return kernel.f_in_differences(self.c, self.s, self.c0, self.s0, *self.others())
+
+    def pressed(self) -> Affine:
+        """κ − σ (sin θ₀ − sin θ), which is positive where the state of a direction has y < 0."""
+        return self.parameters["kappa"] - self.parameters["sigma"] * (self.s0 - self.s)
+
+    def length(self) -> Affine:
+        """L of the state of a direction."""
+        _, kappa, _, sigma, beta = self.others()
+        return kernel.state(self.c, self.s, self.c0, self.s0, kappa, sigma, beta, 1)[0]
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,12 @@
 """Branch matching: the equilibria of a model at two values of a parameter that lie on one branch, proved by tubes.
 
-A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes`. Of states that meet at a
-pitchfork the sign of det K tells which go on. A step of which not all pairs are known so is halved.
+A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes`. The two that meet at a
+fold nearby differ in the sign of det K, which no branch changes between folds; of the three at a pitchfork the outer two lie on
+different sides of the mirror, which none crosses. A step of which not all pairs are known so is halved.
 """
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -22,8 +23,9 @@ from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.search import columns
 from ..statics.stability import linearization
-from .defining_systems import given_column
+from .defining_systems import Family, given_column
 from .points import INFINITY
+from .singularities import turned as turned_by_mirror
 from .tubes import Parts, Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
@@ -48,10 +50,11 @@ class Along:
 
 @dataclass(frozen=True)
 class _States:
-    """Equilibria at one value, shape (n, number), and the signs of det K."""
+    """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on it, or if there is none."""
 
     q: FloatArray
     signs: FloatArray
+    sides: FloatArray
 
 
 @question
@@ -70,7 +73,8 @@ def linked(
         at, kinds, q = getattr(turns, vary), turns.kind, np.array([getattr(turns, name) for name in p.model.coordinates])
     along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
     stops = np.asarray(getattr(eq.parameters, vary))
-    states = {float(value): _states(along, eq, stop) for stop, value in enumerate(stops)}
+    turned = _turned(along, stops)
+    states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
@@ -90,7 +94,7 @@ def linked(
         middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
         halved |= middles
         between = equilibria(p.replace(**{vary: np.array(list(middles.values()))}), eq.contact)
-        states |= {middle: _states(along, between, k) for k, middle in enumerate(middles.values())}
+        states |= {middle: _states(along, between, k, turned) for k, middle in enumerate(middles.values())}
         pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
     if not steps:
         return []
@@ -98,13 +102,27 @@ def linked(
     raise ConvergenceError(f"branches between {vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}")
 
 
-def _states(along: Along, eq: Equilibria, stop: int) -> _States:
+def _turned(along: Along, stops: FloatArray) -> list[int]:
+    """Coordinates that the mirror turns, if the model is its own image all along."""
+    if not stops.size:
+        return []
+    columns_of = given_column(along.p, along.balance.parameters, (along.vary,))
+    family = Family(along.p, along.balance, (along.vary,), columns_of, np.array([[stops.min(), stops.max()]]))
+    return turned_by_mirror(family.balance, family.over)
+
+
+def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:
     """Equilibria at a stop."""
     balance, count = along.balance, int(eq.count[stop])
     q = np.array([eq.coordinates[name][stop, :count] for name in balance.coordinates])
     given = np.repeat(columns(eq.parameters, balance.parameters)[:, stop : stop + 1], count, axis=1)
     K = linearization(balance, q, given)[2] if count else np.zeros((1, 1, 0))
-    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
+    sides = np.zeros(count)
+    if turned and count:
+        across = q - np.array(np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored()))
+        known = np.abs(across[turned[0]]) > 4 * eq.error[stop, :count]
+        sides = np.where(known, np.sign(across[turned[0]]), 0.0)
+    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)
 
 
 def _by_tubes(
@@ -145,7 +163,10 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
         return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
     # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
     over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
-    return len(pairs) == (min(counts) if over_fold else max(counts))
+    if over_fold:
+        return len(pairs) == min(counts)
+    pairs |= _by_sign(pairs, begin, end)
+    return len(pairs) == counts[0] == counts[1]
 
 
 def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
@@ -184,6 +205,23 @@ def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
     away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
     first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]
     return np.where(first <= CLEARLY * second, away.argmin(axis=1), -1)
+
+
+def _by_sign(pairs: Mapping[int, int], begin: _States, end: _States) -> dict[int, int]:
+    """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror."""
+    left = [k for k in range(begin.signs.size) if k not in pairs], [k for k in range(end.signs.size) if k not in pairs.values()]
+    one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
+    if not len(left[0]) == len(one) == len(left[1]) == len(other) or one.keys() != other.keys():
+        return {}
+    return {one[key]: other[key] for key in one}
+
+
+def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float], int]:
+    """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer where two are alike."""
+    signs = states.signs[part].tolist()
+    shared = [signs.count(sign) > 1 for sign in signs]
+    sides = [float(states.sides[k]) if more else 0.0 for k, more in zip(part, shared, strict=True)]
+    return {(sign, side): k for k, sign, side, more in zip(part, signs, sides, shared, strict=True) if side or not more}
 
 
 def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[Step, float]) -> dict[int, int]:

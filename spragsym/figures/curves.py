@@ -126,8 +126,8 @@ def chains_between(
 ) -> Iterator[tuple[Equilibria, States, tuple[float, float]]]:  # fmt: skip
     """Equilibria between two cuts, those of one curve by their indices into the columns, and the two cuts."""
     for begin, end in itertools.pairwise(_cuts(p, vary, *ends, turns, damping)):
-        # 1 - cos gathers points where a curve turns back like a square root; nearer to it no tube tells states apart.
-        share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-3, 1 - 1e-3, n))
+        # 1 - cos gathers points where a curve turns back like a square root.
+        share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
         places, slots = eq.states
         number = {state: i for i, state in enumerate(zip(places.tolist(), slots.tolist(), strict=True))}

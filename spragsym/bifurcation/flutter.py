@@ -19,7 +19,6 @@ from ..numerics.certified_roots import Roots, concatenated
 from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
 from ..numerics.precise_roots import as_intervals, narrowed
 from ..questions import Method, question
-from ..remarks import At, Remark
 from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
@@ -38,7 +37,7 @@ from .defining_systems import (
     no_damping,
     undamped_mode,
 )
-from .points import Found, arranged, matrices, nothing, search
+from .points import Found, arranged, matrices, nothing, of_ends, search
 
 #: Why an onset of (27) has no coefficient.
 NO_DAMPING = (
@@ -150,9 +149,9 @@ def flutter_onsets(
         # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
         sought = [] if conservative else [(undamped_mode(only), "hopf", partial(_without, only))]
         if slope is None:
-            sought.append((no_damping(only), "hopf", _every))
+            sought.append((no_damping(only), "hopf", every))
         elif conservative or slope.holds_zero().any():
-            sought.append((NO_SLOPE, "hopf", _every))
+            sought.append((NO_SLOPE, "hopf", every))
     parts, seen = list[_Part](), list[_Part]()
     for condition, kind, frequencies in sought:
         out = nothing(family) if condition is None else search(family, condition)
@@ -209,40 +208,35 @@ def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[fl
     return [float(np.sqrt(one.real))] if one.real > 0 else []
 
 
-def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of all modes that oscillate."""
-    squares = _squares(M, K)
-    scale = 1e-12 * np.abs(squares).max()
-    return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
+def every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of all pairs of a state that nothing damps."""
+    return frequencies(stability.roots(M, C, K))
+
+
+def frequencies(roots: ComplexArray) -> list[float]:
+    """ω of the pairs ± i ω among roots, ascending."""
+    return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
 
 
 def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     """All parts in one result; ``flat`` where the last is of places without slope."""
-    found, kinds, frequencies = zip(*parts, strict=True)
+    each, kinds, frequencies = zip(*parts, strict=True)
     kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
-    every = concatenated([one.roots for one in found], family.balance.n + 1)
-    remarks = _undamped(family, found[-1].roots.left) if flat else ()
-    remarks += _at_ends(family, found[0].region[:, -1, 0], every.left)
+    roots = concatenated([one.roots for one in each], family.balance.n + 1)
+    region, whole = np.minimum.reduce([one.region for one in each]), np.logical_and.reduce([one.whole for one in each])
+    found = Found(roots, region, whole)
+
+    def symmetric(end: float, left: FloatArray) -> str:
+        if not is_conservative(family.balance, Intervals.point(family.at(np.array([[end]])))):
+            return ""
+        return ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
+
+    remarks = (*(_undamped(family, each[-1].roots.left) if flat else ()), *of_ends(family, found, symmetric))
     if detected := int((kind == "detected").sum()):
         remarks += (f"{detected} onsets are numerically detected between two of {VALUES} values, and not proved",)
-    elif every.left.shape[2] and not flat:
+    elif roots.left.shape[2] and not flat:
         remarks += (f"floats see no other onset between two of {VALUES} values of {family.vary[0]}",)
-    region = np.minimum.reduce([one.region for one in found])
-    whole = np.logical_and.reduce([one.whole for one in found])
-    return arranged(family, Found(every, region, whole), kind, {"omega": omega}, remarks)
-
-
-def _at_ends(family: Family, span: FloatArray, left: FloatArray) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range."""
-    remarks = []
-    for end in (-span[0], span[1]) if left.shape[2] else ():
-        here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
-        why = ""
-        if is_conservative(family.balance, Intervals.point(family.at(np.array([[end]])))):
-            why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
-        text = f"{here} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
-        remarks += [Remark(text, At(family.vary[0], (float(end),), "g"))] if here else []
-    return tuple(remarks)
+    return arranged(family, found, kind, {"omega": omega}, remarks)
 
 
 def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:

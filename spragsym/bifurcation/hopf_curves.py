@@ -22,7 +22,7 @@ from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
 from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, undamped_mode
-from .flutter import crossing, form_or_why, meeting, told
+from .flutter import crossing, every, form_or_why, frequencies, meeting, told
 from .normal_forms import NormalForm
 from .points import arranged, matrices, nothing, search
 
@@ -150,11 +150,6 @@ def onset_curves(
     if damping is None:
         damping = is_damped(plane.balance, plane.over)
     return plane.curves(n, damping)
-
-
-def frequencies(roots: ComplexArray) -> list[float]:
-    """ω of the pairs ± i ω among the roots of a state that nothing damps, ascending."""
-    return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
 
 
 #: ω of the pairs at a state that ends a curve, or does not, by its M, C and K.
@@ -305,8 +300,10 @@ def _meeting(end: bool, *state: FloatArray) -> list[float]:
 
 def _every_pair(end: bool, *state: FloatArray) -> list[float]:
     """ω of all pairs of a state that nothing damps, one of them 0 at a Bogdanov–Takens point."""
+    if not end:
+        return every(*state)
     roots = stability.roots(*state)
-    return [0.0, *frequencies(roots[np.argsort(np.abs(roots))[2:]])] if end else frequencies(roots)
+    return [0.0, *frequencies(roots[np.argsort(np.abs(roots))[2:]])]
 
 
 def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tuple[FloatArray, FloatArray]]:

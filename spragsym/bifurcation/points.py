@@ -13,7 +13,7 @@ other u and λ one curve of states begins, λ = λ* + λ' w + …: for w → 0 i
 """
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -27,6 +27,7 @@ from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..progress import doing
+from ..remarks import At, Remark
 from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance
@@ -180,6 +181,17 @@ def _merged(left: FloatArray) -> FloatArray:
     left = left[:, :, np.argsort(-left[0, -1])]
     low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
     return np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
+
+
+def of_ends(family: Family, found: Found, known: Callable[[float, FloatArray], str]) -> tuple[str, ...]:
+    """Remarks on undecided boxes at an end of the range of one parameter; what is ``known`` there follows from end and boxes."""
+    left, remarks = found.roots.left, []
+    for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
+        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
+        if here.shape[2]:
+            text = f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the range{known(end, here)}"
+            remarks.append(Remark(text, At(family.vary[0], (end,), "g")))
+    return tuple(remarks)
 
 
 def what_ends(points: Points) -> Ended:

@@ -36,7 +36,6 @@ from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
-from ..remarks import At, Remark
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.balance import NOTHING, Balance
@@ -48,7 +47,7 @@ from ..statics.reference_state import nearest_state
 from ..statics.regions import region
 from ..statics.stability import with_a_zero
 from .defining_systems import FOLD, Augmented, Condition, Family, change, cusp
-from .points import Found, arranged, search, vanishes
+from .points import Found, arranged, of_ends, search, vanishes
 
 #: Undecided boxes beyond which they lie around no points.
 MANY = 500
@@ -67,22 +66,16 @@ def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -
     family = Family.of(p, (vary,), between, within)
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
+
+    def singular(end: float, left: FloatArray) -> str:
+        if not vanishes(Augmented(family, FOLD), end, left).any():
+            return ""
+        why = "det K is 0 in every state: equilibria there form curves, or there are none"
+        return f", and {why}; for folds beside it give between with another end for {vary}"
+
     if vary in family.balance.balanced:
-        return arranged(family, found, kind, remarks=_of_ends(family, found))
+        return arranged(family, found, kind, remarks=of_ends(family, found, singular))
     return arranged(replace(family, endless=()), found, kind, remarks=(f"{vary} moves no equilibrium",))
-
-
-def _of_ends(family: Family, found: Found) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range where det K is 0 for every state."""
-    left, system, (vary,) = found.roots.left, Augmented(family, FOLD), family.vary
-    remarks = []
-    for end in family.spans[0] if left.shape[2] else ():
-        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
-        if here.shape[2] and vanishes(system, float(end), here).any():
-            why = "det K is 0 in every state: equilibria there form curves, or there are none"
-            cure = f"for folds beside it give between with another end for {vary}"
-            remarks.append(Remark(f"at {{}} {why}; {cure}", At(vary, (float(end),), "g")))
-    return tuple(remarks)
 
 
 def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges | None) -> Points:

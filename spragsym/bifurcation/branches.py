@@ -76,10 +76,12 @@ def linked(
     turned = _turned(along, stops)
     states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
+    if not steps:
+        return []
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
     pending = steps
-    for halving in range(HALVINGS if steps else 0):
+    for halving in range(HALVINGS):
         known, complete = _by_tubes(along, pending, states)
         proved |= {step: known[step] for step in complete}
         failed = [step for step in pending if step not in proved]
@@ -96,8 +98,6 @@ def linked(
         between = equilibria(p.replace(**{vary: np.array(list(middles.values()))}), eq.contact)
         states |= {middle: _states(along, between, k, turned) for k, middle in enumerate(middles.values())}
         pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
-    if not steps:
-        return []
     why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
     raise ConvergenceError(f"branches between {vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}")
 

@@ -36,8 +36,8 @@ class Table:
 class Shown:
     """Gives a dataclass a table in a notebook."""
 
-    #: Columns of codes → the enumeration that says what they mean.
-    table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}
+    #: Columns of codes, each with the enumeration that says what they mean.
+    table_codes: ClassVar[tuple[tuple[str, type[enum.IntEnum]], ...]] = ()
     #: Angles that are no parameters, coordinates or directions of springs.
     table_angles: ClassVar[frozenset[str]] = frozenset()
 
@@ -79,7 +79,7 @@ class Words:
             value = value.item() if value.ndim == 0 else self.listed(key, value)
         if isinstance(value, tuple):
             return ", ".join(self.cell(key, part) for part in value)
-        if (code := self.kind.table_codes.get(key)) is not None:
+        if (code := dict(self.kind.table_codes).get(key)) is not None:
             value = code(value) if value in set(code) else "other"
         if isinstance(value, enum.Enum):
             return value.name.lower()

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,7 +30,7 @@ class Surface(Result):
     Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
     """
 
-    table_codes: ClassVar[Mapping[str, type[Stability]]] = {"stability": Stability}
+    table_codes = (("stability", Stability),)
 
     theta: FloatArray
     theta0: FloatArray
@@ -135,7 +134,7 @@ class LinearSprag(Result):
     at the last axis, NaN where there are none.
     """
 
-    table_angles: ClassVar[frozenset[str]] = frozenset({"poles"})
+    table_angles = frozenset({"poles"})
 
     x: FloatArray
     y: FloatArray

@@ -523,7 +523,7 @@ class PhysicalParameters(Values):
     mu0: Any
     V: Any = None
     d: Any = None
-    of_model: ClassVar[type[ParameterSet]] = Parameters
+    of_model = Parameters
 
     def __post_init__(self) -> None:
         for name, allowed in self.kind.ranges().items():

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -135,7 +135,7 @@ class Events(Result):
         Names of the coordinates and rates.
     """
 
-    table_codes: ClassVar[Mapping[str, type[Event]]] = {"which": Event}
+    table_codes = (("which", Event),)
 
     t: FloatArray
     state: FloatArray

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -253,7 +253,7 @@ class FateMap(Result):
     model : Model
     """
 
-    table_codes: ClassVar[Mapping[str, type[Kind]]] = {"kind": Kind}
+    table_codes = (("kind", Kind),)
 
     inputs: dict[str, FloatArray]
     start: tuple[float, ...]

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, ClassVar, Protocol, Self
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -113,7 +113,7 @@ class Equilibria(OfStates):
         Of closed forms only: points that are a fold to the last digit that could be tried: one state stands in two slots.
     """
 
-    table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {"stability": Stability}
+    table_codes = (("stability", Stability),)
 
     parameters: Any
     contact: bool

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -46,7 +46,7 @@ class Path(OfStates, Rows):
     """
 
     held_in = "places"
-    table_codes: ClassVar[Mapping[str, type[Stability]]] = {"stability": Stability}
+    table_codes = (("stability", Stability),)
 
     parameters: Any
     vary: str

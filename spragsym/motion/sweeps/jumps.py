@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,7 +32,7 @@ class Sensitivity(Result):
         The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
     """
 
-    table_angles: ClassVar[frozenset[str]] = frozenset({"width"})
+    table_angles = frozenset({"width"})
 
     V: FloatArray
     d: FloatArray

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache, partial
 from importlib.resources import files
 from importlib.resources.abc import Traversable
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -185,7 +185,7 @@ class Sweep(Named):
 
     held_in = "measured"
 
-    table_codes: ClassVar[Mapping[str, type[Regime]]] = {"regime": Regime}
+    table_codes = (("regime", Regime),)
 
     inputs: dict[str, FloatArray]
     t_end: float
@@ -231,7 +231,7 @@ class Sweep(Named):
         }  # fmt: skip
         columns = {**self._told(), "reason": self.reason.astype(object)}
         results = {name: (dims, values) for name, values in columns.items()}
-        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, self.table_codes)
+        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, dict(self.table_codes))
 
     def _told(self) -> dict[str, NDArray[Any]]:
         return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}

@@ -68,8 +68,6 @@ HALF_TURN = 3.1415926535897936
 TURN, TURN_ERROR = 2 * np.pi, 1e-14
 #: By what the tension may be larger than it can be, so that none lies on the border of the region.
 ROOM = 1.0 + 2.0**-10
-#: Steps of interval Newton on lengths that are small parts of the largest one.
-STEPS = 6
 
 
 @dataclass(frozen=True)
@@ -331,12 +329,11 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         found = settled_by_digits(system, given, sides, found, system.precise)
         found = found if system.turns else _once_around(found)
         prepared = system.prepared(Intervals.point(given))
-        ends = _sharpened(system, found.ends, prepared[:, found.point])
-        possible, sure = _are_equilibria(system, ends)
+        possible, sure = _are_equilibria(system, found.ends)
         open_ = possible & ~sure
-        found = found.kept(sure, _are_equilibria(system, found.left)[0]).besides(ends[:, :, open_], found.point[open_])
+        found = found.kept(sure, _are_equilibria(system, found.left)[0]).besides(found.ends[:, :, open_], found.point[open_])
         balance, point, left_point = system.balance, found.point, found.left_point
-        roots = Roots.at(system.cartesian(ends[:, :, sure], prepared[:, point]), point=point)
+        roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
         # On which side of the border a root lies that floats can't tell from it, digits do.
         on_border = ~contractors.within(roots.ends, around[:, :, point])
         roots = refined(given[:-1], roots, partial(PreciseBalance, balance), on_border)
@@ -364,13 +361,6 @@ def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArr
         possible &= angle.mignitude <= HALF_TURN, angle.magnitude < np.pi
     possible &= ends[1, 1] >= 0, ends[0, 1] < 0
     return possible[0], possible[0] & possible[1]
-
-
-def _sharpened(system: Polar, ends: FloatArray, parameters: Intervals) -> FloatArray:
-    """Roots known to more digits: a length that is a small part of the scale to as many as a large one."""
-    for _ in range(STEPS):
-        ends = np.fmin(certified_roots.stepped(system, ends, parameters).ends, ends)
-    return ends
 
 
 def _apart(found: Roots, around: FloatArray) -> Roots:

@@ -204,10 +204,11 @@ def _sharpened(
     most half as wide as the first.
     """
 
+    level = None if vary == "theta0" else cos_sin(given["theta0"])
+
     def parts(v: Any) -> tuple[Any, Any]:
-        theta0, *others = (v if name == vary else given[name] for name in NAMES)
-        angle = cos_sin(theta0)
-        return kernel.f_coefficients(*angle, *others, 1), kernel.f_changes(*angle, *others)[NAMES.index(vary)]
+        values = *(level or cos_sin(v)), *(v if name == vary else given[name] for name in NAMES[1:])
+        return kernel.f_coefficients(*values, 1), kernel.f_changes(*values)[NAMES.index(vary)]
 
     t, value = near
     for _ in range(steps):

@@ -164,16 +164,16 @@ class _Search:
         def at(share: float) -> dict[str, float]:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
 
-        tried, low = np.array(_SHARES), 0.0
+        tried, high = np.array(_SHARES), 0.0
         for _ in range(3):
             kept = self._keep([at(share) for share in tried.tolist()])
             if not kept.any():
                 return
             first = int(np.argmax(kept))
-            low, high = (float(tried[first - 1]) if first and tried[0] else low), float(tried[first])
+            high = float(tried[first])
             if not high:
                 break
-            tried = np.linspace(low, high, _PARTS + 1)[1:]
+            tried = np.linspace(tried[first - 1], high, _PARTS + 1)
         yield from (at(high + share * (1 - high)) for share in self.effort.further)
 
     def _movers(self) -> tuple[str, ...]:

@@ -97,9 +97,9 @@ class Onward:
         flow, guess = Flow(self.field, self.backend, fly), Guess(state[None], period, ())
         return solved(flow, guess, on_section, reach=reach, precision=precision, closed=precision)
 
-    def closed(self, state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
-        """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one within ``reach``."""
-        rtol, near, precision = PRECISIONS[self.backend]
+    def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
+        """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one near, in ``scale``."""
+        (rtol, near, precision), reach = PRECISIONS[self.backend], 4 * CLOSE * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
@@ -117,19 +117,22 @@ class Onward:
         back = np.eye(place.size)
         back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
         slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
-        return Closed(loop, slope, fixed)
+        return Closed(self, loop, fixed, scale, slope * scale / scale[:, None])
 
 
 @dataclass(frozen=True)
 class Closed:
     """A closed orbit that begins on a section, all over which the number at the place ``fixed`` has one value.
 
-    The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return in the other numbers; its eigenvalues are the multipliers.
+    The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return map in the other numbers, each in units of its ``scale``.
+    Its eigenvalues are the multipliers.
     """
 
+    onward: Onward
     loop: Loop
-    slope: FloatArray
     fixed: int
+    scale: FloatArray
+    slope: FloatArray
 
     @property
     def state(self) -> FloatArray:
@@ -137,53 +140,33 @@ class Closed:
         return self.loop.states[0]
 
     @property
-    def period(self) -> float:
-        """The period."""
-        return self.loop.period
+    def around(self) -> tuple[int, ...]:
+        """Coordinates that come around."""
+        return self.onward.problem.field.around
+
+    def scaled(self, states: FloatArray) -> FloatArray:
+        """Its own or other states of the section, in whole turns near, in units of the scale."""
+        return section(_near(states, self.state, self.around), self.fixed) / self.scale
+
+    def returned(self, places: FloatArray) -> FloatArray:
+        """The return map: where motions from places on the section next meet it, after about a period."""
+        states = np.insert(places * self.scale, self.fixed, self.state[self.fixed], axis=1)
+        courses = self.onward.courses(states, 1.1 * self.loop.period)
+        return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
+
+    def _next(self, place: FloatArray, course: Course) -> FloatArray:
+        times, states = _marks(course, self.fixed)
+        late = np.flatnonzero(times > 0.5 * self.loop.period)
+        if not len(late):
+            raise ConvergenceError("no cycle: the motion does not return to its section; start elsewhere")
+        returns = self.scaled(states[late])
+        off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.loop.period - 1)
+        return returns[int(np.argmin(off))]
 
 
 def section(states: FloatArray, fixed: int) -> FloatArray:
     """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates where x' = 0."""
     return np.delete(states, fixed, axis=-1)
-
-
-@dataclass(frozen=True)
-class _Cycle:
-    """A cycle and the motion beside it: sections in units of ``scale``."""
-
-    orbit: Closed
-    onward: Onward
-    scale: FloatArray
-
-    @property
-    def around(self) -> tuple[int, ...]:
-        """Coordinates that come around."""
-        return self.onward.problem.field.around
-
-    @property
-    def place(self) -> FloatArray:
-        """Its own section."""
-        return section(self.orbit.state, self.orbit.fixed) / self.scale
-
-    @property
-    def slope(self) -> FloatArray:
-        """Derivative of the return map there."""
-        return self.orbit.slope * self.scale / self.scale[:, None]
-
-    def returned(self, places: FloatArray) -> FloatArray:
-        """The return map: where motions from places on the section next meet it, after about a period."""
-        states = np.insert(places * self.scale, self.orbit.fixed, self.orbit.state[self.orbit.fixed], axis=1)
-        courses = self.onward.courses(states, 1.1 * self.orbit.period)
-        return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
-
-    def _next(self, place: FloatArray, course: Course) -> FloatArray:
-        times, states = _marks(course, self.orbit.fixed)
-        late = np.flatnonzero(times > 0.5 * self.orbit.period)
-        if not len(late):
-            raise ConvergenceError("no cycle: the motion does not return to its section; start elsewhere")
-        returns = section(_near(states[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
-        off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.orbit.period - 1)
-        return returns[int(np.argmin(off))]
 
 
 def _marks(course: Course, fixed: int) -> tuple[FloatArray, FloatArray]:
@@ -207,13 +190,12 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     for k in _candidates(states):
         period = float(times[-1] - times[-1 - k])
         try:
-            orbit = onward.closed(places[-1], fixed, period, 4 * CLOSE * float(scale.max()))
+            cycle = onward.closed(places[-1], fixed, period, scale)
         except ConvergenceError:
             continue
-        cycle = _Cycle(orbit, onward, scale)
-        largest = float(np.abs(np.linalg.eigvals(orbit.slope)).max())
-        rounds = max(1, round(k * orbit.period / period))
-        off = states[::-1][::rounds] - cycle.place  # latest first
+        largest = float(np.abs(np.linalg.eigvals(cycle.slope)).max())
+        rounds = max(1, round(k * cycle.loop.period / period))
+        off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
         distance = float(np.abs(off[0]).max())
         if largest >= 1 - NEUTRAL or distance > 4 * CLOSE:
             continue
@@ -223,7 +205,7 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
             continue
         if near:
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
-            return _described(cycle, regime, -math.log(max(largest, 1e-300)) / orbit.period, distance)
+            return _described(cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance)
     return None
 
 
@@ -272,7 +254,7 @@ def _drifts_past(states: FloatArray) -> bool:
     return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > AWAY)
 
 
-def _nears(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
+def _nears(cycle: Closed, off: FloatArray, tol: float) -> bool:
     """Whether the motion is at the cycle, or nears it as the linearized map says and will go on doing so.
 
     ``off`` is what lacked at its returns, latest first.
@@ -285,7 +267,7 @@ def _nears(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
     return _goes_on(cycle, off[0], tol)
 
 
-def _goes_on(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
+def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
     """Whether the return map itself contracts wherever its linearization leads, half as fast at least on the average.
 
     The linearization maps the states none of whose modal parts is larger than the motion's now into themselves, and a motion
@@ -297,7 +279,8 @@ def _goes_on(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
     slowest = int(np.argmax(np.abs(values)))
     left = np.abs(np.linalg.solve(vectors, off))[slowest]
     places = np.array(list(_same_size(off, values, vectors)))
-    images = cycle.returned(cycle.place + places) - cycle.place
+    place = cycle.scaled(cycle.state)
+    images = cycle.returned(place + places) - place
     missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
     if not (missed <= MISSED * np.abs(places).max(axis=1) + tol).all():
         return False
@@ -315,15 +298,15 @@ def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArra
         yield (vectors @ (factors * parts)).real
 
 
-def _described(cycle: _Cycle, regime: Regime, rate: float, distance: float) -> Outcome:
+def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> Outcome:
     """The outcome, with averages over the cycle's one period, and the state of the cycle that stands for it."""
-    orbit, (mean, rms) = cycle.orbit, cycle.orbit.loop.moments()
-    tops = np.array([orbit.state, *(turn.state for turn in orbit.loop.tops() if orbit.fixed)])
+    loop, fixed, (mean, rms) = cycle.loop, cycle.fixed, cycle.loop.moments()
+    tops = np.array([cycle.state, *(turn.state for turn in loop.tops() if fixed)])
     tops = in_one_turn(tops, cycle.around)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
-    for place, scale in zip((i for i in range(tops.shape[1]) if i != orbit.fixed), cycle.scale, strict=True):
+    for place, scale in zip((i for i in range(tops.shape[1]) if i != fixed), cycle.scale, strict=True):
         tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]
-    state = np.where(np.arange(tops.shape[1]) == orbit.fixed, 0.0, tops[0])
+    state = np.where(np.arange(tops.shape[1]) == fixed, 0.0, tops[0])
     return Outcome(
-        regime, rate=rate, distance=distance, period=orbit.period, cycle_mean=mean, cycle_rms=rms, cycle=tuple(state.tolist())
+        regime, rate=rate, distance=distance, period=loop.period, cycle_mean=mean, cycle_rms=rms, cycle=tuple(state.tolist())
     )

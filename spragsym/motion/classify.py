@@ -58,7 +58,9 @@ def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = abs(course.last[0] - course.first[0]) <= 4 * tol and course.reach[1] - course.reach[0] <= 4 * tol
-    decaying = len(course.maxima) >= FEW and not _kinks(course, problem)
+    # On a belt that stands still the law of friction is smooth where x' changes its sign.
+    kinks = bool((course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]).any())
+    decaying = len(course.maxima) >= FEW and not kinks
     if not (still or decaying):
         return None
     n = len(course.last) // 2
@@ -69,7 +71,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     growth = float(rest.values.real.max())
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
-    if still and distance <= tol and growth <= ROUNDING and _stays(course, problem, rest):
+    if still and distance <= tol and growth <= ROUNDING and _stays(course, rest, problem.rtol, kinks):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(-growth, 0.0), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
@@ -120,22 +122,16 @@ def equilibrium_near(
     raise ConvergenceError("there is no equilibrium near")
 
 
-def _stays(course: Course, problem: Problem, rest: Rest) -> bool:
+def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
     """Whether as little is left as the linearization says: a cycle beside the equilibrium may be small too, in the model's units.
 
     Beyond a kink the linearization says nothing, unless the decay is seen.
     """
     inverse = np.linalg.pinv(rest.vectors)
     before, after = (np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last))
-    noise = NOISE * problem.rtol * (1e-3 + np.abs(rest.state).max()) * np.linalg.norm(inverse, 2)
+    noise = NOISE * rtol * (1e-3 + np.abs(rest.state).max()) * np.linalg.norm(inverse, 2)
     left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
-    return bool(after <= noise**2 or (after <= left and (left < before or not _kinks(course, problem))))
-
-
-def _kinks(course: Course, problem: Problem) -> bool:
-    """Whether the motion passed a kink: on a belt that stands still the law of friction is smooth where x' changes its sign."""
-    felt = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
-    return bool(felt.any())
+    return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 
 
 def _decays(course: Course, rest: Rest) -> bool:

@@ -164,8 +164,6 @@ class Carrier(ABC):
         self.state, self.pars, self.times = self.solver.state, self.solver.pars, self.solver.time
         #: How many numbers of a mode are parameters: heyoka has none beyond the last that a field takes.
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
-        #: heyoka has no cooldowns where there are no events.
-        self.eventful = self.solver.with_events
 
     def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> Any:
         """The terminal event of a border: a level that is positive within its mode.
@@ -196,6 +194,14 @@ class Carrier(ABC):
         self.pars[self.constants : self.constants + self.told, lane] = mode[: self.told]
         self._crossed(row, lane, state)
         return not self.jumped
+
+    def _put(self, states: Sequence[Any], pars: Sequence[Any]) -> None:
+        """States and parameters into the lanes, where nothing was crossed yet."""
+        self.state[:], self.pars[:] = 0.0, np.array(pars, dtype=float).T[: len(self.pars)]
+        self.state[: self.m] = np.array(states, dtype=float).T
+        self.strays.clear()
+        if self.solver.with_events:  # heyoka has no cooldowns where there are none
+            self.solver.reset_cooldowns()
 
     @abstractmethod
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
@@ -253,16 +259,11 @@ class Taylor(Carrier):
     def begin(self, start: Any, constants: tuple[float, ...], directions: Any = ()) -> None:
         """Stand at the start of a motion, with no events recorded."""
         self.crossings, self.turns, self.jumped = [], [], False
-        self.strays.clear()
         self.known, self.modes[0] = constants, self.field.initial_mode(start, constants)
         self.solver.set_time(0.0)
-        self.one[:] = 0.0
-        self.one[: self.m] = start
+        self._put([start], [(*constants, *self.modes[0], *np.ravel(directions))])
         if self.derivatives:
             self.one[self.m : self.m + self.m**2 : self.m + 1] = UNIT
-        self.pars[:, 0] = (*constants, *self.modes[0], *np.ravel(directions))[: len(self.pars)]
-        if self.eventful:
-            self.solver.reset_cooldowns()
 
     def go(self, t: float, t_end: float, most: int, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
@@ -427,13 +428,9 @@ class Lanes(Carrier):
         """Put motions into lanes; what else is free stands still at the end, where the first lane is."""
         filled = [*some, *some[:1] * (LANES - len(some))]
         pars = [(*one.problem.constants, *one.mode, one.carried[0], _scale(end - begin)) for one in filled]
-        self.state[:], self.pars[:] = 0.0, np.array(pars).T[: len(self.pars)]
-        self.state[: self.m] = np.array([one.carried[: self.m] for one in filled]).T
         self.solver.set_dtime(np.where(np.arange(LANES) < len(some), begin, end), np.zeros(LANES))
-        if self.eventful:
-            self.solver.reset_cooldowns()
+        self._put([one.carried[: self.m] for one in filled], pars)
         self.modes, self.seen = [one.mode for one in filled], [Seen() for _ in filled]
-        self.strays.clear()
 
     def _arrived(self, some: list[Traveller], end: float) -> bool:
         """Go on to the end; whether all are there: where one breaks off the others begin again."""

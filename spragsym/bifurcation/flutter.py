@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 from itertools import chain
@@ -361,11 +361,13 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     return [row[np.isfinite(row)] for row in tested]
 
 
-def _of_forms(name: str, missing: float) -> cached_property[FloatArray]:
-    """A column of normal forms, of onsets that have one."""
-    return cached_property(
-        lambda found: np.array([missing if isinstance(form, str) else getattr(form, name) for form in found.normal_forms])
-    )
+def of_forms(forms: Sequence[Any], name: str, missing: float) -> FloatArray:
+    """A column of normal forms, of points that have one."""
+    return np.array([missing if isinstance(form, str) else getattr(form, name) for form in forms])
+
+
+def _column(name: str, missing: float) -> cached_property[FloatArray]:
+    return cached_property(lambda found: of_forms(found.normal_forms, name, missing))
 
 
 @dataclass(frozen=True, eq=False)
@@ -403,10 +405,10 @@ class Onsets(Points):
         """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has none."""
         return tuple(self._normal_form(row) for row in range(len(self)))
 
-    lyapunov = _of_forms("lyapunov", np.nan)
-    lyapunov_error = _of_forms("lyapunov_error", np.inf)
-    crossing = _of_forms("crossing", np.nan)
-    crossing_error = _of_forms("crossing_error", np.inf)
+    lyapunov = _column("lyapunov", np.nan)
+    lyapunov_error = _column("lyapunov_error", np.inf)
+    crossing = _column("crossing", np.nan)
+    crossing_error = _column("crossing_error", np.inf)
 
     @cached_property
     def when(self) -> NDArray[np.str_]:

@@ -22,7 +22,7 @@ from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
 from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, undamped_mode
-from .flutter import crossing, every, form_or_why, frequencies, meeting, told
+from .flutter import crossing, every, form_or_why, frequencies, meeting, of_forms, told
 from .normal_forms import NormalForm
 from .points import arranged, matrices, nothing, search
 
@@ -255,8 +255,8 @@ class _Plane(Family):
             zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True)
         )
         values["omega"] = omega
-        values["lyapunov"] = np.array([np.nan if isinstance(form, str) else form.lyapunov for form in forms])
-        values["lyapunov_error"] = np.array([np.inf if isinstance(form, str) else form.lyapunov_error for form in forms])
+        values["lyapunov"] = of_forms(forms, "lyapunov", np.nan)
+        values["lyapunov_error"] = of_forms(forms, "lyapunov_error", np.inf)
         values["criticality"] = np.array([told(form)[0] for form in forms], dtype=np.str_)
         return Curve(values)
 

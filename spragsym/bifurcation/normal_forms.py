@@ -243,22 +243,17 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     off = np.array([[0.0 if i == j else _size(Z[i][j]) for j in size] for i in size])
     radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + wide + np.abs(middle) * ROOM) * (1 + ROOM)
 
-    def apart(one: complex, r: float, other: complex, s: float) -> bool:
-        return abs(one - other) * (1 - ROOM) > r + s
+    def apart(i: int, place: complex, j: int) -> bool:
+        """Whether the disc i, moved to another place, does not meet the disc j."""
+        return abs(place - middle[j]) * (1 - ROOM) > radius[i] + radius[j]
 
-    sums = [
-        (i, j) for i in size for j in size if i <= j and not apart(middle[i], radius[i], -middle[j], radius[j])
-    ]  # fmt: skip
-    if not sums or len(sums) > 1:
-        raise Undecided(
-            "more than one pair of eigenvalues may have the sum 0: no generic Hopf point"
-            if sums
-            else "no two eigenvalues have the sum 0: no Hopf point"
-        )
+    sums = [(i, j) for i in size for j in size if i <= j and not apart(i, -middle[i], j)]
+    if len(sums) != 1:
+        many = "more than one pair of eigenvalues may have the sum 0: no generic Hopf point"
+        raise Undecided(many if sums else "no two eigenvalues have the sum 0: no Hopf point")
     k, conjugate = sums[0] if middle[sums[0][0]].imag > 0 else sums[0][::-1]
-    isolated = all(
-        apart(middle[i], radius[i], middle[j], radius[j]) for i in (k, conjugate) for j in size if j != i
-    ) and all(apart(middle[k].conjugate(), radius[k], middle[j], radius[j]) for j in size if j != conjugate)  # fmt: skip
+    isolated = all(apart(i, middle[i], j) for i in (k, conjugate) for j in size if j != i)
+    isolated &= all(apart(k, middle[k].conjugate(), j) for j in size if j != conjugate)
     if k == conjugate or not isolated or not middle[k].imag > radius[k]:
         raise Undecided("the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω")
     omega = Z[k][k].im + _around(float(radius[k]))

@@ -81,7 +81,8 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     """All points of a kind; ``budget`` is how many boxes are looked at for one point of the parameters that do not vary."""
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
-        return Found(Roots.none(balance.n + len(family.vary)), *_unbounded(family))
+        everywhere = _with_sides(family, np.full((2, balance.n, family.given.shape[1]), np.inf))
+        return Found(Roots.none(balance.n + len(family.vary)), everywhere, np.ones(family.given.shape[1], dtype=np.bool_))
     around, whole = _region(family, balance)
     if condition.touching and not whole.all():
         # On the border the contact's force is 0: these are states in lift-off, too.
@@ -114,11 +115,6 @@ def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
     """Coordinates and the parameters that vary, and whether that holds all equilibria."""
     around, whole = region(balance, family.over, family.asked)
     return _with_sides(family, around), whole
-
-
-def _unbounded(family: Family) -> tuple[FloatArray, BoolArray]:
-    points = family.given.shape[1]
-    return _with_sides(family, np.full((2, family.balance.n, points), np.inf)), np.ones(points, dtype=np.bool_)
 
 
 def _with_sides(family: Family, around: FloatArray) -> FloatArray:

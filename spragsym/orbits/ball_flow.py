@@ -116,15 +116,14 @@ class Balls:
         self.point = _moved(ends, off)
         self._stays(_Piece(within, [bound * tail for bound in bounds], step, box, self.box))
 
-    def _disc(self, box: list[Any], mode: Mode | None = None) -> tuple[Any, list[Any], Any]:
+    def _disc(self, box: list[Any]) -> tuple[Any, list[Any], Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
-        mode = mode or self.mode
 
         def disc(radii: list[Any]) -> list[Any]:
             return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
 
         def sizes(radii: list[Any]) -> list[Any]:
-            return [abs(acb(rate)).abs_upper() for rate in rates_at(self.field, disc(radii), self.constants, mode)]
+            return [abs(acb(rate)).abs_upper() for rate in rates_at(self.field, disc(radii), self.constants, self.mode)]
 
         if not all(value.rad() < 1e-2 for value in box):
             raise TooWide("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
@@ -137,7 +136,7 @@ class Balls:
                 if not all(size.is_finite() for size in found):
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
-                    slope = steepness(self.field, disc(radii), self.constants, mode)
+                    slope = steepness(self.field, disc(radii), self.constants, self.mode)
                     if length * slope < STEEPEST:
                         return arb(length), radii, slope
                     break

@@ -30,6 +30,9 @@ ASIDE = 1e-6
 #: And at this share of that, where they differ there: basins may alternate beside the curve.
 NEARER = 0.25
 
+#: Between starts so close that leave to different sides, as a share of the range, Newton's method begins.
+NEAR = 5e-10
+
 #: A refinement that moves the start by less than this is the last.
 SETTLED = 1e-11
 
@@ -171,13 +174,12 @@ def _told_sides(walk: _Walk, state: FloatArray, span: float) -> tuple[bool, list
     return not any(other), [text + more for text, more in zip(told, also, strict=True)]
 
 
-def _sides(walk: _Walk, state: FloatArray, span: float, aside: float) -> tuple[Verdict, Verdict]:
+def _sides(walk: _Walk, state: FloatArray, span: float, aside: float) -> list[Verdict]:
     """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
     normal = walk.off(state, span)[1]
     across = np.zeros_like(state)
     across[list(walk.axes)] = aside * normal / np.linalg.norm(normal)
-    one, other = (_surely(walk.system, state + sign * across) for sign in (-1, 1))
-    return one, other
+    return [_surely(walk.system, start) for start in (state - across, state + across)]
 
 
 def _surely(system: System, start: FloatArray) -> Verdict:
@@ -241,6 +243,8 @@ class _Walk:
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
         """A first point, along the first direction of the plane, between starts that leave to different sides."""
+        from scipy.optimize import bisect
+
         low, high = self.to[0]
         ways = np.linspace(low, high, 121)
 
@@ -254,14 +258,10 @@ class _Walk:
         if not changes:
             raise ConvergenceError("no start in that line of the plane leaves the saddle to the other side; give another start")
         for near in sorted(changes, key=lambda i: abs(ways[i] - self.saddle.state[self.axes[0]])):
-            low, high, left = float(ways[near]), float(ways[near + 1]), 0.0
-            for _ in range(24):
-                middle = (low + high) / 2
-                which, left = self.leaves(at(middle))
-                low, high = (middle, high) if which == sides[near] else (low, middle)
-            for span in (0.75 * left, 3 / self.saddle.growth):
+            begun = at(bisect(lambda way: self.leaves(at(way))[0], ways[near], ways[near + 1], xtol=NEAR * (high - low)))
+            for span in (0.75 * self.leaves(begun)[1], 3 / self.saddle.growth):
                 with suppress(ConvergenceError):  # a side that changes because a motion turns late is no boundary
-                    return self.refined(at((low + high) / 2), np.array([1.0, 0.0]), span)
+                    return self.refined(begun, np.array([1.0, 0.0]), span)
         raise ConvergenceError("no place in that line of the plane where the side changes is on the boundary; give another start")
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:

@@ -51,7 +51,7 @@ AROUND = 1e-13
 #: Share of the amplitude at which a motion first comes to a border of the field; the amplitude where it has none.
 SHARE, FREE = 0.1, 0.01
 
-#: How closely an amplitude is met, relatively; by how many steps, and the longest of them, as a factor.
+#: How closely an amplitude is met, relatively; by how many steps, as the Hopf point is, and the longest of them, as a factor.
 MET, TRIALS, FARTHEST = 1e-3, 20, 2.0
 
 
@@ -347,17 +347,18 @@ def _of_the_motion(
         near = roots[np.abs(roots - 1j * form.omega).argmin()]
         return np.array([*accelerations, near.real / form.crossing])
 
-    from scipy.optimize import root
-
-    found = root(residual, np.append(state, given[place]), tol=1e-15)
-    scale = 1 + float(np.abs(found.x).max())
-    slopes = differences(residual, found.x, 1e-6 * scale)
-    width = float(np.abs(np.linalg.lstsq(slopes, found.fun)[0]).max())
+    found = np.append(state, given[place])
+    scale = 1 + float(np.abs(found).max())
+    for _ in range(TRIALS):
+        step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
+        found, width = found - step, float(np.abs(step).max())
+        if not AROUND * scale < width < scale:
+            break
     if not width <= 1e-7 * scale:
         raise ConvergenceError("the motion's own Hopf point was not found beside the onset")
     there = given.copy()
-    there[place] = found.x[n]
-    return there, found.x[:n], 4 * max(width, AROUND * scale)
+    there[place] = found[n]
+    return there, found[:n], 4 * max(width, AROUND * scale)
 
 
 def _first_border(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> tuple[str, float]:

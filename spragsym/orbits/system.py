@@ -155,13 +155,12 @@ def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[
 class Saddle:
     """An equilibrium with one real direction of growth, and no other that is proved.
 
-    ``direction`` and ``measure`` are right and left eigenvectors of the eigenvalue ``growth``, the product of which is 1:
-    ``measure @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is that all others are proved to have negative real parts.
+    ``measure``, the left eigenvector of the eigenvalue ``growth``, is 1 along the right one's direction: ``measure @ (state −
+    saddle)`` grows as exp(growth τ). ``attracts`` is that all other eigenvalues are proved to have negative real parts.
     """
 
     state: FloatArray
     growth: float
-    direction: FloatArray
     measure: FloatArray
     attracts: bool
 
@@ -179,11 +178,9 @@ def saddle_near(system: System, state: FloatArray) -> Saddle | None:
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         return None
     which = int(growing[0])
-    left = np.linalg.inv(vectors)[which].real
-    right = vectors[:, which].real
-    size = float(np.linalg.norm(right))
+    measure = np.linalg.inv(vectors)[which].real * float(np.linalg.norm(vectors[:, which].real))
     attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())
-    return Saddle(place, float(eigenvalues[which].real), right / size, left * size, attracts)
+    return Saddle(place, float(eigenvalues[which].real), measure, attracts)
 
 
 def decay_at(system: System, state: FloatArray) -> float:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from operator import methodcaller
 from typing import Any
@@ -77,6 +77,11 @@ class Balls:
     mode: Mode
 
     @property
+    def smooth(self) -> Smooth:
+        """The field in the mode."""
+        return Smooth(self.field, self.constants, self.mode)
+
+    @property
     def box(self) -> list[Any]:
         """All states."""
         return _moved(self.point, self.matrix * arb_mat([[each] for each in self.start]))
@@ -99,13 +104,13 @@ class Balls:
                 raise NotProved("time could not be kept exactly: the steps have become as short as its last bit")
 
     def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
-        ratio = arb((step / radius).abs_upper())
+        ratio, piece = arb((step / radius).abs_upper()), self.smooth
         middle, m = [value.mid() for value in self.point], self.field.size
-        center = solution(self.field, middle, self.constants, self.mode, self.fine.order)
+        center = piece.solution(middle, self.fine.order)
         with bits(self.rough.bits):
             tail = _left_out(ratio, self.rough)
-            within = solution(self.field, box, self.constants, self.mode, self.rough.order)
-            derivative = _fundamental(self.field, within, self.constants, self.mode, self.rough.order, step)
+            within = piece.solution(box, self.rough.order)
+            derivative = piece.fundamental(within, self.rough.order, step)
             derivative += arb_mat(m, m, [_around((slope * radius).exp() * tail)] * (m * m))
             self.matrix = derivative * self.matrix
         # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
@@ -123,7 +128,7 @@ class Balls:
             return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
 
         def sizes(radii: list[Any]) -> list[Any]:
-            return [abs(acb(rate)).abs_upper() for rate in rates_at(self.field, disc(radii), self.constants, self.mode)]
+            return [abs(acb(rate)).abs_upper() for rate in self.smooth.rates(disc(radii))]
 
         if not all(value.rad() < 1e-2 for value in box):
             raise TooWide("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
@@ -136,7 +141,7 @@ class Balls:
                 if not all(size.is_finite() for size in found):
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
-                    slope = steepness(self.field, disc(radii), self.constants, self.mode)
+                    slope = self.smooth.steepness(disc(radii))
                     if length * slope < STEEPEST:
                         return arb(length), radii, slope
                     break
@@ -150,15 +155,12 @@ class Balls:
                 self._clear(border, piece, arb(0), piece.step, 0)
 
     def _clear(self, border: Any, piece: _Piece, begin: Any, end: Any, depth: int) -> None:
-        state = piece.at(begin.union(end))
-        sign = border.sign(self.mode)
-        if sign * border.level(state, self.constants, self.mode) > 0:
+        state, smooth = piece.at(begin.union(end)), self.smooth
+        if smooth.level(border, state) > 0:
             return
-        rate = rate_of(border, self.field, state, self.constants, self.mode)
-        if rate > 0 or rate < 0:
-            ends = [border.level(piece.at(t), self.constants, self.mode) for t in (begin, end)]
-            if all(sign * level > 0 for level in ends):
-                return
+        rate = smooth.level_rate(border, state)
+        if (rate > 0 or rate < 0) and all(smooth.level(border, piece.at(t)) > 0 for t in (begin, end)):
+            return
         if depth >= DEEPEST:
             if rate > 0 or rate < 0:
                 raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
@@ -175,47 +177,45 @@ class Balls:
     def keeps_clear(self, states: list[Any], but: int = -1) -> None:
         """Show that states are inside of all borders of the mode but one."""
         for i, border in enumerate(self.field.borders):
-            if border.kink and i != but and not border.sign(self.mode) * border.level(states, self.constants, self.mode) > 0:
+            if border.kink and i != but and not self.smooth.level(border, states) > 0:
                 raise NotProved(f"{border.name} is too near to be told from what happens beside it")
 
     def apart(self, index: int) -> Any:
         """How far apart in time the states come to a border, about; not rigorous."""
         border = self.field.borders[index]
         middle = [value.mid() for value in self.point]
-        speed = abs(arb(rate_of(border, self.field, middle, self.constants, self.mode))).lower()
-        return arb(arb(border.level(self.box, self.constants, self.mode)).rad()) / speed
+        speed = abs(arb(self.smooth.level_rate(border, middle))).lower()
+        return arb(arb(self.smooth.level(border, self.box)).rad()) / speed
 
     def cross(self, index: int, window: Any) -> None:
         """Carry all states over a border, which each of them crosses once within the window."""
         if not window > 0:
             raise ParameterError(f"window = {window} is not positive; a set of states is carried onward only")
-        border, after = self.field.borders[index], self.field.borders[index].beyond(self.mode)
-        sign = border.sign(self.mode)
-        box = self.box
-        if not sign * border.level(box, self.constants, self.mode) > 0:
+        border, before, box = self.field.borders[index], self.smooth, self.box
+        after = replace(before, mode=border.beyond(self.mode))
+        if not before.level(border, box) > 0:
             raise TooWide(f"that no state has met {border.name} yet could not be shown")
         hull = [_widened(value, arb(1e-6)) for value in box]
         self.keeps_clear(hull, but=index)
-        both = (self.field, hull, self.constants, self.mode), (self.field, hull, self.constants, after)
-        rates = [rate_of(border, *there) for there in both]
-        speed = most([abs(arb(value)).abs_upper() for there in both for value in rates_at(*there)])
-        slope = most([steepness(*there) for there in both])
+        both = (before, after)
+        speed = most([abs(arb(value)).abs_upper() for piece in both for value in piece.rates(hull)])
+        slope = most([piece.steepness(hull) for piece in both])
         if not window * speed < arb(1e-6):
             raise TooWide(
                 f"the states meet {border.name} too far apart in time; more digits would do it, unless it is only touched there"
             )
-        if not all(sign * rate < 0 for rate in rates):
+        turned = border.sign(before.mode) * border.sign(after.mode)
+        if not (before.level_rate(border, hull) < 0 and turned * after.level_rate(border, hull) < 0):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
         # Within the window all that changes, the mode too, changes rates by no more than their slope over the way.
         off = _around(window * slope * window * speed)
-        rates = rates_at(self.field, self.point, self.constants, self.mode)
-        self.point = [value + window * rate + off for value, rate in zip(self.point, rates, strict=True)]
+        self.point = [value + window * rate + off for value, rate in zip(self.point, before.rates(self.point), strict=True)]
         m, spread = self.field.size, _around((window * slope).exp() - 1)
         near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
         self.matrix = near_one * self.matrix
-        if not sign * border.level(self.box, self.constants, self.mode) < 0:
+        if not before.level(border, self.box) < 0:
             raise TooWide(f"that every state has crossed {border.name} could not be shown")
-        self.mode = after
+        self.mode = after.mode
 
 
 @dataclass(frozen=True)
@@ -276,22 +276,6 @@ def slopes_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) 
     return [gradient(acceleration, field.size) for acceleration in accelerations]
 
 
-def rates_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> list[Any]:
-    """The rates of all numbers of a state."""
-    return [*state[len(field.coordinates) :], *field.acceleration(state, constants, mode, XP)]
-
-
-def rate_of(border: Border, field: Field, state: list[Any], constants: list[Any], mode: Mode) -> Any:
-    """The rate of a border's level at a state."""
-    return border.rate(state, field.acceleration(state, constants, mode, XP), constants, mode)
-
-
-def steepness(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> Any:
-    """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
-    rows = slopes_at(field, state, constants, mode)
-    return most([arb(1), *(sum((abs(acb(value)).abs_upper() for value in row), arb(0)) for row in rows)])
-
-
 @contextmanager
 def _terms(count: int) -> Iterator[None]:
     """Power series of ``count`` terms for as long as the context lasts."""
@@ -302,49 +286,78 @@ def _terms(count: int) -> Iterator[None]:
         ctx.cap = before
 
 
-def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, order: int) -> list[Any]:
-    """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
+@dataclass(frozen=True)
+class Smooth:
+    """A smooth piece of a field in balls: the field in one mode. States are of balls, or of power series."""
 
-    What a round adds to the known polynomials satisfies the linearized equation exactly, up to twice the order.
-    """
-    n, m = len(field.coordinates), field.size
-    rows = [[arb(value)] for value in state]
-    while len(rows[0]) <= order:
-        known, count = len(rows[0]), min(2 * len(rows[0]), order + 1)
-        with _terms(count):
-            series = [arb_series(row, prec=count) for row in rows]
-            accelerations = field.acceleration(variables(series, 1), constants, mode, XP)
-        rates, slopes = [constant(each) for each in accelerations], [gradient(each, m) for each in accelerations]
-        by_state = [arb_mat(n, m, [_term(value, k) for row in slopes for value in row]) for k in range(count - known)]
-        added: list[Any] = []
-        for k in range(known, count):
-            pull = arb_mat(n, 1, [_term(rate, k - 1) for rate in rates])
-            for slope, more in zip(by_state, reversed(added), strict=False):
-                pull += slope * more
-            following = [row[k - 1] / k for row in rows[n:]] + [value / k for value in pull.entries()]
-            added.append(arb_mat(m, 1, following))
-            for row, value in zip(rows, following, strict=True):
-                row.append(value)
-    return [arb_series(row, prec=order + 1) for row in rows]
+    field: Field
+    constants: list[Any]
+    mode: Mode
 
+    def rates(self, state: list[Any]) -> list[Any]:
+        """The rates of all numbers of a state."""
+        return [*state[len(self.field.coordinates) :], *self.field.acceleration(state, self.constants, self.mode, XP)]
 
-def _fundamental(field: Field, within: list[Any], constants: list[Any], mode: Mode, order: int, step: Any) -> Any:
-    """The Taylor polynomial of the derivative of the flow at the end of a step."""
-    n, m = len(field.coordinates), field.size
-    with _terms(order + 1):
-        rows = slopes_at(field, within, constants, mode)
-    slopes = [arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)]
-    parts = [unit(m)]
-    for k in range(order):
-        total = slopes[0] * parts[k]
-        for i in range(1, k + 1):
-            total += slopes[i] * parts[k - i]
-        # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
-        parts.append(arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1)))
-    found = parts[-1]
-    for part in reversed(parts[:-1]):
-        found = found * step + part
-    return found
+    def slopes(self, state: list[Any]) -> list[list[Any]]:
+        """Derivatives of the accelerations by the state."""
+        return slopes_at(self.field, state, self.constants, self.mode)
+
+    def level(self, border: Border, state: list[Any]) -> Any:
+        """A border's level at a state, positive within the piece."""
+        return border.sign(self.mode) * border.level(state, self.constants, self.mode)
+
+    def level_rate(self, border: Border, state: list[Any]) -> Any:
+        """The rate of that."""
+        accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
+        return border.sign(self.mode) * border.rate(state, accelerations, self.constants, self.mode)
+
+    def steepness(self, state: list[Any]) -> Any:
+        """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
+        rows = self.slopes(state)
+        return most([arb(1), *(sum((abs(acb(value)).abs_upper() for value in row), arb(0)) for row in rows)])
+
+    def solution(self, state: list[Any], order: int) -> list[Any]:
+        """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
+
+        What a round adds to the known polynomials satisfies the linearized equation exactly, up to twice the order.
+        """
+        n, m = len(self.field.coordinates), self.field.size
+        rows = [[arb(value)] for value in state]
+        while len(rows[0]) <= order:
+            known, count = len(rows[0]), min(2 * len(rows[0]), order + 1)
+            with _terms(count):
+                series = [arb_series(row, prec=count) for row in rows]
+                accelerations = self.field.acceleration(variables(series, 1), self.constants, self.mode, XP)
+            rates, slopes = [constant(each) for each in accelerations], [gradient(each, m) for each in accelerations]
+            by_state = [arb_mat(n, m, [_term(value, k) for row in slopes for value in row]) for k in range(count - known)]
+            added: list[Any] = []
+            for k in range(known, count):
+                pull = arb_mat(n, 1, [_term(rate, k - 1) for rate in rates])
+                for slope, more in zip(by_state, reversed(added), strict=False):
+                    pull += slope * more
+                following = [row[k - 1] / k for row in rows[n:]] + [value / k for value in pull.entries()]
+                added.append(arb_mat(m, 1, following))
+                for row, value in zip(rows, following, strict=True):
+                    row.append(value)
+        return [arb_series(row, prec=order + 1) for row in rows]
+
+    def fundamental(self, within: list[Any], order: int, step: Any) -> Any:
+        """The Taylor polynomial of the derivative of the flow at the end of a step."""
+        n, m = len(self.field.coordinates), self.field.size
+        with _terms(order + 1):
+            rows = self.slopes(within)
+        slopes = [arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)]
+        parts = [unit(m)]
+        for k in range(order):
+            total = slopes[0] * parts[k]
+            for i in range(1, k + 1):
+                total += slopes[i] * parts[k - i]
+            # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
+            parts.append(arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1)))
+        found = parts[-1]
+        for part in reversed(parts[:-1]):
+            found = found * step + part
+        return found
 
 
 def unit(size: int) -> Any:

@@ -20,13 +20,10 @@ from .ball_flow import (
     Accuracy,
     Balls,
     NotProved,
+    Smooth,
     TooWide,
     bits,
     polynomial,
-    rate_of,
-    rates_at,
-    solution,
-    steepness,
     unit,
 )  # fmt: skip
 
@@ -174,7 +171,7 @@ def _traced(
         if not target > clock:
             raise NotProved("two crossings can't be told apart in time")
         while True:
-            jets = solution(field, now, constants, mode, order)
+            jets = Smooth(field, constants, mode).solution(now, order)
             size = max((abs(jet[order]).mid() for jet in jets), key=lambda ball: ball.mid())
             reach = min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0) if size > 0 else 1.0
             left = target - clock
@@ -191,8 +188,8 @@ def _traced(
             )
             for _ in range(10):
                 there = [polynomial(jet, left).mid() for jet in jets]
-                change = rate_of(that, field, there, constants, mode)
-                level = that.level(there, constants, mode)
+                piece = Smooth(field, constants, mode)
+                change, level = piece.level_rate(that, there), piece.level(that, there)
                 if not abs(change) > SLOWEST:
                     raise NotProved(
                         f"{that.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative "
@@ -214,11 +211,10 @@ def _traced(
 
 def _krawczyk(balls: Balls, state: list[Any], period: Any, radius: Any, inverse: Any, moved: list[int]) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
-    field, m = balls.field, balls.field.size
-    around = [value + arb(0, arb(1e-6)) for value in balls.box]
+    m, around = balls.field.size, [value + arb(0, arb(1e-6)) for value in balls.box]
     balls.keeps_clear(around)
-    rates = [arb(rate) for rate in rates_at(field, around, balls.constants, balls.mode)]
-    slope = steepness(field, around, balls.constants, balls.mode)
+    rates = [arb(rate) for rate in balls.smooth.rates(around)]
+    slope = balls.smooth.steepness(around)
     if not all(abs(rate) * radius < arb(1e-6) for rate in rates):
         raise NotProved("the period's ball is too wide")
     # Over the ball of the period the derivative of the flow changes by no more than this share.

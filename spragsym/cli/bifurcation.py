@@ -69,19 +69,19 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     names, name = _plane(case), case.span.name
     if plot is not None and len(names) < 2:
         raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
-    p, ways = case.set(name), case.searching(name)
-    questions: dict[str, tuple[Sequence[str], Callable[[], Any]]] = {
-        "folds": (names[:1], lambda: ss.folds(p, name, **ways)),
-        "onsets": (names[:1], lambda: ss.flutter_onsets(p, name, damping=False if undamped else None, **ways)),
-    }
+    found: dict[str, Any] = {}
+
+    def search(title: str, along: Sequence[str], question: Callable[..., Any], **more: Any) -> None:
+        with show_progress(f"searching for {title} along {' and '.join(along)}"):
+            vary = along[0] if len(along) == 1 else along
+            found[title] = _within_ranges(question(case.set(*along), vary, **case.searching(*along), **more))
+
+    search("folds", names[:1], ss.folds)
+    search("onsets", names[:1], ss.flutter_onsets, damping=False if undamped else None)
     if len(names) == 2:
-        questions["cusps"] = names, lambda: ss.cusps(case.set(*names), names, **case.searching(*names))
+        search("cusps", names, ss.cusps)
     elif len(case.model.axes) > 1:
         click.echo(f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME", err=True)
-    found = {}
-    for title, (along, question) in questions.items():
-        with show_progress(f"searching for {title} along {' and '.join(along)}"):
-            found[title] = _within_ranges(question())
     if plot is not None:
         _draw(case, plot, names, found, n, undamped)
     told = {title: points_of(case, one) for title, one in found.items()}
@@ -105,10 +105,9 @@ def _plane(case: Case) -> tuple[str, ...]:
 
 def _within_ranges(found: Any) -> Any:
     """Points at which all that varies is in its range: closed forms know mirror images beyond it."""
-    ranges, inside = [found.parameters.ranges[name] for name in found.vary], np.ones(len(found), dtype=np.bool_)
-    for name, allowed in zip(found.vary, ranges, strict=True):
-        inside &= allowed.inside(getattr(found, name))
-    region, first = found.region.copy(), len(found.region) - len(found.vary)
+    ranges, first = [found.parameters.ranges[name] for name in found.vary], len(found.region) - len(found.vary)
+    inside = np.all([allowed.inside(getattr(found, name)) for name, allowed in zip(found.vary, ranges, strict=True)], axis=0)
+    region = found.region.copy()
     region[first:] = np.clip(region[first:].T, [one.low for one in ranges], [one.high for one in ranges]).T
     return replace(found.select(inside), region=region)
 

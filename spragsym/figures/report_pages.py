@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-import io
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,7 +29,6 @@ from .planes import draw_onset_curves, draw_plane
 from .style import (
     BLACK,
     BLUE,
-    FORMATS,
     GREY,
     SKY,
     VERMILION,
@@ -42,6 +41,7 @@ from .style import (
     with_unit,
     write_along,
 )
+from .style import picture as content
 
 if TYPE_CHECKING:
     from ..report.reports import Report
@@ -97,7 +97,7 @@ def pictures(report: Report) -> Iterator[tuple[str, str]]:
         caption = (
             "Which tolerance decides whether it jumps: Sobol' indices, dark alone, light with interactions; bars: 95 % intervals."
         )
-        yield picture(lambda ax: draw_shares(odds.sobol, ax=ax)), caption
+        yield picture(partial(draw_shares, odds.sobol)), caption
     if report.oscillation is not None and report.oscillation.alive:
         yield from _of_motion(report, report.oscillation)
 
@@ -112,7 +112,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
         caption += " Cross: the friction at which the reference state jumps at this angle." if jump < math.inf else ""
         with suppress(SpragsymError):
             yield (
-                picture(lambda ax: draw_operating_point(p, (angles.low, angles.high), (low, high), jump, ax=ax, n=_LINES)),
+                picture(partial(draw_operating_point, p, (angles.low, angles.high), (low, high), jump, n=_LINES)),
                 f"Where the brake works (dot) and its tolerances (box). {caption}",
             )
     unit, size = unit_of(study)
@@ -127,7 +127,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
     rises = "the friction" if study.of_friction else study.rises.quantity
     meaning = first["meaning"].partition(",")[0]
     yield (
-        picture(lambda ax: draw_rising(p, (low, high), ax=ax, **options)),
+        picture(partial(draw_rising, p, (low, high), **options)),
         f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: all states, full where stable. "
         f"Dots: folds, where two states meet and end. Shaded: {rises} within its tolerances.",
     )
@@ -162,24 +162,20 @@ def _of_motion(report: Report, lives: Any) -> Iterator[tuple[str, str]]:
     (unit, size), time, name = unit_of(report.study), report.study.scales.time, report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
     up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)
-    phase: Mapping[str, Any] = dict(length=size, speed=speed, labels=(f"{name} in {unit}", up))
+    phase = partial(draw_phase, motion, length=size, speed=speed, labels=(f"{name} in {unit}", up))
     caption = f"The oscillation: {up.partition(' in ')[0]} over {name}, one closed curve a cycle. Dotted: the speed of the belt."
-    yield picture(lambda ax: draw_phase(motion, ax=ax, **phase)), caption
-    lines: Mapping[str, Any] = dict(length=size, frequency=1 / time, labels=("frequency in Hz", f"amplitude of {name} in {unit}"))
-    yield (
-        picture(lambda ax: draw_spectrum(motion, name, ax=ax, **lines)),
-        f"Its spectrum: the amplitude of {name} at each frequency.",
-    )
+    yield picture(phase), caption
+    labels = "frequency in Hz", f"amplitude of {name} in {unit}"
+    spectrum = partial(draw_spectrum, motion, name, length=size, frequency=1 / time, labels=labels)
+    yield picture(spectrum), f"Its spectrum: the amplitude of {name} at each frequency."
 
 
 def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file; its ids are made from itself, so that no other has them."""
-    stream = io.StringIO()
     with house_style(), rc_context(_AS_TEXT):
         figure = Sheet(figsize=(4.6, 3.3), layout="constrained")
         draw(figure.add_subplot())
-        figure.savefig(stream, format="svg", metadata=FORMATS["svg"])
-    text = stream.getvalue()
+        text = content(figure, "svg").decode()
     text = text[text.index("<svg") :].strip()
     mark = hashlib.sha256(text.encode()).hexdigest()[:8]
     text = re.sub(r'\bid="', f'id="{mark}-', text)

@@ -56,15 +56,15 @@ class _Closed(Claim):
         self.prove, self.false = CLAIMS[claim]
         matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(NAMES)}
         self.sides = (*NAMES, *matter)
-        powers: dict[str, list[tuple[int, int]]] = {name: [] for name in NAMES}
-        for side, unit in enumerate(matter.values(), len(NAMES)):
-            for name in (one for one in NAMES if one in unit.powers):
-                powers[name].append((side, _whole_number(name, unit.powers[name])))
+        sided = list(enumerate(matter.values(), len(NAMES)))
+        powers = {
+            name: tuple((side, _whole_number(name, unit.powers[name])) for side, unit in sided if name in unit.powers)
+            for name in NAMES
+        }
         ends = [end[:, None] for end in corner_values(NAMES, low, high, matter)]
         if claim == "no jump":  # what goes on to the largest friction goes on to every other
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
-        kept = {name: tuple(found) for name, found in powers.items() if found}
-        self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), kept)
+        self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), powers)
 
     def settled(self, parts: Boxes, sharp: bool = False) -> tuple[Boxes, FloatArray]:
         holds, weight = self.prove(parts)

@@ -51,11 +51,10 @@ def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
 
 
 def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
-    values = [Rounded(given.get(name, np.float64(0.0))) for name in NAMES[1:]]
-    angle = cosine_and_sine(given["theta0"])
-    without, change = kernel.f_along(vary, *angle, *values)
-    roots = bernstein.positive_roots(_rounded(kernel.fold_sextic(*without, *_rounded(change))), size)
-    here, slope = on_circle(roots.t)[:2], kernel.f(*on_circle(roots.t)[:2], *_rows(change, roots.row))
+    values, angle, without, change, sextic = _eliminated(vary, given)
+    roots = bernstein.positive_roots(sextic, size)
+    here = on_circle(roots.t)[:2]
+    slope = kernel.f(*here, *_rows(change, roots.row))
     value = -kernel.f(*here, *_rows(without, roots.row)) / slope
     others = dict(zip(NAMES[1:], _rows(values, roots.row), strict=True)) | {vary: value}
     upper = roots.rising * slope.sign()
@@ -64,9 +63,15 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
 
 def friction_sextic(given: Mapping[str, FloatArray]) -> list[Rounded]:
     """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface f = 0 rises with θ."""
-    values = Rounded(np.float64(0.0)), *(Rounded(given[name]) for name in NAMES[2:])
-    without, change = kernel.f_along("mu0", *cosine_and_sine(given["theta0"]), *values)
-    return _rounded(kernel.fold_sextic(*without, *_rounded(change)))
+    return _eliminated("mu0", given)[-1]
+
+
+def _eliminated(vary: str, given: Mapping[str, FloatArray]) -> tuple[Any, Any, Any, Any, list[Rounded]]:
+    """The others with 0 for one, cos θ₀ and sin θ₀, a, b, d, m of f and of f_v there, and f′ f_v − f f_v′ by powers of t."""
+    values = [Rounded(given[name] if name != vary else np.float64(0.0)) for name in NAMES[1:]]
+    angle = cosine_and_sine(given["theta0"])
+    without, change = kernel.f_along(vary, *angle, *values)
+    return values, angle, without, change, _rounded(kernel.fold_sextic(*without, *_rounded(change)))
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:

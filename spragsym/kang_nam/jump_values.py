@@ -66,11 +66,11 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
     number it lies.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
-    forward = 1 if direction == "up" else -1
-    shape = p.replace(**{vary: None}).shape if vary in FROM_LOWER_END else p.shape
-    size = math.prod(shape)
-    needed = [name for name in NAMES if not (name == vary and vary in FROM_LOWER_END)]
-    given = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in needed}
+    if vary in FROM_LOWER_END:
+        p = p.replace(**{vary: None})
+    forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
+    columns = ((name, getattr(p, name)) for name in NAMES)
+    given = {name: np.broadcast_to(column, shape).reshape(-1) for name, column in columns if column is not None}
     value, theta = np.empty(size), np.empty(size)
     hopeless: dict[int, str] = {}
     for begin in range(0, size, BLOCK):

@@ -12,11 +12,9 @@ from dataclasses import dataclass, field
 from importlib import resources
 from typing import Any
 
-import numpy as np
-
 from .._version import __version__
 from ..derive.kang_nam.library import exported
-from ..errors import MissingExtraError, ParameterError
+from ..errors import MissingExtraError
 from ..models import Model, load
 from ..models.load import USUAL, page_of
 from ..models.model import options_of, title_and_words
@@ -114,7 +112,7 @@ def explorer_page(
     shown = [*presets, *(Preset.of(name, p) for name, p in model.cases())]
     data = {
         "model": described(model, shown),
-        "presets": [{"name": preset.name, "point": dict(preset.point)} for preset in shown],
+        "presets": [vars(preset) for preset in shown],
         "units": units and {name: value for name, value in vars(units).items() if name != "source"},
     }
     beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(units.source)}</p>' if units else ""
@@ -163,11 +161,8 @@ class Preset:
         ParameterError
             If a parameter is missing, or is not a single number.
         """
-        values = {key: getattr(parameters, key) for key in parameters.model.parameters}
-        for key, value in values.items():
-            if value is None or np.ndim(value):
-                raise ParameterError(f"{key} = {value!r} is not one number; a preset of the explorer is one point")
-        return cls(name, {key: float(value) for key, value in values.items()})
+        names = parameters.model.parameters
+        return cls(name, dict(zip(names, parameters.scalars(*names), strict=True)))
 
 
 @dataclass(frozen=True)

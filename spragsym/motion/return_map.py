@@ -189,23 +189,15 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     states /= scale
     for k in _candidates(states):
         period = float(times[-1] - times[-1 - k])
-        try:
+        with suppress(ConvergenceError):
             cycle = onward.closed(places[-1], fixed, period, scale)
-        except ConvergenceError:
-            continue
-        largest = float(np.abs(np.linalg.eigvals(cycle.slope)).max())
-        rounds = max(1, round(k * cycle.loop.period / period))
-        off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
-        distance = float(np.abs(off[0]).max())
-        if largest >= 1 - NEUTRAL or distance > 4 * CLOSE:
-            continue
-        try:
-            near = _nears(cycle, off, tol)
-        except ConvergenceError:
-            continue
-        if near:
-            regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
-            return _described(cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance)
+            largest = float(np.abs(np.linalg.eigvals(cycle.slope)).max())
+            rounds = max(1, round(k * cycle.loop.period / period))
+            off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
+            distance = float(np.abs(off[0]).max())
+            if largest < 1 - NEUTRAL and distance <= 4 * CLOSE and _nears(cycle, off, tol):
+                regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
+                return _described(cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance)
     return None
 
 

@@ -3,7 +3,6 @@
 import sympy as sp
 
 from . import laws, balance_rows, symmetry
-from .algebra import fewest_terms
 from .emit.function import Function, Module, Results, rows
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -44,19 +43,6 @@ def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
     return expression
 
 
-def squared_lengths(model: Mechanics) -> tuple[sp.Expr, ...]:
-    """l² of every spring in the fewest terms: whatever the angles are, their cosines and sines count once."""
-    squares = []
-    for line in model.lines:
-        square = model.tidy(line.dx**2 + line.dy**2)
-        for angle in model.angles:
-            if square.has(angle.c, angle.s) and square.is_polynomial(angle.c, angle.s):
-                other = fewest_terms(square, angle.c, angle.s)
-                square = min(square, other, key=lambda form: len(sp.Add.make_args(sp.expand(form))))
-        squares.append(square)
-    return tuple(squares)
-
-
 def module(model: Mechanics) -> Module:
     """The generated module."""
     place = (*model.coordinates, *arguments(model))
@@ -90,7 +76,6 @@ def module(model: Mechanics) -> Module:
         (
             function("geometry", "The vector from the mass's end of every spring to its anchor, and its undeformed length.", place,
                      tuple((line.dx, line.dy, line.rest) for line in model.lines), "((dx, dy, rest), …)"),
-            function("squared_lengths", "The squared length of every spring.", place, squared_lengths(model), "(l_1², …)"),
             function("contact_gap", "The gap: contact where it is not positive.", place,
                      sp.S.Zero if model.gap is None else model.gap, "gap"),
             function("mirror", "The image of a state in the model's mirror, if it has one: see \"mirror\" in model.json.", place,

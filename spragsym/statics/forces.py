@@ -22,8 +22,6 @@ from .namespaces import XP
 Values: TypeAlias = Mapping[str, Any]
 #: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
 TURN = np.pi + 0.02
-#: Of the cosine of an angle a width that is rounding.
-ROUNDED = 1e-9
 
 
 class Forces:
@@ -192,34 +190,22 @@ class State:
         if self.fixed is not None:
             return list(self.fixed)
         steps = [(0 if place in self.upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry)]
-        squares = self._squared_lengths()
-        parts = [part for step, square in zip(steps, squares, strict=True) for part in self.direction(*step, square)]
+        parts = [part for step in steps for part in self.direction(*step)]
         if self.turnings is not None or not self.balance.torsions:
             return [*parts, *(self.turnings or ())]
         return parts + self._turnings(steps, parts)
 
-    def direction(self, dx: Any, dy: Any, square: Any = None) -> tuple[Any, Any, Any]:
+    def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
         """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers quotients."""
-        return direction(dx, dy, self.shape, square) if self.xp is XP else quotients(dx, dy, self.xp)
-
-    def _squared_lengths(self) -> Sequence[Any]:
-        """l² of every spring without its changes, where an angle is so wide that its form counts; else None."""
-        if self.xp is not XP or not any(_is_wide(self.values[code]) for parts in self.balance.angles.values() for code in parts):
-            return [None] * self.balance.springs
-        return self._constant.call("squared_lengths", self._constant.q, kind="statics")
-
-    @property
-    def _constant(self) -> State:
-        """The state without its changes."""
-        values = {name: jets.constant(value) for name, value in self.values.items()}
-        return replace(self, q=[jets.constant(part) for part in self.q], values=values)
+        return direction(dx, dy, self.shape) if self.xp is XP else quotients(dx, dy, self.xp)
 
     def _turnings(self, steps: Sequence[tuple[Any, Any]], directions: Sequence[Any]) -> list[Any]:
         """φ of every torsion spring; over boxes 0 where its stiffness is."""
         if self.xp is not XP:
             pairs = self.call("turnings", [*self.q, *directions], kind="statics")
             return [self.xp.atan2(sine, cosine) for cosine, sine in pairs]
-        turned = self._constant.call("turnings", [*self._constant.q, *map(jets.constant, directions)], kind="statics")
+        still = replace(self, values={name: jets.constant(value) for name, value in self.values.items()})
+        turned = still.call("turnings", map(jets.constant, [*self.q, *directions]), kind="statics")
         rests, stiffnesses = self.at_rest, self.of_springs("torsions")
         found = []
         for place, value in enumerate(turned):
@@ -301,12 +287,6 @@ def _is_nothing(values: Intervals) -> bool:
     return values.ends.size > 0 and not values.ends.any()
 
 
-def _is_wide(part: Any) -> bool:
-    """Whether an argument, or what it is without its changes, is wider than by rounding."""
-    value = jets.constant(part)
-    return isinstance(value, Intervals) and bool(((value.ends[0] + value.ends[1]) > ROUNDED).any())
-
-
 def _is_none(stiffness: Any) -> bool:
     """0 everywhere, and no unknown."""
     return not stiffness if isinstance(stiffness, int) else isinstance(stiffness, Intervals) and _is_nothing(stiffness)
@@ -318,16 +298,13 @@ def quotients(dx: Any, dy: Any, xp: Any) -> tuple[Any, Any, Any]:
     return dx / length, dy / length, length
 
 
-def direction(dx: Any, dy: Any, shape: Shape, square: Any = None) -> tuple[Any, Any, Any]:
+def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
 
-    ``square`` is the squared length without its changes, where another form of it is known that may be narrower. With the turned
-    and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the vector. So all derivatives come from the sharp
-    enclosures of c, s and l, not from quotients of intervals.
+    With the turned and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the vector. So all derivatives come from
+    the sharp enclosures of c, s and l, not from quotients of intervals.
     """
     c, s, L = _at(dx, dy, shape)
-    if square is not None:
-        L = Intervals(np.fmin(L.ends, as_intervals(square, shape).sqrt().ends))
     order = max((part.order for part in (dx, dy) if isinstance(part, Jet)), default=0)
     if not order:
         return c, s, L

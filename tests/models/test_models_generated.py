@@ -69,15 +69,6 @@ def slope(function: Any, at: Any) -> Any:
     return (function(at + h) - function(at - h)) / (2 * h)
 
 
-def test_squared_lengths_are_those_of_the_vectors(model: Generated) -> None:
-    with mp.workdps(50):
-        q, p = model.point(2)
-        taken = model.arguments("statics", p)
-        found = model.algebra.squared_lengths(*q, *taken, xp=XP)
-        for square, (dx, dy, _) in zip(found, model.algebra.geometry(*q, *taken, xp=XP), strict=True):
-            assert abs(square - (dx**2 + dy**2)) < mp.mpf(10) ** -45
-
-
 @pytest.mark.parametrize("pushing", [0, 1])
 def test_derivatives_are_those_of_the_forces(model: Generated, pushing: int) -> None:
     """Jacobian and derivatives by parameters, directions of the springs following."""

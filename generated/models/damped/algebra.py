@@ -33,8 +33,7 @@ import numpy
 
 from ..._broadcast import broadcasting
 from ..kang_nam.algebra import (
-    contact_gap, forces, forces_apart, forces_by_parameters, forces_jacobian, geometry, mirror, spring_forces,
-    squared_lengths, stiffnesses,
+    contact_gap, forces, forces_apart, forces_by_parameters, forces_jacobian, geometry, mirror, spring_forces, stiffnesses,
 )
 
 

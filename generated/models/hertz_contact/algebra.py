@@ -32,7 +32,7 @@ from ..._broadcast import broadcasting
 from ..kang_nam.algebra import (
     applied_power, border_rates, borders, contact_gap, damper_power, friction_at_rest, friction_at_speed,
     friction_by_parameters, friction_slope, friction_slope_by_sizes, geometry, layer_rates, layers, mass_matrix, mirror,
-    spring_forces, squared_lengths, stiffnesses,
+    spring_forces, stiffnesses,
 )
 
 

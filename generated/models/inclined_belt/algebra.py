@@ -41,11 +41,6 @@ def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_
     return ((cos0 - x, sin0 - y, 1),)
 
 
-def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 10."""
-    return (-2*cos0*x - 2*sin0*y + x*x + y*y + 1,)
-
-
 def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y

@@ -32,11 +32,6 @@ def geometry(x, y, alpha, sigma, beta):
     return ()
 
 
-def squared_lengths(x, y, alpha, sigma, beta):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 0."""
-    return ()
-
-
 def contact_gap(x, y, alpha, sigma, beta):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y

@@ -48,11 +48,6 @@ def geometry(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     return ((cos0 - x, sin0 - y, 1),)
 
 
-def squared_lengths(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 10."""
-    return (-2*cos0*x - 2*sin0*y + x*x + y*y + 1,)
-
-
 def contact_gap(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 1."""
     return -w + y

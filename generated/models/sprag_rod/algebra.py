@@ -37,11 +37,6 @@ def geometry(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
     return ((xp.sin(phi), xp.cos(phi), 0),)
 
 
-def squared_lengths(phi, cos0, sin0, kappa, cos_psi, sin_psi):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 0."""
-    return (1,)
-
-
 def contact_gap(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 2."""
     return cos0 - xp.cos(phi)

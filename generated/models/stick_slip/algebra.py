@@ -26,11 +26,6 @@ def geometry(x):
     return ()
 
 
-def squared_lengths(x):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 0."""
-    return ()
-
-
 def contact_gap(x):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return 0

@@ -43,12 +43,6 @@ def geometry(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     return ((cos0 - x + x_a, sin0 - y, 1),)
 
 
-def squared_lengths(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 17."""
-    w0 = 2*x
-    return (-cos0*w0 + 2*cos0*x_a - 2*sin0*y - w0*x_a + x*x + x_a*x_a + y*y + 1,)
-
-
 def contact_gap(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y

@@ -47,14 +47,6 @@ def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_
     return ((cos0 + w0, sin0 + w1, 1), (cos0_2*lambda_2 + w0, lambda_2*sin0_2 + w1, lambda_2))
 
 
-def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
-    """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 18."""
-    w0 = 2*x
-    w1 = 2*y
-    w2 = x*x + y*y
-    return (-cos0*w0 - sin0*w1 + w2 + 1, -cos0_2*lambda_2*w0 - lambda_2*sin0_2*w1 + lambda_2*lambda_2 + w2)
-
-
 def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y

@@ -46,8 +46,8 @@ from .kang_nam.steady_sliding import surface as surface
 from .models import Model as Model
 from .models import load as load
 from .models.parameters import Parameters as Parameters
-from .models.parameters import PhysicalParameters as PhysicalParameters
-from .models.parameters import Scales as Scales
+from .models.quantities import PhysicalParameters as PhysicalParameters
+from .models.quantities import Scales as Scales
 from .motion import Event as Event
 from .motion import Events as Events
 from .motion import Outcome as Outcome

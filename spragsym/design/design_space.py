@@ -19,7 +19,8 @@ import numpy as np
 from ..bifurcation.tubes import Parts
 from ..bifurcation.turning_points import SMALL, secants
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, PhysicalParameters, Range, as_number
+from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number
+from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..progress import doing
 from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told

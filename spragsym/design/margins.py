@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import ParameterError
-from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters, as_number
+from ..models.parameters import FloatArray, ParameterSet, as_number
+from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray
 from ..questions import Method, model_of, question
 from ..results.result import Result

@@ -15,8 +15,8 @@ from ..display import Table
 from ..errors import ParameterError
 from ..models.load import USUAL, load
 from ..models.model import Model
-from ..models.parameters import Parameters, PhysicalParameters, Range, as_count, as_number
-from ..models.quantities import Quantities, quantities
+from ..models.parameters import Parameters, Range, as_count, as_number
+from ..models.quantities import PhysicalParameters, Quantities, quantities
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
 from ..numerics.interval_arrays import FloatArray

@@ -18,8 +18,8 @@ from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError, hint
 from ..models.load import USUAL
-from ..models.parameters import POSITIVE, PhysicalParameters, Range, Ranges, Scales, as_number, as_range
-from ..models.quantities import Quantities, factor, quantities, share
+from ..models.parameters import POSITIVE, Range, Ranges, as_number, as_range
+from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share
 from ..progress import doing, show_progress
 from .units import Measured, read, shown_in
 

@@ -114,11 +114,6 @@ def _signature(function: Callable[..., Any]) -> inspect.Signature:
     return inspect.signature(function)
 
 
-def has_closed_form(question: Callable[..., Any], *args: Any, **options: Any) -> bool:
-    """Whether the model brings a closed form of a question with these arguments: it costs little, and has all there are."""
-    return _closed_form(model_of(*args, *options.values()), question.__name__, args, options) is not None
-
-
 def _closed_form(model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]) -> Callable[..., Any] | None:
     """The closed form of a question, if it has arguments of these names; None is what is left out."""
     closed = model.closed_form(name)

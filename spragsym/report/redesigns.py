@@ -140,7 +140,11 @@ class _Search:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
         names = tuple(name for name in self.names if name in self.study.tolerances)
         try:
-            names = names if len(names) > 1 else self._movers()[:3]
+            if len(names) < 2:
+                designs = space(design(self.study), self.scale, None)
+                start = Border(designs, self.study.rises.name, self.study.begins())
+                _, moved = start.ahead(np.zeros(len(designs.names)))
+                names = tuple(designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable")[:3])
         except SpragsymError:
             return None
         return self._first_proved(self._least(names))
@@ -175,11 +179,6 @@ class _Search:
                 break
             tried = np.linspace(tried[first - 1], high, _PARTS + 1)
         yield from (at(high + share * (1 - high)) for share in self.effort.further)
-
-    def _movers(self) -> tuple[str, ...]:
-        designs = space(design(self.study), self.scale, None)
-        _, moved = Border(designs, self.study.rises.name, self.study.begins()).ahead(np.zeros(len(designs.names)))
-        return tuple(designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable"))
 
     def _first_proved(self, least: Mapping[str, float] | None) -> Change | None:
         """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""

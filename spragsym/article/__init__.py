@@ -4,6 +4,6 @@
 writes anew.
 """
 
-from .ledger import STATEMENTS, Found, Statement, drifted, record_text, recorded, run
+from .ledger import STATEMENTS, Statement, drifted, record_text, recorded, run
 
-__all__ = ["STATEMENTS", "Found", "Statement", "drifted", "record_text", "recorded", "run"]
+__all__ = ["STATEMENTS", "Statement", "drifted", "record_text", "recorded", "run"]

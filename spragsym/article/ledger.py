@@ -21,14 +21,6 @@ Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]
 
 
 @dataclass(frozen=True)
-class Found:
-    """The result of a computation: whether the row's outcome holds, and the values behind it."""
-
-    holds: bool
-    values: dict[str, Any]
-
-
-@dataclass(frozen=True)
 class Statement:
     """A statement of the article and the computation that decides it, as statements.toml has it."""
 
@@ -54,14 +46,6 @@ class Statement:
             "values": values,
         }  # fmt: skip
 
-    def compute(self) -> Found:
-        """Whether it holds, and the numbers behind it."""
-        from . import computed
-
-        name, *arguments = [self.computed] if isinstance(self.computed, str) else self.computed
-        holds, values = getattr(computed, name)(*arguments)
-        return Found(bool(holds), values)
-
 
 def package_text(name: str, package: str = "spragsym.article") -> str:
     """The text of a file that comes with a package."""
@@ -73,12 +57,14 @@ STATEMENTS = tuple(Statement(id, **entry) for id, entry in tomllib.loads(package
 
 def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
     """Compute the row of every statement; nothing is read from the record."""
+    from . import computed
+
     rows = []
     for statement in statements:
+        name, *arguments = [statement.computed] if isinstance(statement.computed, str) else statement.computed
         with doing(statement.id):
-            found = statement.compute()
-        values = {name: _rounded(value, statement.digits) for name, value in found.values.items()}
-        rows.append(statement.row(found.holds, values))
+            holds, values = getattr(computed, name)(*arguments)
+        rows.append(statement.row(bool(holds), {name: _rounded(value, statement.digits) for name, value in values.items()}))
     return rows
 
 

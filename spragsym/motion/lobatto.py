@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -50,10 +49,6 @@ class PiecewisePolynomial:
         """Ends of the steps."""
         return self.t[::DEGREE]
 
-    def by_steps(self, values: FloatArray) -> FloatArray:
-        """Values at the samples, (…, k), as (…, steps, DEGREE + 1)."""
-        return values[..., np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
-
     def __call__(self, times: FloatArray) -> FloatArray:
         """States at times, which are not checked, shape (4, …)."""
         return self.at(self.step_of(times), times)
@@ -77,7 +72,8 @@ class PiecewisePolynomial:
         """Derivative of a component at the samples; where two steps meet that of the later one."""
         points, _ = lobatto()
         derivatives = legendre.legval(points, legendre.legder(np.linalg.inv(legendre.legvander(points, DEGREE))))
-        slopes = self.by_steps(self.states[row]) @ derivatives * (2 / np.diff(self.steps))[:, None]
+        inside = self.states[row, np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+        slopes = inside @ derivatives * (2 / np.diff(self.steps))[:, None]
         return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
 
     def after(self, begin: float) -> PiecewisePolynomial:
@@ -114,14 +110,3 @@ class PiecewisePolynomial:
         for j, weight in enumerate(lobatto()[1]):
             weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(self.steps) / 2
         return weights
-
-    def integrals_to(self, times: FloatArray, integrands: Callable[[FloatArray], FloatArray]) -> FloatArray:
-        """Integrals of k functions of the state from the first sample to each time, shape (len(times), k)."""
-        points, unit = lobatto()
-        whole = np.cumsum((self.by_steps(integrands(self.states)) * unit).sum(axis=2) * np.diff(self.steps) / 2, axis=1)
-        step = self.step_of(times)
-        begin = self.steps[step][:, None]
-        half = (times[:, None] - begin) / 2
-        begun = begin + half * (points + 1)
-        part = (integrands(self.at(np.repeat(step[:, None], len(points), axis=1), begun)) * unit * half).sum(axis=2)
-        return (np.concatenate([np.zeros((len(whole), 1)), whole], axis=1)[:, step] + part).T

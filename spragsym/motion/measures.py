@@ -25,8 +25,8 @@ class Course:
 
     States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t`` where the first coordinate x is
     largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at ``passages_t`` of an x that comes around through whole turns;
-    ``integrals`` (k + 1, n + 1) from ``begin`` to the maxima, and last to ``end``: of u = x − x(begin), of u², and of the other
-    coordinates; how many ``events`` (4,) of each kind; least and largest x, ``reach``.
+    ``integrals`` (n + 1,) over time: of u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each
+    kind; least and largest x, ``reach``.
     """
 
     begin: float
@@ -42,27 +42,21 @@ class Course:
     passages_t: FloatArray
     passages: FloatArray
 
-    def moments(self, row: int = -1) -> tuple[float, float]:
-        """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
-        end = self.end if row == -1 else self.maxima_t[row]
-        shift, square, *_ = self.integrals[row] / (end - self.begin)
+    def moments(self) -> tuple[float, float]:
+        """Mean of x and root mean square about it."""
+        shift, square, *_ = self.integrals / (self.end - self.begin)
         return float(self.first[0] + shift), math.sqrt(max(square - shift * shift, 0.0))
 
     @property
     def means(self) -> FloatArray:
         """Means of all coordinates."""
-        return np.array([self.moments()[0], *(self.integrals[-1, 2:] / (self.end - self.begin))])
+        return np.array([self.moments()[0], *(self.integrals[2:] / (self.end - self.begin))])
 
 
 def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence[int]) -> Course:
     """The course of a motion given by its samples, and the number of events of each kind; coordinates that come ``around``."""
     t, states = samples.t, samples.states
-    n = len(states) // 2
-
-    def integrands(state: FloatArray) -> FloatArray:
-        shift = state[0] - states[0, 0]
-        return np.array([shift, shift**2, *state[1:n]])
-
+    n, shift = len(states) // 2, states[0] - states[0, 0]
     lowest, highest = (samples.passages(n, sign) for sign in (1, -1))
     maxima, minima = samples(highest).T, samples(lowest).T
     extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
@@ -71,7 +65,7 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
     passed = np.sort(np.concatenate([turning.passages(0, sign) for sign in (1, -1) if 0 in around] or [late[:0]]))[-KEPT:]
     return Course(
         float(t[0]), float(t[-1]), states[:, 0], states[:, -1], late, maxima[-KEPT:],
-        samples.integrals_to(np.append(late, t[-1]), integrands), minima[-KEPT:], events,
+        np.array([shift, shift**2, *states[1:n]]) @ samples.weights(), minima[-KEPT:], events,
         (float(extrema.min()), float(extrema.max())), passed, samples(passed).T,
     )  # fmt: skip
 

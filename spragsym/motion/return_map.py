@@ -87,7 +87,7 @@ class Onward:
         before = last[m:] if sides == 2 else course.last
         unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
         turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
-        begin, (shift, square, *_) = float(state[0]), course.integrals[-1].tolist()
+        begin, (shift, square, *_) = float(state[0]), course.integrals.tolist()
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
         return Passage(course.last, (last[:m] - before).T / (sides * STEP), np.zeros((m, 2)), (), tuple(turns), integrals)
 

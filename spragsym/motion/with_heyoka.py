@@ -482,10 +482,9 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, seen = motion.carried, motion.seen.turns
         tops, lows, passed = (np.array(each).reshape(-1, 1 + len(last)) for each in (seen.tops, seen.lows, seen.passages))
-        integrals = np.vstack([tops[:, 1 + size :], last[size:]]) / scale
         low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
         return Course(
-            begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows[:, 1 : 1 + size],
+            begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], last[size:] / scale, lows[:, 1 : 1 + size],
             np.array(motion.seen.counts), (low, high), passed[:, 0], passed[:, 1 : 1 + size],
         )  # fmt: skip
 

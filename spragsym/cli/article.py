@@ -18,7 +18,6 @@ from ..display import aligned
 from ..errors import ParameterError, hint
 from ..models import load
 from ..models.load import page_of
-from ..motion.sweeps.workers import pool
 from ..progress import advance, show_progress
 from . import options as o
 from .output import print_json, refuse, wrapped, write
@@ -208,6 +207,7 @@ def figures(first: list[str], names: list[str], out: Path, kinds: str, workers: 
 
     matplotlib.use("Agg")  # files only; no display is needed
     from ..figures import FIGURES, FORMATS, write
+    from ..motion.sweeps.workers import pool
 
     formats = _known([kinds], FORMATS, "--format")
     names = list(dict.fromkeys([*first, *names])) or list(FIGURES)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -130,11 +131,9 @@ class Case:
         chosen = {}
         for word in near:
             name, _, value = word.partition("=")
-            try:
+            with suppress(ValueError):
                 chosen[name] = float(value) / self.state(name) if name in self.model.coordinates else math.nan
-            except ValueError:
-                chosen[name] = math.nan
-            if not math.isfinite(chosen[name]):
+            if not math.isfinite(chosen.get(name, math.nan)):
                 known = ", ".join(self.model.coordinates)
                 raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
         return p.following(**chosen) if chosen else p

@@ -347,9 +347,8 @@ class OfModel(Command):
         return {name: str(degrees(value) if name in kind.about["angles"] else value) for name, value in values.items()}
 
 
-def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:
-    """A command about a model: ``click.command`` with the common options."""
-    return command(cls=OfModel, **options)
+#: A command about a model: ``click.command`` with the common options.
+of_model = partial(command, cls=OfModel)
 
 
 def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:

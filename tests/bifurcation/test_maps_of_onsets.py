@@ -37,6 +37,7 @@ def hurwitz(M: Any, C: Any, K: Any) -> float:
     return float(a1 * a2 * a3 - a0 * a3**2 - a1**2 * a4)
 
 
+@pytest.mark.by_hand("30")
 @pytest.mark.thorough
 @pytest.mark.parametrize("n", [30, 31])
 def test_zieglers_map_reaches_both_ends_with_any_number_of_lines(n: int) -> None:

@@ -59,6 +59,7 @@ TRIPLETS = replaced(
 )  # fmt: skip
 
 
+@pytest.mark.by_hand("values0")
 @pytest.mark.thorough
 @pytest.mark.parametrize("values", [[5.0, 6.0, 7.0], [7.0, 6.0, 5.0]])
 def test_pitchforks_at_one_value_are_told_apart(values: list[float]) -> None:

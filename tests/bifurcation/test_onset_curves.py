@@ -57,7 +57,7 @@ def test_stick_slip_in_closed_form() -> None:
     assert found.changes["error"].max() < 1e-6
 
 
-@pytest.mark.by_hand("1")
+@pytest.mark.by_hand("0")
 @pytest.mark.thorough
 def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> None:
     """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies between them, and only there."""

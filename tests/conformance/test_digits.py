@@ -145,7 +145,7 @@ def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) ->
     assert set(search.region) == {"x", "y", "theta0", "mu0"}
 
 
-@pytest.mark.by_hand("soft_brake", *ALIKE)
+@pytest.mark.by_hand("soft_brake", "two_springs", *ALIKE)
 @pytest.mark.parametrize("name", few([name for name in MODELS if len(load(name).axes) == 2]))
 def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     p = a_set(name)

@@ -165,7 +165,7 @@ def test_sanitizers(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 @pytest.mark.skipif(platform.machine() != "x86_64" or "gcc" not in COMPILERS, reason="gcc's report for x86-64 is read")
 def test_loops_over_columns_become_vectors(tmp_path: Path) -> None:
     """Five times slower otherwise: one choice that gcc makes into control flow is enough."""

@@ -56,6 +56,7 @@ def stepped(file: str, values: dict[str, float], names: list[str], t_end: float)
     return fmu.getFloat64([references[name] for name in names]), events
 
 
+@pytest.mark.by_hand("cubic", "hertz", "inclined", "kang_nam", "mode", "pad", "stick_slip", "stribeck")
 @pytest.mark.parametrize("name", few(shipped(), "sprag_rod"))
 def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
     """Lift-off, reversals of the slip and a torsion spring that is counted on among them; Model Exchange as FMPy's solver can."""

@@ -36,7 +36,7 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
     assert np.allclose(lines[-1].get_ydata(), found.cusps.mu0)
 
 
-@pytest.mark.by_hand("trolley", "pad_on_disc", "two_springs", "sprag_rod", "stribeck")
+@pytest.mark.by_hand("trolley", "pad_on_disc", "two_springs", "sprag_rod", "stribeck", "cubic_contact", "damped", "inclined_belt")
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(shipped(), "mode_coupling"))
 def test_curves_pass_through_all_equilibria(name, ax):

@@ -114,6 +114,7 @@ def test_without_a_spring_along_the_belt() -> None:
     assert np.isnan(ss.jump_value(p.replace(kappa=2.0, theta0=np.linspace(0.01, 3.13, 50)))).all()
 
 
+@pytest.mark.by_hand("changes0")
 @pytest.mark.thorough
 @pytest.mark.parametrize("changes", [
     {"kappa": 1e-12}, {"kappa": 1e-9, "sigma": 3.0, "alpha": 0.2}, {"beta": 1e4}, {"alpha": 1.0}, {"alpha": 3.0, "beta": 2.0},

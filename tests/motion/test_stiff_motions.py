@@ -54,6 +54,7 @@ def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
     assert not ss.simulate(p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0).implicit
 
 
+@pytest.mark.by_hand("spragsym.motion.with_heyoka")
 @pytest.mark.thorough
 @pytest.mark.parametrize("integrator", [with_compiled, with_heyoka])
 def test_what_is_compiled_and_a_cycle_go_over_as_well(integrator: types.ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -321,7 +321,7 @@ def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tm
     assert ss.quasi_static_path(corner, "mu0", [0.0, 0.35]).jumps
 
 
-@pytest.mark.by_hand("a slow belt", "at full slip")
+@pytest.mark.by_hand("a slow belt", "at full slip", "a normal angle")
 @pytest.mark.thorough
 @pytest.mark.parametrize(
     "rows",

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -100,7 +101,11 @@ _MARGINS = (0.7, 0.25)
 
 
 def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[BoolArray, FloatArray]:
-    """Every equilibrium in contact has f′ of a sign, or a positive discriminant of K in λ² if that is asked for too."""
+    """Every equilibrium in contact has f′ of a sign, or a positive discriminant of K in λ² if that is asked for too.
+
+    All have f′ > 0: of three the middle one has not, and of two that meet neither has, so there is one. All have f′ < 0, which is
+    divergence, or a positive discriminant: there is no flutter.
+    """
 
     def test(ground: Ground) -> Verdict:
         value, slope, _, _ = ground.balance()
@@ -113,16 +118,6 @@ def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[B
         return Verdict(done | (flutter.sign() > 0), (value, slope, flutter))
 
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
-
-
-def _one_equilibrium(boxes: Boxes) -> tuple[BoolArray, FloatArray]:
-    """Every equilibrium has f′ > 0. Of three the middle one has not, and of two that meet neither has: so there is one."""
-    return _at_all_states(boxes, 1, False)
-
-
-def _no_flutter(boxes: Boxes) -> tuple[BoolArray, FloatArray]:
-    """Every equilibrium in contact has f′ < 0, which is divergence, or a positive discriminant of K in λ²."""
-    return _at_all_states(boxes, -1, True)
 
 
 # ------------------------------------------------------------------------------------------------------------ no jump
@@ -256,8 +251,11 @@ def _jumps(p: Parameters) -> BoolArray:
 #: For each claim, of which boxes it is proved and which side to cut of the others; and at which points it is false.
 CLAIMS: dict[str, tuple[Callable[[Boxes], tuple[BoolArray, FloatArray]], Callable[[Parameters], BoolArray]]] = {
     "no jump": (_no_jump, _jumps),
-    "one equilibrium": (_one_equilibrium, lambda p: count(p) == 3),
-    "no flutter": (_no_flutter, lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1)),
+    "one equilibrium": (partial(_at_all_states, slope_sign=1, discriminant=False), lambda p: count(p) == 3),
+    "no flutter": (
+        partial(_at_all_states, slope_sign=-1, discriminant=True),
+        lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1),
+    ),
 }
 
 

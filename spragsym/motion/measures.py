@@ -75,20 +75,20 @@ class Turns:
 
     def __init__(self) -> None:
         self.low, self.high = np.inf, -np.inf
-        #: Time and all that is carried.
+        #: Time and state.
         self.tops: deque[list[float]] = deque(maxlen=KEPT)
         self.lows: deque[list[float]] = deque(maxlen=KEPT)
         #: Where x passes a whole turn.
         self.passages: deque[list[float]] = deque(maxlen=KEPT)
 
-    def add(self, t: float, direction: int, carried: list[float]) -> None:
+    def add(self, t: float, direction: int, state: list[float]) -> None:
         """Note one; ``direction`` is negative where x is largest."""
         if direction < 0:
-            self.tops.append([t, *carried])
-            self.high = max(self.high, carried[0])
+            self.tops.append([t, *state])
+            self.high = max(self.high, state[0])
         else:
-            self.lows.append([t, *carried])
-            self.low = min(self.low, carried[0])
+            self.lows.append([t, *state])
+            self.low = min(self.low, state[0])
 
 
 @dataclass(frozen=True)

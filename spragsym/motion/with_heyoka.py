@@ -400,11 +400,11 @@ class Lanes(Carrier):
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         self.look(t)
-        turns, carried = self.seen[lane].turns, self.dense[:, lane].tolist()
+        turns, state = self.seen[lane].turns, self.dense[: self.m, lane].tolist()
         if border == PASSAGE:
-            turns.passages.append([t, *carried])
+            turns.passages.append([t, *state])
         else:
-            turns.add(t, direction, carried)
+            turns.add(t, direction, state)
 
     def carry(self, motions: Sequence[Traveller], begin: float, end: float) -> None:
         """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way."""
@@ -481,11 +481,11 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
 
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, seen = motion.carried, motion.seen.turns
-        tops, lows, passed = (np.array(each).reshape(-1, 1 + len(last)) for each in (seen.tops, seen.lows, seen.passages))
+        tops, lows, passed = (np.array(each).reshape(-1, 1 + size) for each in (seen.tops, seen.lows, seen.passages))
         low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
         return Course(
-            begin, end, first, last[:size], tops[:, 0], tops[:, 1 : 1 + size], last[size:] / scale, lows[:, 1 : 1 + size],
-            np.array(motion.seen.counts), (low, high), passed[:, 0], passed[:, 1 : 1 + size],
+            begin, end, first, last[:size], tops[:, 0], tops[:, 1:], last[size:] / scale, lows[:, 1:],
+            np.array(motion.seen.counts), (low, high), passed[:, 0], passed[:, 1:],
         )  # fmt: skip
 
     found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]

@@ -19,7 +19,7 @@ from ..models.parameters import ParameterSet, Range, as_numbers
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
 from ..results.equilibria import Equilibria, Stability
-from ..results.paths import Jump, Path, followed
+from ..results.paths import Jump, Path
 from ..results.points import Points
 from ..results.result import Result
 from ..statics.balance import Balance
@@ -134,7 +134,8 @@ def quasi_static_path(
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
     stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
     states = one_each(p.replace(**{vary: along}), coordinates, stability, error)
-    return followed(p, vary, along, states, tuple(jumps))
+    places = {name: getattr(states, name)[:, 0] for name in states.columns}
+    return Path(p, vary, along, states.stability[:, 0], tuple(jumps), places, states)
 
 
 def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:

@@ -64,14 +64,6 @@ class Path(OfStates, Rows):
         return getattr(self._along, name)[:, 0] if name in _OF_STATES else super()._asked(name)
 
 
-def followed(
-    p: Any, vary: str, values: FloatArray, along: Equilibria, jumps: tuple[Jump, ...]
-) -> Path:  # fmt: skip
-    """The path of the only state that is given at each value."""
-    places = {name: getattr(along, name)[:, 0] for name in along.columns}
-    return Path(p, vary, values, along.stability[:, 0], jumps, places, along)
-
-
 @dataclass(frozen=True, eq=False)
 class LowestEnd(Shown, NDArrayOperatorsMixin):
     """Where the state that is followed ends first over a range of another parameter; a number, or an array, as ``value``.

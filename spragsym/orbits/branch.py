@@ -428,32 +428,28 @@ def cycle_events(
     setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans), event=holds)
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
     first = point_of(setting, setting.looped(event.loop.guess))
-    (back, why_back), (forth, why_forth) = (_events_followed(event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
+
+    def ahead(point: Point, length: float) -> Point:
+        with doing("the curve of events beside {:.6g}", point.value):
+            return corrected(point, length, reach=0.5, iterations=9)
+
+    def followed(direction: float) -> tuple[list[Loop], str]:
+        found: list[Loop] = []
+        try:
+            for point in islice(steps(first.turned(direction), ahead, *OF_EVENTS), points):
+                if not all(low <= point.loop.values[i] <= high for i, (low, high) in zip(free, bounds, strict=True)):
+                    return found, "the range ends"
+                if event.kind == "torus" and not is_complex_pair(point.loop):
+                    return found, "its multipliers become real"
+                found.append(point.loop)
+        except (ConvergenceError, np.linalg.LinAlgError) as error:
+            return found, f"it could not be followed farther: {error}"
+        return found, f"{points} points were followed"
+
+    (back, why_back), (forth, why_forth) = followed(-1.0), followed(1.0)
     loops = [*reversed(back), first.loop, *forth]
     cycles = tuple(cycle_of(each) for each in loops)
     return EventCurve(
         event.kind, vary, np.array([[each.values[i] for i in free] for each in loops]),
         np.array([each.period for each in loops]), (why_back, why_forth), cycles,
     )  # fmt: skip
-
-
-def _events_followed(
-    kind: str, bounds: list[tuple[float, float]], points: int, first: Point, direction: float
-) -> tuple[list[Loop], str]:  # fmt: skip
-    """Loops in one direction, and why they end."""
-    found: list[Loop] = []
-
-    def ahead(point: Point, length: float) -> Point:
-        with doing("point {} in one direction of the curve", len(found) + 1):
-            return corrected(point, length, reach=0.5, iterations=9)
-
-    try:
-        for point in islice(steps(first.turned(direction), ahead, *OF_EVENTS), points):
-            if not all(low <= point.loop.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
-                return found, "the range ends"
-            if kind == "torus" and not is_complex_pair(point.loop):
-                return found, "its multipliers become real"
-            found.append(point.loop)
-    except (ConvergenceError, np.linalg.LinAlgError) as error:
-        return found, f"it could not be followed farther: {error}"
-    return found, f"{points} points were followed"

@@ -24,7 +24,7 @@ from ..questions import model_of
 from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
+from . import Cycle, CycleBranch, cycle, cycle_branch
 from .arclength import Point, between, placed, steps, turning, within, zero_of
 from .finding import cycle_near
 from .orbit import same_cycle
@@ -330,23 +330,13 @@ def _doubled(
         now, begin = branches[begin:], len(branches)
         for branch in now:
             for event in branch.of("period_doubling"):
-                if any(_ends_at(other, event) for other in branches[begin:]):
-                    continue
                 try:
                     doubled = branch.switch(event)
-                    if to[0] <= doubled.parameters[vary] <= to[1]:
+                    if to[0] <= doubled.parameters[vary] <= to[1] and not _known(branches[begin:], doubled):
                         branches.append(cycle_branch(doubled, vary, to, points=points))
                 except SpragsymError as error:
                     at = At(vary, (float(event.value),), ".10g")
                     remarks.append(Remark("the doubled cycle at {} was not found: {}", at, error))
-
-
-def _ends_at(branch: CycleBranch, event: CycleEvent) -> bool:
-    """Whether a branch of doubled cycles ends at a doubling."""
-    return any(
-        abs(end.value - event.value) < 1e-6 * (1 + abs(event.value)) and abs(end.cycle.period / event.cycle.period - 1) < 1e-5
-        for end in branch.of("end")
-    )
 
 
 def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:

@@ -433,15 +433,9 @@ class _Way:
                 raise ParameterError(f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}")
         behind = {name: float(eq.coordinates[name][slot]) for name in before}
         at_end = equilibria(self.p.replace(**{self.vary: end.value}))
-        after = behind
-        if at_end.decided and at_end.count:
-            nearest = nearest_state(at_end, behind)
-            after = {name: float(at_end.coordinates[name][nearest]) for name in before}
-        kind = Stability(int(eq.stability[slot]))
-        places = {name: np.array([value]) for name, value in after.items()}
-        at = one_each(self.p.replace(**{self.vary: [end.value]}), places, np.zeros(1, dtype=np.int8), end.error)
-        whole = self._place(number, at.columns)
-        after = {name: float(getattr(at, name)[0, 0]) for name in at.columns}
+        there, place = (at_end, int(nearest_state(at_end, behind))) if at_end.decided and at_end.count else (eq, slot)
+        after = {name: float(getattr(there, name)[place]) for name in there.columns}
+        whole, kind = self._place(number, there.columns), Stability(int(eq.stability[slot]))
         # Another search may list the states at the stop in another order.
         return int(nearest_state(self.eq, behind)[stop]), Jump(end.value, end.kind, whole, after, kind, end.error)
 

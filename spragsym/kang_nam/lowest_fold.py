@@ -40,13 +40,9 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
     if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
     columns = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
-    found = [_lowest(*map(float, point)) for point in zip(*(column.flat for column in columns), strict=True)]
-    shape = columns[0].shape
-    if not shape:
-        return LowestEnd("mu0", "theta0", *found[0])
-    parts = list(zip(*found, strict=True)) or [()] * 4
-    mu0, theta0, error = (np.array(parts[place], dtype=float).reshape(shape) for place in (0, 1, 3))
-    return LowestEnd("mu0", "theta0", mu0, theta0, np.array(parts[2], dtype=np.str_).reshape(shape), error)
+    if not columns[0].shape:
+        return LowestEnd("mu0", "theta0", *_lowest(*map(float, columns)))
+    return LowestEnd("mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns))
 
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:

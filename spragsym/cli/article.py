@@ -3,7 +3,6 @@
 import difflib
 import inspect
 import json
-import os
 import re
 import sys
 from collections.abc import Mapping, Sequence
@@ -207,14 +206,14 @@ def figures(first: list[str], names: list[str], out: Path, kinds: str, workers: 
 
     matplotlib.use("Agg")  # files only; no display is needed
     from ..figures import FIGURES, FORMATS, write
-    from ..motion.sweeps.workers import pool
+    from ..motion.sweeps.workers import count, pool
 
     formats = _known([kinds], FORMATS, "--format")
     names = list(dict.fromkeys([*first, *names])) or list(FIGURES)
     refuse((path for name in names for path in _written_before(out, _stem(name), formats)), force, made=True)
-    count = os.cpu_count() or 1 if workers == -1 else workers
+    size = count(workers)
     # One pool for all figures, since a process takes a second to start.
-    with nullcontext(1) if count == 1 else pool(count) as mapping, advance(not quiet, len(names), 0) as step:
+    with nullcontext(1) if size == 1 else pool(size) as mapping, advance(not quiet, len(names), 0) as step:
         for name in names:
             draw = FIGURES[name]
             moving = {"workers": mapping} if "workers" in inspect.signature(draw).parameters else {}

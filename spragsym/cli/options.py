@@ -205,16 +205,9 @@ def backend(*names: str) -> Decorator:
     return click.option("--backend", type=click.Choice(names), help=text)
 
 
-def _processes(_: click.Context, option: click.Parameter, count: int) -> int:
-    if count < 1 and count != -1:
-        raise ParameterError(f"{_flag(option)} {count} is not a number of processes; give 1 or more, or -1 for one a core")
-    return count
-
-
 def workers(default: int) -> Decorator:
     """``-j --workers``."""
-    text = "Processes; -1 for one a core."
-    return click.option("--workers", "-j", type=int, callback=_processes, default=default, help=text)
+    return click.option("--workers", "-j", type=int, default=default, help="Processes; -1 for one a core.")
 
 
 #: Options that say what a command is about, which are looked at before the others.

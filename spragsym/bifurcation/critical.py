@@ -376,9 +376,7 @@ class _Search:
         """Where the state ends there below a limit, from a little below a candidate; None if it does not."""
         here = self.p.replace(**{self.over: place})
         below = max(self.low, one.value - BEYOND * max(1.0, abs(one.value)))
-        state = self.beginning[place]
-        if below > self.low:
-            state = carried(self.balance, here, self.vary, np.array([self.low, below]), state)[:, -1]
+        state = carried(self.balance, here, self.vary, np.array([self.low, below]), self.beginning[place])[:, -1]
         eq = equilibria(here.replace(**{self.vary: below}))
         slot = nearest_state(eq, dict(zip(self.balance.coordinates, state.tolist(), strict=True)))
         return first_end(here, self.vary, (below, limit), start=int(slot))

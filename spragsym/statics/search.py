@@ -151,7 +151,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     reasons = kinds_of(balance, given[:, found.left_point], found.left)
     undecided = tuple(
         Undecided(
-            tuple(int(i) for i in np.unravel_index(number, shape)) if shape else (),
+            tuple(int(i) for i in np.unravel_index(number, shape)),
             tuple((-found.left[0, :, box]).tolist()),
             tuple(found.left[1, :, box].tolist()),
             reasons[box],
@@ -203,19 +203,14 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)
         for dx, dy in at.anchors:
             anchor |= dx.holds_zero() & dy.holds_zero()
-        gap = as_intervals(at.gap(), at.shape)
-        border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
-        relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
+        border = as_intervals(at.gap(), at.shape).holds_zero() & balance.opens
+        width = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
         free: BoolArray = np.zeros(count, dtype=np.bool_)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
             free = np.logical_or.reduce(forces.magnitude <= NOTHING)
-    pole, anchor, border = pole & ~free, anchor & ~free, border & ~free
-    anchor &= ~pole & (relative <= SMALL)
-    border &= ~(pole | anchor) & (relative <= SMALL)
-    rest = ~(pole | anchor | border | free)
-    return np.select(
-        [free, pole, anchor, border, rest & (relative <= ONE_PLACE), rest & (relative <= SMALL)],
+    return np.select(  # the first that holds
+        [free, pole, anchor & (width <= SMALL), border & (width <= SMALL), width <= ONE_PLACE, width <= SMALL],
         [FREE, POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
     ).tolist()  # fmt: skip
 

@@ -251,9 +251,7 @@ _COARSE, _FINE = 9, 36
 _SHARES, _ROUNDS = np.array([0.999, 0.7, 0.4]), 20
 
 
-def nearest(
-    member: Member, limits: tuple[FloatArray, FloatArray], improved: Improved
-) -> FloatArray | None:  # fmt: skip
+def nearest(member: Member, limits: tuple[FloatArray, FloatArray], improved: Improved) -> FloatArray | None:
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
     ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the smallest and the largest value of
@@ -280,7 +278,9 @@ def nearest(
 
 def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray:
     """The border on the ray to a member, or the nearest member about there."""
-    border = shortened(member, point)
+    radius = np.array([np.linalg.norm(point)])
+    ray = point[None] / radius
+    border = np.asarray(ray[0] * _shortened(member, ray, radius, _FINE))
     # Just inside of the border.
     found = improved(border * (1 - 1e-9))
     return border if found is None or np.linalg.norm(found) > np.linalg.norm(border) else found
@@ -291,10 +291,10 @@ def _on_rays(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatAr
     lengths = np.minimum(radii[:, None], _reach(rays, limits))
     with doing("designs up to {:.4g} tolerances away", lengths.max()):
         inside = member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(lengths.shape)
-    radius = np.where(inside, lengths, np.inf).min(axis=0)
-    met = np.flatnonzero(radius <= 1.5 * radius.min()) if inside.any() else np.empty(0, dtype=np.intp)
-    if not met.size:
+    if not inside.any():
         return None
+    radius = np.where(inside, lengths, np.inf).min(axis=0)
+    met = np.flatnonzero(radius <= 1.5 * radius.min())
     found = _shortened(member, rays[met], radius[met], _COARSE)
     return rays[met[np.argmin(found)]] * found.min()
 
@@ -317,15 +317,6 @@ def _reach(rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArra
     with np.errstate(divide="ignore", invalid="ignore"):
         ends = np.where(rays > 0, limits[1] / rays, np.where(rays < 0, limits[0] / rays, np.inf))
     return np.asarray(ends.min(axis=-1))
-
-
-def shortened(member: Member, point: FloatArray) -> FloatArray:
-    """A member brought nearer along its ray, to a border of the set, from inside."""
-    radius = float(np.linalg.norm(point))
-    if not radius:
-        return point
-    ray = point[None] / radius
-    return np.asarray(ray[0] * _shortened(member, ray, np.array([radius]), _FINE)[0])
 
 
 def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:

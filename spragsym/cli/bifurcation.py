@@ -19,7 +19,7 @@ from ..progress import show_progress
 from ..results.points import after_if_known
 from . import options as o
 from .case import Case
-from .output import drawn, print_rows, print_table
+from .output import drawn, print_rows
 
 
 @o.of_model(statics=True)
@@ -173,21 +173,17 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
 
     def tables() -> None:
         titles = [span.title for span in case.spans]
-        rows = [[number, *_summary(curve, titles)] for number, curve in enumerate(curves, 1)]
-        header = ["curve", "points", *(f"{title} {end}" for title in titles for end in ("from", "to")), "onset"]
-        print_table("Onsets", header, rows)
+        print_rows("Onsets", [
+            {"curve": number, "points": len(kinds := curve["criticality"]),
+             **{f"{title} {end}": pick(curve[title]) for title in titles for end, pick in (("from", min), ("to", max))},
+             "onset": ", ".join(kind for kind in ("gentle", "dangerous", "undecided") if kind in kinds)}
+            for number, curve in enumerate(curves, 1)
+        ])  # fmt: skip
         print_rows("Points on them", [{title: row[title] for title in ("kind", *titles)} for row in points])
         print_open("Onsets", told)
         click.echo(f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen")
 
     return {"parameters": case.told(), **told}, tables
-
-
-def _summary(curve: dict[str, Any], titles: Sequence[str]) -> list[Any]:
-    """How many points, between which values, and of which kinds."""
-    ends = [end(curve[title]) for title in titles for end in (min, max)]
-    kinds = [kind for kind in ("gentle", "dangerous", "undecided") if kind in curve["criticality"]]
-    return [len(curve["criticality"]), *ends, ", ".join(kinds)]
 
 
 #: Of an onset what JSON has besides the table.

@@ -202,7 +202,8 @@ def bifurcation_figure(
     if not (found.curves or len(found.cusps) or onsets):
         say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
     names = (*vary, *model.coordinates)
-    at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(*_fixed(p, vary), strict=True))
+    fixed = [one["name"] for one in model.about["parameters"] if one["role"] == "both" and one["name"] not in vary]
+    at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(fixed, p.scalars(*fixed), strict=True))
     return figure.describe(
         f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{
             ", three in contact in the shaded regions and one elsewhere" if shaded else ""
@@ -211,10 +212,3 @@ def bifurcation_figure(
         a=_table(found.curves, names),
         **({"onsets": _table(onsets.curves, (*vary, "omega"))} if onsets else {}),
     )
-
-
-def _fixed(p: ParameterSet, vary: Sequence[str]) -> tuple[list[str], tuple[float, ...]]:
-    """Parameters of the statics that do not vary, and their values."""
-    entries = p.model.about["parameters"]
-    names = [one["name"] for one in entries if one["role"] == "both" and one["name"] not in vary]
-    return names, p.scalars(*names)

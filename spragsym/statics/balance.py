@@ -140,7 +140,7 @@ class Balance(Forces, System):
     def by_rows(self, at: State) -> FloatArray:
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
         unknowns = stacked(at.q, at.shape)
-        given = self._linear(at, unknowns.nearest_to_zero, forces_apart, State.stiffness)
+        given = self._linear(at, unknowns.nearest_to_zero, State.rows, State.stiffness)
         return np.fmin(contractors.by_rows(*given), unknowns.ends)
 
     def _linear(self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]) -> Linear:
@@ -165,7 +165,7 @@ class Balance(Forces, System):
 def with_waves(at: State) -> FloatArray:
     """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
     unknowns = stacked(at.q, at.shape)
-    given = linear(replace(at, xp=FREE), unknowns.nearest_to_zero, forces_apart)
+    given = linear(replace(at, xp=FREE), unknowns.nearest_to_zero, State.rows)
     return np.fmin(contractors.by_rows(*given), unknowns.ends)
 
 
@@ -181,12 +181,6 @@ def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
 def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linear:
     there = replace(at, q=list(Intervals.point(near)), fixed=at.directions)
     return stacked(forces(there), at.shape), slopes, near, contractors.distance(stacked(at.q, at.shape).ends, near)
-
-
-def forces_apart(at: State) -> Sequence[Any]:
-    """Forces by coordinate, those between coordinates among them."""
-    rows: Sequence[Any] = at.rows("forces")
-    return rows
 
 
 def _with_lengths(at: State, length: Intervals) -> State:

@@ -218,10 +218,11 @@ class State:
 
     # ---------------------------------------------------------------------------------------------- forces
 
-    def rows(self, name: str, pushing: Any = None) -> Any:
+    def rows(self, name: str = "forces", pushing: Any = None) -> Sequence[Any]:
         """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0 as in lift-off."""
         pushing = self.balance.pushing if pushing is None else pushing
-        return self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
+        found: Sequence[Any] = self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
+        return found
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""

@@ -227,16 +227,11 @@ def _by_contact_force(at: State) -> FloatArray:
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
     touch = jets.gradient(at.contact_force(pushing), 1)[0]
     along = stacked([jets.gradient(row, 1)[0] / touch for row in at.rows("forces", pushing)], shape)
-    force = _balancing(force, stacked(_in_lift_off(at), shape), along)
-    at_near, slopes, near, reach = linear(at, unknowns.nearest_to_zero, _in_lift_off)
+    force = _balancing(force, stacked(at.rows("forces", 0), shape), along)
+    at_near, slopes, near, reach = linear(at, unknowns.nearest_to_zero, lambda at: at.rows("forces", 0))
     given = at_near + along * force, slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
     return np.fmin(found, unknowns.ends)
-
-
-def _in_lift_off(at: State) -> Sequence[Any]:
-    rows: Sequence[Any] = at.rows("forces", 0)
-    return rows
 
 
 def _closed(at: State) -> FloatArray:

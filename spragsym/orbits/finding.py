@@ -25,8 +25,8 @@ from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged
 
-#: Returns of a motion are looked at over this time.
-LOOKED_AT = 400.0
+#: Returns of a motion are looked at over this time, and over a longer one where it hardly has turned by then.
+LOOKED_AT = (400.0, 3000.0, 20000.0)
 
 #: Rounds after which a state may return, and most pairs that are tried.
 ROUNDS, TRIES = 60, 8
@@ -134,10 +134,12 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
     try:
-        if not approached:
-            passage = flow.plain(start, system.constants, LOOKED_AT, loose=True)
+        for time in () if approached else LOOKED_AT:
+            passage = flow.plain(start, system.constants, time, loose=True)
             if (found := _by_returns(system, passage.turns)) is not None:
                 return _checked(found)
+            if len(passage.turns) > 2:
+                break
         verdict = judged(system, start, times=JUDGED if patient or approached else JUDGED[:1])
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error

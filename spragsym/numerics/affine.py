@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -28,14 +28,34 @@ UNIT = 2.0**-53
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
 
 
+class _Zero(Arithmetic):
+    """The 0 of numbers without terms, and of what these reach: no arrays of zeros are made and added up."""
+
+    __array_ufunc__ = None
+
+    def __neg__(self) -> Self:
+        return self
+
+    def __add__(self, other: Any) -> Any:
+        return other
+
+    def __mul__(self, other: Any) -> Self:
+        return self
+
+    __truediv__ = __mul__
+
+
+_ZERO = _Zero()
+
+
 class Rounded(Arithmetic):
     """Numbers ``value`` ± ``error``, arrays of one shape; operations with ints and floats take these as exact."""
 
     __slots__ = ("error", "value")
     __array_ufunc__ = None  # an array on the left leaves the operation to the right
 
-    #: None.
-    terms: Any = 0.0
+    #: There are none.
+    terms: Any = _ZERO
 
     def __init__(self, value: Any, error: Any = 0.0) -> None:
         self.value, self.error = value, error
@@ -139,7 +159,7 @@ class Affine(Rounded):
 
 
 def _number(value: Any, terms: Any, error: Any) -> Rounded:
-    return Affine(value, terms, error) if np.ndim(terms) > np.ndim(value) else Rounded(value, error)
+    return Rounded(value, error) if terms is _ZERO else Affine(value, terms, error)
 
 
 def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
@@ -155,7 +175,7 @@ def _as_number(value: Any) -> Rounded:
 
 def _spread(number: Rounded) -> Any:
     """What the terms reach together."""
-    return np.abs(number.terms).sum(axis=0) if isinstance(number, Affine) else 0.0
+    return np.abs(number.terms).sum(axis=0) if isinstance(number, Affine) else _ZERO
 
 
 def sides(low: FloatArray, high: FloatArray) -> list[Affine]:

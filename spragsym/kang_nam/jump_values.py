@@ -62,8 +62,8 @@ def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) ->
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> Ends:
     """Where the reference state jumps first.
 
-    With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
-    number it lies.
+    With ``apart_from``, numbers of which each value has one, a value need only be known well enough to say on which side of its
+    number it lies. Numbers of another shape, of which a value has several, change nothing.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
     if vary in FROM_LOWER_END:
@@ -76,7 +76,7 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
     for begin in range(0, size, BLOCK):
         part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
         here = slice(begin, begin + BLOCK)
-        marks = None if apart_from is None else apart_from.reshape(-1)[here]
+        marks = None if apart_from is None or apart_from.shape != shape else apart_from.reshape(-1)[here]
         value[here], theta[here], reasons = _block(part, vary, forward, marks)
         hopeless |= {begin + i: reason for i, reason in reasons.items()}
     at = given | {vary: value}

@@ -8,7 +8,8 @@ balance. Then
     across the line:                A_y c − A_x s = 0.
 
 A stiff spring with little else to hold the mass has near-equilibria on the whole circle of its undeformed length, which is
-straight here. At the anchor, where x and y do not say the direction, φ does.
+straight here; with the tension k (l − r) for an unknown no difference of large forces is left. At the anchor, where x and y do
+not say the direction, φ does.
 
 A torsion spring pulls across its line with k_t φ/l, which has no bound at the anchor. There the balance
 
@@ -74,35 +75,38 @@ ROOM = 1.0 + 2.0**-10
 class Polar(boxes.System):
     """The balance along and across a spring's line; unknowns are φ, the length, and the other coordinates.
 
-    The unknown for the length is l over a scale, which is one more parameter, the last. ``turns`` where a torsion spring resists
-    φ.
+    The unknown for the length is l over a scale, or where the spring is so stiff that l stays beyond half of its undeformed
+    length, the elongation over a scale (``tight``). The scale is one more parameter, the last. ``turns`` where a torsion spring
+    resists φ.
     """
 
     balance: Balance
     spring: int
     chart: tuple[int, int]
     turns: bool
+    tight: bool
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance, with the scale last."""
         return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
 
-    def place(self, unknowns: Sequence[Any], nowhere: State, scale: Any) -> State:
-        """The state with φ as its turning; ``nowhere`` is the evaluation at the coordinates 0."""
+    def place(self, unknowns: Sequence[Any], nowhere: State, scale: Any) -> tuple[State, Any]:
+        """The state with φ as its turning, and the elongation; ``nowhere`` is the evaluation at the coordinates 0."""
         angle, part, *others = unknowns
         c, s = self._direction(angle, nowhere)
         q = list(nowhere.q)
         for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
             q[number] = value
-        *anchor, _ = replace(nowhere, q=q).geometry[self.spring]
-        length = part * scale
+        *anchor, rest = replace(nowhere, q=q).geometry[self.spring]
+        far = part * scale
+        length, elongation = (far + rest, far) if self.tight else (far, far - rest)
         for number, end, share in zip(self.chart, anchor, (c, s), strict=True):
             q[number] = -(length * share) + end
         at = replace(nowhere, q=q)
         lines = [
             (c, s, length) if number == self.spring else at.direction(dx, dy) for number, (dx, dy, _) in enumerate(at.geometry)
         ]
-        return replace(at, fixed=self.turned(itertools.chain(*lines), angle))
+        return replace(at, fixed=self.turned(itertools.chain(*lines), angle)), elongation
 
     def _direction(self, angle: Any, at: State) -> tuple[Any, Any]:
         """Cosine and sine of the line's direction at φ, from the one at φ = 0."""
@@ -114,13 +118,12 @@ class Polar(boxes.System):
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def rows(self, at: State) -> list[Any]:
+    def rows(self, at: State, elongation: Any) -> list[Any]:
         """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
         c, s, length = at.directions[3 * self.spring : 3 * self.spring + 3]
         forces = self.other_forces(at)
         x, y = self.chart
-        tension = (length - at.geometry[self.spring][2]) * at.of_springs("stiffnesses")[self.spring]
-        across = forces[y] * c - forces[x] * s
+        tension, across = elongation * at.of_springs("stiffnesses")[self.spring], forces[y] * c - forces[x] * s
         out = list(forces)
         out[x] = forces[x] * c + forces[y] * s - tension
         out[y] = across
@@ -148,26 +151,26 @@ class Polar(boxes.System):
 
     # ------------------------------------------------------------------------------------------ over boxes
 
-    def _placed(self, unknowns: Sequence[Any], parameters: Intervals) -> State:
+    def _placed(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[State, Any]:
         return self.place(unknowns, self.balance.at((), self.balance.arguments(parameters), parameters.shape[1:]), parameters[-1])
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """The equations over boxes."""
-        return self.rows(self._placed(unknowns, parameters))
+        return self.rows(*self._placed(unknowns, parameters))
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
-        return self.balance.beyond_border(self._placed(list(unknowns), parameters))
+        return self.balance.beyond_border(self._placed(list(unknowns), parameters)[0])
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes: the coordinates that balance the forces with these directions, and the directions towards these.
 
         A stiff straight guide is thin in the coordinates, and bent in angle and length.
         """
-        at = self._placed(list(unknowns), parameters)
+        at, elongation = self._placed(list(unknowns), parameters)
         places = Intervals(self.balance.with_directions(at))
         at = replace(at, q=list(places))
-        rows = stacked(self.rows(at), at.shape)
+        rows = stacked(self.rows(at, elongation), at.shape)
         empty = ~np.logical_and.reduce(rows.holds_zero()) | np.logical_or.reduce(places.ends[0] + places.ends[1] < 0)
         ends = self._towards(at, unknowns, parameters[-1])
         ends[:, :, empty] = -1.0
@@ -175,14 +178,16 @@ class Polar(boxes.System):
 
     def _towards(self, at: State, unknowns: Intervals, scale: Intervals) -> FloatArray:
         """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
-        dx, dy, _ = at.geometry[self.spring]
+        dx, dy, rest = at.geometry[self.spring]
         c, s = self._direction(Intervals.point(unknowns[0].middle), at)
         along, across = dx * c + dy * s, dy * c - dx * s
-        part = interval_length(dx, dy) / scale
+        lengths = interval_length(dx, dy)
+        part = ((lengths - rest) if self.tight else lengths) / scale
         # What the tangent is known of turns by less than a quarter from the middle of the box.
         slope = (across / along).ends
         turned = raised(np.arctan(slope), ARCTAN_ULPS) + np.stack([-unknowns[0].middle, unknowns[0].middle])
-        ahead = ((unknowns[1] * scale).low > 0) & (along.low > 0) & (unknowns[0].width < 3)
+        length = unknowns[1] * scale + rest if self.tight else unknowns[1] * scale
+        ahead = (length.low > 0) & (along.low > 0) & (unknowns[0].width < 3)
         ends = unknowns.ends.copy()
         ends[:, 0] = np.where(ahead, np.fmin(raised(turned), ends[:, 0]), ends[:, 0])
         ends[:, 1] = np.where(ahead, np.fmin(part.ends, ends[:, 1]), ends[:, 1])
@@ -190,7 +195,7 @@ class Polar(boxes.System):
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
-        return stacked(self._placed(list(Intervals(ends)), parameters).q, ends.shape[2:]).ends
+        return stacked(self._placed(list(Intervals(ends)), parameters)[0].q, ends.shape[2:]).ends
 
     def precise(self, given: FloatArray, bits: int) -> _PrecisePolar:
         """The equations of balls."""
@@ -206,7 +211,7 @@ class _PrecisePolar(Digits):
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The equations."""
-        return self.system.rows(self.system.place(unknowns, *self.given))
+        return self.system.rows(*self.system.place(unknowns, *self.given))
 
 
 def end_slopes(at: State, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
@@ -284,21 +289,27 @@ def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Po
     if names is None or not ends_are_linear(balance, given):
         return None
     x, y = (balance.coordinates.index(name) for name in names)
-    return Polar(balance, spring, (x, y), turns)
+    return Polar(balance, spring, (x, y), turns, False)
 
 
 def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: IntArray) -> Roots:
     """Roots and undecided boxes of some points, by their numbers."""
     given, around = given[:, points], around[:, :, points]
+    parts: list[Roots] = []
     if points.size:
         with np.errstate(all="ignore"):
-            sides, scale = _sides(system, given, around)
-        return _searched(system, np.concatenate([given, scale[None]]), sides, around).numbered(points)
-    return Roots.none(system.balance.n)
+            sides, scale, narrow = _sides(system, given, around)
+        for tight in (False, True):
+            some = np.flatnonzero(narrow == tight)
+            if some.size:
+                columns = np.concatenate([given[:, some], scale[None, some]])
+                found = _searched(replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some])
+                parts.append(found.numbered(points[some]))
+    return certified_roots.concatenated(parts, system.balance.n)
 
 
-def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """For each point the region in the unknowns, and the scale."""
+def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
+    """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
     nowhere = balance.at((), balance.over(Intervals.point(given)), shape)
     k = as_intervals(nowhere.of_springs("stiffnesses")[system.spring], shape)
@@ -312,13 +323,15 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
     forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
     most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
+    tight = most < 0.5 * rest.low
     longest = np.fmin(length, raised(rest.high + most))
     shortest = np.maximum(-BEYOND * longest, -raised(most - rest.low))
-    scale = np.where(longest > 0, longest, 1.0)
+    scale = np.where(tight, most, longest)
+    scale = np.where(scale > 0, scale, 1.0)
     turn = np.full(shape, HALF_TURN + BEYOND)
-    ends = -shortest / scale, np.ones(shape)
+    ends = np.where(tight, 1.0, -shortest / scale), np.ones(shape)
     others = [around[:, i] for i in range(balance.n) if i not in system.chart]
-    return np.stack([np.stack([turn, turn]), raised(np.stack(ends), 2), *others], axis=1), scale
+    return np.stack([np.stack([turn, turn]), raised(np.stack(ends), 2), *others], axis=1), scale, tight
 
 
 def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:
@@ -359,7 +372,8 @@ def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArr
     if system.turns:
         angle = Intervals(ends[:, 0])
         possible &= angle.mignitude <= HALF_TURN, angle.magnitude < np.pi
-    possible &= ends[1, 1] >= 0, ends[0, 1] < 0
+    if not system.tight:
+        possible &= ends[1, 1] >= 0, ends[0, 1] < 0
     return possible[0], possible[0] & possible[1]
 
 

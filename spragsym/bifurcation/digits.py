@@ -119,7 +119,7 @@ def precise_cusps(
     p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, *,
     between: Ranges | None = None, method: Method = "auto",
 ) -> CuspProof:  # fmt: skip
-    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.catastrophe.cusps.cusps`.
+    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.folds.cusps`.
 
     Each is proved for the exact parameters; that there are no more, only where all of these are floats.
     """

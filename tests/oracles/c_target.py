@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 import spragsym as ss
 from spragsym.models.parameters import NAMES
 
-#: BoolArray under which gcc and clang make vector instructions of the loops; none changes a result.
+#: Options with which gcc and clang make vector instructions of the loops; none changes a result.
 FAST = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 EQUILIBRIUM = np.dtype([*((name, np.float64) for name in ("theta", "L", "x", "y", "error")), ("stability", np.intc)], align=True)
 # One point a call, as a control loop asks.

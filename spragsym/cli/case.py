@@ -131,9 +131,10 @@ class Case:
         chosen = {}
         for word in near:
             name, _, value = word.partition("=")
+            chosen[name] = math.nan
             with suppress(ValueError):
                 chosen[name] = float(value) / self.state(name) if name in self.model.coordinates else math.nan
-            if not math.isfinite(chosen.get(name, math.nan)):
+            if not math.isfinite(chosen[name]):
                 known = ", ".join(self.model.coordinates)
                 raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
         return p.following(**chosen) if chosen else p

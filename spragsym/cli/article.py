@@ -1,4 +1,4 @@
-"""``spragsym check``: the ledgers of equations and of claims, as committed, or recomputed with ``--again``."""
+"""``spragsym check`` and ``figures``: the ledgers of equations and of claims, as committed or computed again, and the figures."""
 
 import difflib
 import inspect

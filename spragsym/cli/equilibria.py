@@ -1,4 +1,4 @@
-"""``spragsym equilibria``: a table of all equilibria of one point, or of many."""
+"""``spragsym equilibria``, ``path`` and ``critical``: all equilibria of points, and states followed as one parameter moves."""
 
 import itertools
 import math

@@ -1,4 +1,4 @@
-"""``spragsym simulate``, ``sweep`` and ``fates``: motion in time, over a grid of parameters, and what it comes to."""
+"""``spragsym simulate``, ``sweep``, ``fates`` and ``cycles``: motion in time, over a grid, what it comes to, and its cycles."""
 
 from __future__ import annotations
 

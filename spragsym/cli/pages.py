@@ -1,4 +1,4 @@
-"""``spragsym report``: the data of a brake in, a verdict out."""
+"""``spragsym report`` and ``explore``: the data of a brake in, a verdict out; and the explorer as a page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The article's Figures 11, 12 and 14: the surface of equilibria, and its shadow, the bifurcation set."""
+"""The article's Figures 11, 12 and 14, surface and bifurcation set; friction of the lowest fold; double roots but no folds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equilibrium curves: computed branch by branch, cut where a branch ends, drawn by stability."""
+"""Curves of equilibria, computed branch by branch, drawn by stability; paths along them; eigenvalues over a parameter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The oscillation: equilibria and cycles over θ₀, and the events of cycles in the plane of θ₀ and μ₀."""
+"""The oscillation: cycles beside equilibria, their branches, diagrams and events, and maps of what motions come to."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The article's Figures 4, 5 and 8 to 10: curves of equilibria over the inclination."""
+"""The article's Figures 4 to 6, 8 to 10 and 13: curves of equilibria over the inclination, and paths along them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A report as one page of HTML that needs no other file: its pictures are SVG within it. The same bytes every time."""
+"""A report as one page of HTML that needs no other file, and its pictures, SVG within it; the same bytes every time."""
 
 from __future__ import annotations
 

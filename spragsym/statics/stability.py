@@ -28,6 +28,8 @@ from .precise_balance import PreciseBalance
 REAL = 1e-9
 #: Growth rate over the frequency below which a state is practically neutral.
 NEUTRAL = 1e-4
+#: States that are looked at together: arrays of intervals of millions would take gigabytes.
+TOGETHER = 1 << 14
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
@@ -81,14 +83,24 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[Float
         ends, alone = (boxes[:, :, place[states]] for boxes in around)
     sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
+    parts = [
+        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
+        for begin in range(0, max(1, undamped.size), TOGETHER)
+    ]
+    return Linearized(*map(np.concatenate, zip(*parts, strict=True)))
+
+
+def _linearized(
+    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array
+) -> tuple[FloatArray, Int8Array, ComplexArray]:
+    """What :class:`Linearized` says of some states."""
     with np.errstate(all="ignore"):
         every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, q, given)))
     every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     fastest = every[:, 0].real
     sign = -decay(balance, given, ends, alone, undamped, fastest)
     # What rounding leaves is on the side that is proved.
-    growth = np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest))
-    return Linearized(growth, sign, every)
+    return np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest)), sign, every
 
 
 def classified(

@@ -198,9 +198,9 @@ def _state(field: Field, near: Any) -> FloatArray:
 
 
 def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
-    """The first closed orbit that Newton's method finds from two states that are alike, from the first one on if it can be."""
+    """The first closed orbit that Newton's method finds from two states that are alike: with the first one, the last one, any."""
     around = system.field.around
-    for begin, end in [*returns(turns, around, first=True), *returns(turns, around)]:
+    for begin, end in [pair for row in (0, -1, None) for pair in returns(turns, around, row)]:
         with suppress(ConvergenceError):
             loop = _from_guess(system.flow, Guess(begin.state[None], end.t - begin.t, system.values))
             if not _rests(loop):
@@ -208,20 +208,21 @@ def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
     return None
 
 
-def returns(turns: Sequence[Turn], around: tuple[int, ...], *, first: bool = False) -> list[tuple[Turn, Turn]]:
-    """Pairs of alike states, largest in x: of each number of rounds the nearest, or that from the first state on.
+def returns(turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None) -> list[tuple[Turn, Turn]]:
+    """Pairs of alike states, largest in x: of each number of rounds the nearest, or the first one (0), or the last one (−1).
 
     Those come first that are the nearest, times their rounds.
     """
     turns = [turn for turn in turns if turn.border == -1]
-    highest, found = [turn for turn in turns if turn.direction < 0], []
+    highest, found, best = [turn for turn in turns if turn.direction < 0], [], 2 * FAR
     states, scale = np.array([turn.state for turn in highest]), np.ptp([turn.state for turn in turns] or np.zeros((1, 1)), axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     for rounds in range(1, min(len(highest), ROUNDS)):
         off = np.abs(apart(states[rounds:], states[:-rounds], around) / scale).max(axis=1)
-        i = 0 if first else int(off.argmin())
-        if off[i] < FAR:
-            found.append((rounds * float(off[i]), i, i + rounds))
+        i = int(off.argmin()) if row is None else row % len(off)
+        if off[i] < best / 2:
+            best = float(off[i])
+            found.append((rounds * best, i, i + rounds))
     return [(highest[i], highest[j]) for _, i, j in sorted(found)[:TRIES]]
 
 

@@ -158,7 +158,7 @@ class Preset:
 
         Raises
         ------
-        ParameterError
+        ParameterError, ParameterTypeError
             If a parameter is missing, or is not a single number.
         """
         names = parameters.model.parameters

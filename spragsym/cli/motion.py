@@ -64,7 +64,8 @@ def simulate(
         tr.save(output)
 
     def figure() -> Any:
-        from ..figures.motions import Units, motion_figure
+        from ..figures import motion_figure
+        from ..figures.motions import Units
 
         return motion_figure(
             tr, transient, None if case.study is None else Units(1e3 * case.study.scales.length, case.time, "mm")

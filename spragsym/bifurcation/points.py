@@ -179,13 +179,13 @@ def _merged(left: FloatArray) -> FloatArray:
     return np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
 
 
-def of_ends(family: Family, found: Found, known: Callable[[float, FloatArray], str]) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range of one parameter; what is ``known`` there follows from end and boxes."""
+def of_ends(family: Family, found: Found, known: Callable[[float, FloatArray], str | None]) -> tuple[str, ...]:
+    """Remarks on undecided boxes at an end of the range of one parameter: what is ``known`` of them, none if that is None."""
     left, remarks = found.roots.left, []
     for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
-        if here.shape[2]:
-            text = f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the range{known(end, here)}"
+        if here.shape[2] and (why := known(end, here)) is not None:
+            text = f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
             remarks.append(Remark(text, At(family.vary[0], (end,), "g")))
     return tuple(remarks)
 

@@ -67,9 +67,9 @@ def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
 
-    def singular(end: float, left: FloatArray) -> str:
+    def singular(end: float, left: FloatArray) -> str | None:
         if not vanishes(Augmented(family, FOLD), end, left).any():
-            return ""
+            return None
         why = "det K is 0 in every state: equilibria there form curves, or there are none"
         return f", and {why}; for folds beside it give between with another end for {vary}"
 

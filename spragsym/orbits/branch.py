@@ -268,6 +268,8 @@ class _Trace:
                 if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
                     return [*items, self._shrunk(*(each.point for each in seen[-2:]))]
                 items.append(happened)
+            if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
+                return [*items, self._shrunk(*(each.point for each in seen[-2:]))]
             vertically = vertical(seen[-1], after, arc)
             seen = [seen[-1], after]
             return [*items, found, *self._ends(start, point, found, vertically)]
@@ -300,8 +302,6 @@ class _Trace:
             yield Finding("end", loop, moved, how=VERTICAL)
         elif ahead.value in self.to:
             yield Finding("end", loop, 0.0, how="the range ends")
-        elif extent(loop) < LEAST * min(1.0, extent(start.loop)):
-            yield Finding("end", loop, moved, how="it shrinks onto an equilibrium")
         elif loop.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
             yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=_rests(loop))
         elif point is not start and _passes(start, point, ahead):

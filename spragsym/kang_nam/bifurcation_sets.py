@@ -26,7 +26,7 @@ from ..bifurcation.defining_systems import ranges
 from ..bifurcation.tubes import ByColumn
 from ..errors import ConvergenceError
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import FloatArray, Parameters, as_count
+from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
 from ..numerics import polynomials
 from ..numerics.chains import link, walked
 from ..numerics.interval_arrays import BoolArray, IntArray
@@ -52,6 +52,8 @@ from .kernel import FIXED, Fixed
 _LIGHT = 1e-4
 #: Where it is below this, float64 does lose them, and they are refused.
 _TOO_LIGHT = 1e-8
+#: What a fold on the end of a range may lie beyond it by rounding.
+_ON_BORDER = 1e-11
 #: Fewest directions.
 _LEAST = 2000
 #: Frictions at which curves are compared with proved folds.
@@ -62,7 +64,7 @@ _FAR = 17.0
 
 def bifurcation_set(
     p: Parameters, vary: Sequence[str] | None = None, n: int | None = None, *,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
 ) -> BifurcationSet:  # fmt: skip
     """The closed form of :func:`spragsym.bifurcation_set` in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0.
 
@@ -85,7 +87,8 @@ def bifurcation_set(
     ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
     on_them = on_them.select(ahead)
     found, begin = [], directions(fixed)
-    t = np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(on_them.theta / 2))])
+    places = np.concatenate([on_them.theta, *_on_borders(p, between)])
+    t = np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(places / 2))])
     for points in curves(Condition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n):
         curve = _curve(points, fixed)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
@@ -97,19 +100,28 @@ def bifurcation_set(
     return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them.select(inside), True)
 
 
-def _within(between: Mapping[str, tuple[float, float]], columns: Mapping[str, FloatArray], size: int) -> BoolArray:
+def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
+    """θ of all folds on the ends of the ranges, proved."""
+    for (name, ends), other in itertools.product(between.items(), ("theta0", "mu0")):
+        for end in ends if name != other else ():
+            if RANGES[name].low < end < RANGES[name].high:
+                yield folds(p.replace(**{name: end}), other).theta
+
+
+def _within(between: Ranges, columns: Mapping[str, FloatArray], size: int) -> BoolArray:
     inside = np.ones(size, dtype=np.bool_)
     for name, (low, high) in between.items():
-        inside &= (low <= columns[name]) & (columns[name] <= high)
+        inside &= (low - _ON_BORDER <= columns[name]) & (columns[name] <= high + _ON_BORDER)
     return inside
 
 
-def _cut(curves: Sequence[Curve], between: Mapping[str, tuple[float, float]]) -> Iterator[Curve]:
+def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
     """The parts of curves within ranges."""
     for curve in curves:
         inside = _within(between, curve.values, len(curve))
         for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(-1, 2):
-            yield Curve({name: column[begin:end] for name, column in curve.values.items()})
+            part = {name: column[begin:end] for name, column in curve.values.items()}
+            yield Curve(part | {name: np.clip(part[name], *ends) for name, ends in between.items()})
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:

@@ -167,13 +167,14 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     balance = Balance(p.model, contact=True)
     names, shape = list(balance.parameters), found.value.shape
     there = p.replace(**{vary: np.nan_to_num(found.value)})
-    with np.errstate(all="ignore"):  # without a fold the state is NaN, and so are the slopes
+    with np.errstate(all="ignore"):
         values = balance.floats(np.stack([column.reshape(-1) for column in there.broadcast(*names)]))
         at = balance.at(list(found.state.reshape(balance.n, -1)), values, xp=np)
         K, moved = (np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), at.by_parameters(names)))
         along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)
         slopes = 0.0 - along / along[names.index(vary)]
     slopes[names.index(vary)] += 1.0
+    slopes[:, np.isnan(found.state.reshape(balance.n, -1)).any(axis=0)] = np.nan  # without a fold, whatever the forces depend on
     return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
 
 

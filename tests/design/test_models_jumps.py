@@ -49,6 +49,11 @@ def test_gradients_are_those_of_closed_forms() -> None:
     assert (found.V[low] == 0).all()  # of friction that works fully the belt's speed does not count
 
 
+def test_where_nothing_jumps_there_is_no_slope() -> None:
+    slopes = ss.jump_gradient(ss.load("stick_slip").Parameters()).slopes
+    assert np.isnan([*slopes.values()]).all()
+
+
 @pytest.mark.by_hand("cubic_contact", "pad_on_disc", "inclined_belt", "hertz_contact")
 @pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "pad_on_disc"]))
 def test_they_are_those_of_states_followed_one_by_one(name: str) -> None:

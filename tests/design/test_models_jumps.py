@@ -50,7 +50,7 @@ def test_gradients_are_those_of_closed_forms() -> None:
 
 
 def test_where_nothing_jumps_there_is_no_slope() -> None:
-    slopes = ss.jump_gradient(ss.load("stick_slip").Parameters()).slopes
+    slopes = ss.jump_gradient(ss.load("stick_slip").Parameters(), "mu_s").slopes
     assert np.isnan([*slopes.values()]).all()
 
 

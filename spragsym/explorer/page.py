@@ -56,7 +56,7 @@ def explore(p: ParameterSet) -> Page:
 
     Raises
     ------
-    ParameterError
+    ParameterError, ParameterTypeError
         If a parameter is missing or an array.
 
     Examples

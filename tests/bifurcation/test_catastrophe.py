@@ -83,10 +83,11 @@ def test_bifurcation_set_ends_where_it_must_and_is_smooth() -> None:
 @pytest.mark.parametrize("kappa", [1e-5, 1e-6, 1e-7])
 def test_curves_with_hardly_any_preload_cross_a_friction_as_often_as_folds_are_proved(kappa: float) -> None:
     p = ss.Parameters.article(kappa=kappa)
-    curves = ss.bifurcation_set(p).curves
+    whole = ss.bifurcation_set(p).curves
     for mu0 in (0.2, 0.9, 3.3, 12.0):
-        crossings = sum(np.count_nonzero(np.diff(curve.mu0 > mu0)) for curve in curves)
-        assert crossings == ss.folds(p.replace(mu0=mu0)).theta0.size
+        part = ss.bifurcation_set(p, between={"mu0": (0.9999 * mu0, 1.0001 * mu0)}).curves
+        crossings = [sum(np.count_nonzero(np.diff(curve.mu0 > mu0)) for curve in curves) for curves in (whole, part)]
+        assert crossings == [ss.folds(p.replace(mu0=mu0)).theta0.size] * 2
 
 
 @pytest.mark.thorough

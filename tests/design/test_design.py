@@ -98,6 +98,13 @@ def test_what_has_jumped_is_what_jumps_below_its_friction(family: str) -> None:
     np.testing.assert_array_equal(found[clear] == 1, (value <= p.mu0)[clear])
 
 
+def test_many_inclinations_are_told_from_one_fold() -> None:
+    p = families.near_folds(np.random.default_rng(6), 60)
+    for i in np.flatnonzero(np.isfinite(ss.jump_value(p, "theta0"))):
+        fold = float(ss.jump_value(one(p, int(i)), "theta0"))
+        assert have_jumped(one(p, int(i)).replace(theta0=fold + np.array([1e-3, -1e-12, 1e-12])), "theta0").tolist() == [1, 0, 1]
+
+
 @pytest.mark.thorough
 def test_beside_a_fold_what_has_jumped_is_what_the_path_says() -> None:
     p = families.near_folds(np.random.default_rng(6), 4000)

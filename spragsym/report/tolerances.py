@@ -18,7 +18,7 @@ from ..models.parameters import FloatArray
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Intervals, stacked
 from ..results.result import Result
-from ..statics.balance import BalanceInUnits
+from ..statics.balance import NOTHING, BalanceInUnits
 from .study import Study
 from .units import Measured
 
@@ -244,7 +244,7 @@ def working_friction(study: Study) -> tuple[float, float, float]:
     if not set(friction_depends_on(study)) & set(study.tolerances):
         return here, here, here
     low, high = friction_bounds(study)
-    return low, here, high
+    return low, here, high if high > here + NOTHING else here  # bounds of a friction that is 0 are a little above it
 
 
 def friction_depends_on(study: Study) -> tuple[str, ...]:

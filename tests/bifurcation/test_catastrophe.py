@@ -74,10 +74,8 @@ def test_bifurcation_set_ends_where_it_must_and_is_smooth() -> None:
             shown = curve.mu0 < 2
             steps = np.hypot(np.diff(curve.theta0[shown]) / math.pi, np.diff(curve.mu0[shown]))
             assert steps.size == 0 or steps.max() < 0.02
-        cusps = found.cusps
-        for i in range(len(cusps)):  # each cusp lies on a curve
-            gaps = [np.hypot(curve.theta0 - cusps.theta0[i], curve.mu0 - cusps.mu0[i]).min() for curve in found.curves]
-            assert min(gaps) < 1e-2
+        for theta0, mu0 in zip(found.cusps.theta0, found.cusps.mu0, strict=True):  # each cusp lies on a curve
+            assert min(np.hypot(curve.theta0 - theta0, curve.mu0 - mu0).min() for curve in found.curves) < 1e-2
 
 
 @pytest.mark.parametrize("kappa", [1e-5, 1e-6, 1e-7])

@@ -17,7 +17,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -358,9 +358,12 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
             return tuple(_catastrophe.fold_events(s, *exact))
         return tuple(_catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta))
 
+    def one(place: int, s: Fraction) -> Fraction:
+        return values(s)[place]
+
     found: list[Polynomial] = []
     for place, degree in enumerate(_DEGREES if exact.alpha else _DEGREES_WITHOUT_ALPHA):
-        in_sine = polynomials.interpolate(lambda s, place=place: values(s)[place], degree, Fraction)  # type: ignore[misc]
+        in_sine = polynomials.interpolate(partial(one, place), degree, Fraction)
         if any(in_sine):  # else the same at every θ
             condition = polynomials.squarefree(of_sine_in_t(polynomials.primitive(in_sine)))
             for other in [(-1, 1), *found]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import islice
@@ -266,10 +266,10 @@ class _Trace:
             after, items = Seen(found), list[Point | Finding]()
             for happened in findings(seen[-1], after, arc, seen[-2] if len(seen) > 1 else None):
                 if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
-                    return [*items, self._shrunk(*(each.point for each in seen[-2:]))]
+                    return [*items, self._shrunk(seen)]
                 items.append(happened)
             if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
-                return [*items, self._shrunk(*(each.point for each in seen[-2:]))]
+                return [*items, self._shrunk(seen)]
             vertically = vertical(seen[-1], after, arc)
             seen = [seen[-1], after]
             return [*items, found, *self._ends(start, point, found, vertically)]
@@ -286,13 +286,13 @@ class _Trace:
         moved = abs(last.value - seen[0].point.value)
         yield Finding("end", last.loop, moved, how=f"{self.points} points were followed")
 
-    def _shrunk(self, *points: Point) -> Finding:
+    def _shrunk(self, seen: Sequence[Seen]) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-        how, last = "it shrinks onto an equilibrium", points[-1]
-        if len(points) == 1:
+        how, last = "it shrinks onto an equilibrium", seen[-1].point
+        if len(seen) == 1:
             return Finding("end", last.loop, abs(last.value), how=how)
-        first, square = (extent(each.loop) ** 2 for each in points)
-        off = square * (last.value - points[0].value) / (square - first)
+        first, square = (extent(each.point.loop) ** 2 for each in seen)
+        off = square * (last.value - seen[0].point.value) / (square - first)
         return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
 
     def _ends(self, start: Point, point: Point, ahead: Point, vertically: bool) -> Iterator[Finding]:

@@ -134,7 +134,7 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
     try:
-        for time in () if approached else LOOKED_AT:
+        for time in () if approached else LOOKED_AT if patient else LOOKED_AT[:1]:
             passage = flow.plain(start, system.constants, time, loose=True)
             if (found := _by_returns(system, passage.turns)) is not None:
                 return _checked(found)

@@ -50,8 +50,9 @@ def test_gradients_are_those_of_closed_forms() -> None:
 
 
 def test_where_nothing_jumps_there_is_no_slope() -> None:
-    slopes = ss.jump_gradient(ss.load("stick_slip").Parameters(), "mu_s").slopes
-    assert np.isnan([*slopes.values()]).all()
+    for vary in ("mu_s", "v_s"):  # 0 is no v_s
+        slopes = ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes
+        assert np.isnan([*slopes.values()]).all()
 
 
 @pytest.mark.by_hand("cubic_contact", "pad_on_disc", "inclined_belt", "hertz_contact")

@@ -11,7 +11,6 @@ cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from types import MappingProxyType
 from typing import Any, Self
 
@@ -22,16 +21,16 @@ from ..models import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.balls import XP as BALLS
-from ..numerics.boxes import POLE, System
+from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, raised, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import Digits
-from ..statics.balance import AWAY, Balance
+from ..statics.balance import AWAY, Balance, PreciseBalance, Spans, StateSystem
 from ..statics.forces import State
 from ..statics.namespaces import XP
-from ..statics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
+from ..statics.precise_balance import boxes_of, settled_by_digits
 from ..statics.regions import by_hand
 
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
@@ -281,13 +280,12 @@ def _slope(value: Any, variable: int) -> Any:
     return value.differentiated(variable) if isinstance(value, Jet) else 0
 
 
-class Augmented(System):
+class Augmented(StateSystem):
     """Balance and condition; unknowns are the coordinates, then the parameters that vary."""
 
     def __init__(self, family: Family, condition: Condition) -> None:
         self.family, self.balance, self.condition = family, family.balance, condition
         self.n = self.balance.n + len(family.vary)
-        self.opens, self.sides = self.balance.opens, self.balance.sides
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance; an unknown is replaced at each evaluation."""
@@ -298,9 +296,13 @@ class Augmented(System):
         with np.errstate(all="ignore"):
             return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
 
-    def state(self, unknowns: Sequence[Any], parameters: Intervals, shape: Shape, sides: Sequence[int] | None = None) -> State:
+    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation at intervals or jets of them."""
-        return self.evaluated(unknowns, self.balance.arguments(parameters), shape, sides=sides)
+        return self.evaluated(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:], sides=sides)
+
+    def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
+        """The system of balls."""
+        return PreciseAugmented(self, given, bits)
 
     def evaluated(
         self, unknowns: Sequence[Any], fixed: Mapping[str, Any], shape: Shape, xp: Any = XP,
@@ -312,42 +314,33 @@ class Augmented(System):
         values = {**fixed, **self.balance.with_angles(changed, xp)}
         return State(self.balance, unknowns[:n], values, shape, xp=xp, sides=sides)
 
-    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """The gap of the contact over boxes, shape (N,)."""
-        shape = unknowns.shape[1:]
-        return stacked([self.state(list(unknowns), parameters, shape).gap()], shape)[0]
-
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces and condition over boxes."""
         return self._values(unknowns, parameters, self.balance.anywhere)
 
     def _values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
         """Values of the system on either side of the rays where torsion angles jump."""
-        shape = unknowns.shape[1:]
-        at = self.state(list(unknowns), parameters, shape, sides)
-        extra = at
+        at = extra = self.state(unknowns, parameters, sides)
         if self.condition.order:
             # Derivatives that the condition itself is made of.
-            extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape, sides)
+            extra = self.state(variables(list(unknowns), self.condition.order), parameters, sides)
         values = [*at.forces(), *self.condition.equations(extra)]
-        return stacked([constant(value) for value in values], shape)
+        return stacked([constant(value) for value in values], at.shape)
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Their slopes by coordinates and parameters."""
-        shape = unknowns.shape[1:]
-        at = self.state(variables(list(unknowns), self.condition.order + 1), parameters, shape)
+        at = self.state(variables(list(unknowns), self.condition.order + 1), parameters)
         # By the coordinates the stiffness itself, which is sharper, and finite where a law like Hertz's begins.
         n = self.balance.n
         rows = [
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
             for row, force in zip(at.slopes(), at.forces(), strict=True)
         ]
-        return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], shape)
+        return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], at.shape)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, or without what the condition asks for."""
-        shape = unknowns.shape[1:]
-        at = self.state(list(unknowns), parameters, shape)
+        at = self.state(unknowns, parameters)
         out: BoolArray = self.balance.nothing_at(at)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
         if self.condition.singular:
@@ -361,16 +354,14 @@ class Augmented(System):
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
-        at = self.state(list(unknowns), parameters, unknowns.shape[1:])
+        at = self.state(unknowns, parameters)
         poles: BoolArray = self.balance.at_poles(at, width)
         return poles if self.condition.given_up is None else poles | self.condition.given_up(at)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""
-        n, shape = self.balance.n, unknowns.shape[1:]
-        at = self.state(list(unknowns), parameters, shape, self.balance.anywhere)
-        ends = self.balance.with_directions(at)
-        return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)
+        ends = self.balance.with_directions(self.state(unknowns, parameters, self.balance.anywhere))
+        return np.concatenate([ends, unknowns.ends[:, self.balance.n :]], axis=1)
 
 
 def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
@@ -380,24 +371,22 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     with np.errstate(all="ignore"):
         if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
             return found  # no number of digits tells what is there
-    return settled_by_digits(system, system.family.begin, region, found, partial(PreciseAugmented, system), most=CLUSTERS)
+    return settled_by_digits(system, system.family.begin, region, found, most=CLUSTERS)
 
 
-class PreciseAugmented(Digits):
+class PreciseAugmented(PreciseBalance):
     """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
 
+    slopes = Digits.slopes
+
     def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        self.system, self.bits, self.order = system, bits, system.condition.order
-        self.arguments = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans).arguments
+        super().__init__(system.balance, np.nan_to_num(given), bits, spans)
+        self.system, self.order = system, system.condition.order
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Residuals of the balance of forces and of the bifurcation condition."""
         at = self.state(unknowns)
         return [*at.forces(), *self.system.condition.equations(at)]
-
-    def gap(self, unknowns: Sequence[Any]) -> Any:
-        """Gap of the contact."""
-        return self.state(unknowns).gap()
 
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at balls or jets of balls."""

@@ -18,9 +18,9 @@ from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.precise_roots import narrowed
 from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
-from ..statics.balance import Balance
+from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import State
-from ..statics.precise_balance import PreciseBalance, once_around
+from ..statics.precise_balance import once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
@@ -94,7 +94,7 @@ def _state(
 ) -> PreciseEquilibrium | None:  # fmt: skip
     """The equilibrium in a box; None where it lies beyond the border of the contact."""
     q = _narrowed(system, box, alone)
-    if not _on_its_side(balance, system.gap(q)):
+    if not _on_its_side(balance, system.state(q).gap()):
         return None
     numbers, error, _ = as_numbers((*_columns(system.state(q)), *q), digits)
     named = dict(zip(columns_of(balance.model), numbers, strict=True))
@@ -174,7 +174,7 @@ def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatAr
     return PreciseCusp(named, as_mpf(radius), versal=True)
 
 
-def _narrowed(system: PreciseBalance | PreciseAugmented, box: FloatArray, alone: FloatArray) -> list[Any]:
+def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Any]:
     """The root in a box of floats. The box gets narrower as bits are added: an angle may be known worse than the coordinates."""
     root = narrowed(system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM)))
     if root is None:

@@ -33,7 +33,6 @@ from .defining_systems import (
     Augmented,
     Condition,
     Family,
-    PreciseAugmented,
     no_damping,
     undamped_mode,
 )
@@ -259,14 +258,12 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     candidates = np.array([z for z, _ in sightings]).reshape(-1, system.n).T
     room = ROOM * np.maximum(1.0, np.abs(candidates))
     wide = np.stack([room - candidates, room + candidates])
-    precise = PreciseAugmented(system, fixed[:, 0], ROOT_BITS)
+    precise = system.precise(fixed[:, 0], ROOT_BITS)
     known = [narrowed(precise, box, box) for box in np.moveaxis(wide, 2, 0)]
     sure = np.array([root is not None for root in known], dtype=np.bool_)
     ends = np.concatenate([wide[:, :, :0], *(as_intervals(root).ends for root in known if root is not None)], axis=2)
     omega = np.array([omega for _, omega in sightings])[~sure]
-    proved, open_ = (
-        on_its_side(system, fixed, Roots.at(part), partial(PreciseAugmented, system)) for part in (ends, wide[:, :, ~sure])
-    )
+    proved, open_ = (on_its_side(system, fixed, Roots.at(part)) for part in (ends, wide[:, :, ~sure]))
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
     omega = omega[linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
     every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)

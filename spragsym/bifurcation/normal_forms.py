@@ -28,9 +28,8 @@ from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
 from ..numerics.balls import XP, Ball, Undecided, ball
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant
-from ..statics.balance import Balance
+from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Values
-from ..statics.precise_balance import PreciseBalance
 
 #: Bits of all balls; the box around the point has some fifty of them.
 BITS = 106

@@ -15,7 +15,6 @@ other u and λ one curve of states begins, λ = λ* + λ' w + …: for w → 0 i
 import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -37,7 +36,7 @@ from ..statics.precise_balance import on_its_side, once_around
 from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
-from .defining_systems import Augmented, Condition, Family, PreciseAugmented, settled
+from .defining_systems import Augmented, Condition, Family, settled
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
 BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
@@ -99,8 +98,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         around = np.concatenate([around[:, :-1], [[[-LEAST]], around[1:, -1]]], axis=1)
     if alone:
         roots = settled(system, around, roots)
-    roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system))
-    roots = once_around(balance, roots)
+    roots = once_around(balance, on_its_side(system, fixed, roots))
     if alone:
         roots = roots.kept(left=~shared(system, roots.left))
     return Found(roots, around, whole)
@@ -223,7 +221,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
     value: Any = 0 if exactly else Intervals.point(np.full(count, end))
     try:
         with np.errstate(all="ignore"):
-            at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count), (count,))
+            at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count))
             values = stacked(system.condition.equations(at), (count,))
     except ZeroDivisionError:  # a law that has no value there
         return np.zeros(count, dtype=np.bool_)
@@ -352,8 +350,6 @@ class _Chart(boxes.System):
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes of directions in which the contact opens."""
-        if not self.balance.opens:
-            return np.zeros(unknowns.shape[1:], dtype=np.bool_)
         _, gap = self.rows(list(unknowns), parameters)
         return self.balance.sides(stacked([constant(gap)], unknowns.shape[1:])[0])[1]
 

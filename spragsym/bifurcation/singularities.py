@@ -38,11 +38,11 @@ from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
-from ..statics.balance import NOTHING, Balance
+from ..statics.balance import NOTHING, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
 from ..statics.forces import State, Values
 from ..statics.namespaces import follows
-from ..statics.precise_balance import PreciseBalance, clusters, on_side
+from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.regions import region
 from ..statics.stability import with_a_zero
@@ -190,7 +190,7 @@ class _OnMirror(boxes.System):
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
         at = self.completed(list(unknowns), parameters)
-        return self.balance.beyond_border(at)
+        return at.beside_border()[1]
 
 
 def _mirrors(family: Family) -> list[_Mirror]:
@@ -261,7 +261,7 @@ def told_apart(family: Family, found: Found, column: int) -> tuple[BoolArray, Bo
         return nonzero, none
     system = Augmented(family, cusp(column))
     with np.errstate(all="ignore"):
-        K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0]), shape).slopes()
+        K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes()
         for i in range(n):
             value = constant(cofactor(K, column, i))
             nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
@@ -324,7 +324,7 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
     """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
     system, balance = Augmented(family, FOLD), family.balance
     with np.errstate(all="ignore"):
-        at = system.state(variables(list(box), 1), system.fixed(1), (1,))
+        at = system.state(variables(list(box), 1), system.fixed(1))
         K, n = at.stiffness(), balance.n
         rows = at.rows("forces")
         adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]

@@ -1,21 +1,27 @@
 """The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import reduce
 from operator import mul
+from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..models.model import Model
 from ..models.quantities import Unit
-from ..numerics import contractors, jets
+from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix
+from ..numerics.balls import ball
 from ..numerics.boxes import POLE, System
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
-from .forces import Forces, State, Values, as_intervals
+from ..numerics.precise_roots import Digits
+from .forces import Forces, State, Values
 from .namespaces import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
@@ -29,10 +35,24 @@ NOTHING = 1e-290
 Excluded: TypeAlias = Callable[[IntArray, Sequence[int]], BoolArray]
 #: Rows of forces at a state.
 Rows: TypeAlias = Callable[[State], Sequence[Any]]
+#: Ends of parameters that lie in a range.
+Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
-class Balance(Forces, System):
+class StateSystem(System):
+    """A system of which the roots are states of a model."""
+
+    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+        """The evaluation over boxes, whose unknowns are intervals or jets of them."""
+        raise NotImplementedError
+
+    def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
+        """The system with many digits at one point of parameters."""
+        raise NotImplementedError
+
+
+class Balance(Forces, StateSystem):
     """Forces as the search asks for them: unknowns are the coordinates.
 
     Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into the arguments of the
@@ -41,6 +61,10 @@ class Balance(Forces, System):
 
     #: Whether forces contain a length, once that was asked.
     _lengths: bool | None = None
+
+    def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
+        """Forces of balls."""
+        return PreciseBalance(self, given, bits)
 
     def state(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation over boxes."""
@@ -75,7 +99,7 @@ class Balance(Forces, System):
 
     def nothing_at(self, at: State) -> BoolArray:
         """Whether nothing acts at coordinates."""
-        out = self.beyond_border(at)
+        _, out = at.beside_border()
         for spring, (dx, dy) in enumerate(at.anchors):
             # Farther from the anchor the direction is known so well that the forces themselves tell.
             rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
@@ -99,20 +123,6 @@ class Balance(Forces, System):
             every = itertools.product((1, -1), repeat=len(self.torsions))
             out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
         return out
-
-    def beyond_border(self, at: State) -> BoolArray:
-        """Boxes that lie on the other side of the contact's border."""
-        return self.sides(as_intervals(at.gap(), at.shape))[1] if self.opens else np.zeros(at.shape, dtype=np.bool_)
-
-    def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
-        """Gaps on this side of the contact's border or on it, and gaps beyond it."""
-        if self.contact:
-            return gap.high <= self.room, gap.low > self.room
-        return gap.low >= -self.room, gap.high < -self.room
-
-    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """The gap of the contact over boxes, shape (N,)."""
-        return as_intervals(self.state(unknowns, parameters).gap(), unknowns.shape[1:])
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
@@ -200,6 +210,30 @@ def _no_direction(at: State, spring: int) -> BoolArray:
     M = matrix([jets.gradient(row, 2) for row in forces(*jets.variables([cover, cover], 1))], at.shape)
     none = Intervals(np.zeros((2, *at.shape)))
     return contractors.no_unit_vector(stacked(forces(none, none), at.shape), M)
+
+
+class PreciseBalance(Digits):
+    """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
+
+    def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
+        self.balance, self.bits = balance, bits
+        with balls.precision(bits):
+            between = {name: balls.between(*ends) for name, ends in spans.items()}
+        numbers = zip(balance.parameters, given, strict=True)
+        values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
+        self.arguments = balance.arguments_of(values, balls.XP)
+
+    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """Forces at coordinates."""
+        return self.state(unknowns).forces()
+
+    def slopes(self, unknowns: Sequence[Any]) -> Matrix:
+        """Stiffness at coordinates."""
+        return self.state(unknowns).slopes()
+
+    def state(self, unknowns: Sequence[Any]) -> State:
+        """The evaluation at coordinates."""
+        return self.balance.at(unknowns, self.arguments, xp=balls.XP)
 
 
 class BalanceInUnits(Balance):

@@ -124,6 +124,14 @@ class Forces:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
         return State(self, q if len(q) else [0] * self.n, values, shape, xp)
 
+    def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
+        """Gaps on this side of the contact's border or on it, and gaps beyond it; all on this side where it never opens."""
+        if not self.opens:
+            return np.ones(gap.shape, dtype=np.bool_), np.zeros(gap.shape, dtype=np.bool_)
+        if self.contact:
+            return gap.high <= self.room, gap.low > self.room
+        return gap.low >= -self.room, gap.high < -self.room
+
     def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
         law, own = at.call("friction_by_parameters", ()), self.model.about["by_parameters"]
@@ -278,6 +286,10 @@ class State:
     def gap(self) -> Any:
         """The gap of the contact."""
         return self.call("contact_gap", self.q, kind="statics")
+
+    def beside_border(self) -> tuple[BoolArray, BoolArray]:
+        """Boxes on this side of the contact's border or on it, and boxes beyond it."""
+        return self.balance.sides(as_intervals(self.gap(), self.shape))
 
     def mirrored(self) -> Sequence[Any]:
         """The image of the state in the model's mirror."""

@@ -38,21 +38,20 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
 
-from ..numerics import boxes, certified_roots, contractors, jets
+from ..numerics import certified_roots, contractors, jets
 from ..numerics.balls import ball
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, stacked
 from ..numerics.interval_arrays import length as interval_length
 from ..numerics.precise_roots import Digits
-from .balance import Balance
+from .balance import Balance, PreciseBalance, StateSystem
 from .forces import State, as_intervals
 from .namespaces import XP
-from .precise_balance import PreciseBalance, refined, settled_by_digits
+from .precise_balance import refined, settled_by_digits
 
 #: Bound, in units of 2⁻⁵² relative, on the error of NumPy's arctangent.
 ARCTAN_ULPS = 8.0
@@ -72,7 +71,7 @@ ROOM = 1.0 + 2.0**-10
 
 
 @dataclass(frozen=True)
-class Polar(boxes.System):
+class Polar(StateSystem):
     """The balance along and across a spring's line; unknowns are φ, the length, and the other coordinates.
 
     The unknown for the length is l over a scale, or where the spring is so stiff that l stays beyond half of its undeformed
@@ -154,13 +153,17 @@ class Polar(boxes.System):
     def _placed(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[State, Any]:
         return self.place(unknowns, self.balance.at((), self.balance.arguments(parameters), parameters.shape[1:]), parameters[-1])
 
+    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+        """The evaluation over boxes."""
+        return self._placed(list(unknowns), parameters)[0]
+
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """The equations over boxes."""
         return self.rows(*self._placed(unknowns, parameters))
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
-        return self.balance.beyond_border(self._placed(list(unknowns), parameters)[0])
+        return self.state(unknowns, parameters).beside_border()[1]
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes: the coordinates that balance the forces with these directions, and the directions towards these.
@@ -195,19 +198,21 @@ class Polar(boxes.System):
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
-        return stacked(self._placed(list(Intervals(ends)), parameters)[0].q, ends.shape[2:]).ends
+        return stacked(self.state(Intervals(ends), parameters).q, ends.shape[2:]).ends
 
     def precise(self, given: FloatArray, bits: int) -> _PrecisePolar:
         """The equations of balls."""
         return _PrecisePolar(self, given, bits)
 
 
-class _PrecisePolar(Digits):
+class _PrecisePolar(PreciseBalance):
     """The equations at one point, of balls or jets of balls."""
 
+    slopes = Digits.slopes
+
     def __init__(self, system: Polar, given: FloatArray, bits: int) -> None:
-        nowhere = PreciseBalance(system.balance, given[:-1], bits).state(())
-        self.system, self.bits, self.given = system, bits, (nowhere, ball(float(given[-1]), bits))
+        super().__init__(system.balance, given[:-1], bits)
+        self.system, self.given = system, (self.state(()), ball(float(given[-1]), bits))
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The equations."""
@@ -338,8 +343,8 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
     """All roots of points, as boxes of coordinates."""
     with np.errstate(all="ignore"):
         found = certified_roots.search(system, sides, given, given)
-        found = refined(given, found, system.precise)
-        found = settled_by_digits(system, given, sides, found, system.precise)
+        found = refined(system, given, found)
+        found = settled_by_digits(system, given, sides, found)
         found = found if system.turns else _once_around(found)
         prepared = system.prepared(Intervals.point(given))
         possible, sure = _are_equilibria(system, found.ends)
@@ -349,7 +354,7 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
         # On which side of the border a root lies that floats can't tell from it, digits do.
         on_border = ~contractors.within(roots.ends, around[:, :, point])
-        roots = refined(given[:-1], roots, partial(PreciseBalance, balance), on_border)
+        roots = refined(balance, given[:-1], roots, on_border)
         left = system.cartesian(found.left, prepared[:, left_point])
     return _apart(roots.besides(left, left_point), around)
 

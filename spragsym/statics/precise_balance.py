@@ -7,30 +7,22 @@ proved at the root itself: over the box in which it is known to floats, and wher
 What digits do not tell from a root on the border is among the boxes that are left.
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from types import MappingProxyType
-from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
 from ..models.field import BEGIN, TURN
-from ..numerics import balls, contractors
-from ..numerics.arithmetic import Matrix
-from ..numerics.balls import XP, Ball, Undecided, ball
-from ..numerics.boxes import POLE, System
+from ..numerics import contractors
+from ..numerics.balls import Ball, Undecided
+from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
-from ..numerics.precise_roots import Digits, Reduced, as_intervals, narrowed, outward, reduced_roots
-from .balance import Balance
-from .forces import State
+from ..numerics.precise_roots import Reduced, as_intervals, narrowed, outward, reduced_roots
+from .balance import Balance, StateSystem
 
-#: Ends of parameters that lie in a range.
-Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
-#: A system at one point of parameters, with a number of bits.
-Precise: TypeAlias = Callable[[FloatArray, int], Digits]
 #: Bits of the forces where roots are looked for, and of a root that is known.
 BITS, ROOT_BITS = (160, 320), 256
 #: Bound on the error up to which a state counts as settled.
@@ -43,34 +35,6 @@ ALL_OVER = 32
 AROUND = 2.0**-13
 #: Where the turn ends; the search goes beyond it at both ends.
 END = BEGIN + TURN
-
-
-class PreciseBalance(Digits):
-    """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
-
-    def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        self.balance, self.bits = balance, bits
-        with balls.precision(bits):
-            between = {name: balls.between(*ends) for name, ends in spans.items()}
-        numbers = zip(balance.parameters, given, strict=True)
-        values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
-        self.arguments = balance.arguments_of(values, XP)
-
-    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Forces at coordinates."""
-        return self.state(unknowns).forces()
-
-    def slopes(self, unknowns: Sequence[Any]) -> Matrix:
-        """Stiffness at coordinates."""
-        return self.state(unknowns).slopes()
-
-    def gap(self, unknowns: Sequence[Any]) -> Any:
-        """Gap of the contact at coordinates."""
-        return self.state(unknowns).gap()
-
-    def state(self, unknowns: Sequence[Any]) -> State:
-        """The evaluation at coordinates."""
-        return self.balance.at(unknowns, self.arguments, xp=XP)
 
 
 def renewed(found: Roots, around: FloatArray, points: IntArray, parts: Sequence[Roots]) -> Roots:
@@ -88,18 +52,18 @@ def clustered(around: FloatArray, found: Roots) -> Roots:
     return renewed(found, around, np.unique(owner), [Roots.none(len(hulls[0])).besides(hulls, owner)])
 
 
-def refined(given: FloatArray, found: Roots, precise: Precise, among: BoolArray | bool = False) -> Roots:
+def refined(system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False) -> Roots:
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
-        box = narrowed(precise(given[:, found.point[root]], ROOT_BITS), ends[:, :, root], found.alone[:, :, root])
+        box = narrowed(system.precise(given[:, found.point[root]], ROOT_BITS), ends[:, :, root], found.alone[:, :, root])
         if box is not None:
             ends[:, :, root] = np.fmin(as_intervals(box).ends[:, :, 0], ends[:, :, root])
     return replace(found, ends=ends)
 
 
 def settled_by_digits(
-    system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise,
+    system: StateSystem, given: FloatArray, around: FloatArray, found: Roots,
     *, without: Collection[int] = (), most: int = CLUSTERS,
 ) -> Roots:  # fmt: skip
     """What a search has left or knows to few digits, with many digits, one cluster after the other.
@@ -110,7 +74,7 @@ def settled_by_digits(
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = (count <= most) & ~np.isin(points, list(without))
     parts = [
-        _or_known(found.of(np.array([point])), hulls[:, :, k], reduced(system, given[:, point], hulls[:, :, k], precise, point))
+        _or_known(found.of(np.array([point])), hulls[:, :, k], reduced(system, given[:, point], hulls[:, :, k], point))
         for k, point in enumerate(owner.tolist())
         if few[which[k]]
     ]
@@ -132,7 +96,7 @@ def boxes_of(found: Roots) -> tuple[FloatArray, IntArray]:
     return ends, np.concatenate([found.left_point, found.point[poor]])
 
 
-def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Precise, point: int = 0) -> Roots:
+def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: int = 0) -> Roots:
     """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave something."""
     cluster = cluster + (0.25 * (cluster[0] + cluster[1]) + 1e-9)
     middle = Intervals(cluster).middle
@@ -144,7 +108,7 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Pre
     found = Reduced([], [], [[(Fraction(low), Fraction(high)) for low, high in box]])
     for bits in BITS if not pole and np.isfinite(slopes).all() else ():
         with suppress(Undecided):
-            found = reduced_roots(precise(given, bits).values, box, slopes, bits)
+            found = reduced_roots(system.precise(given, bits).values, box, slopes, bits)
             if not found.left or len(found.left) > ALL_OVER:
                 break
     ends, alone, left = (
@@ -177,52 +141,31 @@ def _around(boxes: FloatArray) -> FloatArray:
     return boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
 
 
-class WithGap(Protocol):
-    """A system whose roots are states of a model."""
-
-    #: Whether the contact opens at all.
-    opens: bool
-
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Parameters as the system takes them."""
-
-    def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
-        """Gaps on the side of the border that is asked for or on it, and gaps beyond it."""
-
-    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """The gap of the contact over boxes, shape (N,)."""
-
-
-def on_its_side(system: WithGap, given: FloatArray, found: Roots, precise: Callable[[FloatArray, int], Any]) -> Roots:
+def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
     """Roots on the side of the border that was asked for; those that may lie on it among the boxes that are left.
 
-    ``given`` are parameters, shape (parameters, points), ``precise`` makes the system with many digits at one of them.
+    ``given`` are parameters, shape (parameters, points).
     """
-    if not system.opens:
-        return found
     inside, beyond = on_side(system, _at(system, given, found.point), found.ends)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
-        digits = precise(given[:, found.point[row]], ROOT_BITS)
+        digits = system.precise(given[:, found.point[row]], ROOT_BITS)
         with suppress(Undecided, ZeroDivisionError):
             root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
-            gap = None if root is None else digits.gap(root)
+            gap = None if root is None else digits.state(root).gap()
             if isinstance(gap, Ball):
-                inside[row : row + 1], beyond[row : row + 1] = system.sides(as_intervals([gap])[0])
+                inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(as_intervals([gap])[0])
     open_ = ~(inside | beyond)
     found = found.kept(inside).besides(found.ends[:, :, open_], found.point[open_])
     return found.kept(left=~on_side(system, _at(system, given, found.left_point), found.left)[1])
 
 
-def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
+def on_side(system: StateSystem, parameters: Intervals, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
     """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that lie beyond it."""
-    if not system.opens:
-        every = np.ones(ends.shape[2], dtype=np.bool_)
-        return every, ~every
     with np.errstate(all="ignore"):
-        return system.sides(system.gap_over(Intervals(ends), parameters))
+        return system.state(Intervals(ends), parameters).beside_border()
 
 
-def _at(system: WithGap, given: FloatArray, point: IntArray) -> Intervals:
+def _at(system: StateSystem, given: FloatArray, point: IntArray) -> Intervals:
     with np.errstate(all="ignore"):
         return system.prepared(Intervals.point(given[:, point]))
 

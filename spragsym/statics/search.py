@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,7 @@ from . import stability
 from .balance import NOTHING, Balance
 from .forces import as_intervals
 from .polar import around_anchors, stiff_points, turned_points
-from .precise_balance import PreciseBalance, clustered, on_its_side, once_around, refined, settled_by_digits
+from .precise_balance import clustered, on_its_side, once_around, refined, settled_by_digits
 from .reference_state import in_order
 from .regions import by_hand, region
 from .states import Held
@@ -107,9 +106,8 @@ def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None)
     stiff, done = stiff_points(balance, given[:, others], around[:, :, others])
     rest = others[~done]
     parts = [turned, stiff.numbered(others), _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)]
-    precise = partial(PreciseBalance, balance)
-    found = refined(given, certified_roots.concatenated(parts, balance.n), precise)
-    return once_around(balance, on_its_side(balance, given, found, precise)), around, whole
+    found = refined(balance, given, certified_roots.concatenated(parts, balance.n))
+    return once_around(balance, on_its_side(balance, given, found)), around, whole
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
@@ -124,7 +122,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
         parts.append(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
     found = certified_roots.concatenated(parts, balance.n)
     found = around_anchors(balance, given, around, found)
-    found = settled_by_digits(balance, given, around, found, partial(PreciseBalance, balance), without=along.tolist())
+    found = settled_by_digits(balance, given, around, found, without=along.tolist())
     return around_anchors(balance, given, around, found, 0.0)
 
 

@@ -20,9 +20,8 @@ from ..numerics.balls import Undecided, ball
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results.equilibria import Equilibria, Stability
-from .balance import NOTHING, Balance
+from .balance import NOTHING, Balance, PreciseBalance
 from .forces import State, as_intervals
-from .precise_balance import PreciseBalance
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9

@@ -156,9 +156,7 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
         curvature = np.sign(kernel.f_curvature(c, s, *trig))
         changes = _catastrophe.unfolding(c, s, c0, s0, mu0, *fixed)
         after = on_circle(kernel.landing(t, trig, np.sqrt))
-        (_, x, y), (_, x_after, y_after) = (
-            kernel.state(*at[:2], c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1) for at in ((c, s), after)
-        )
+        (_, x, y), (_, x_after, y_after) = (kernel.state_of(*at[:2], c0, s0, *fixed) for at in ((c, s), after))
     by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
     return Curve({
         "theta0": theta0, "mu0": mu0, "theta": 2 * np.arctan(t), "x": x, "y": y, "upper": curvature > 0,
@@ -260,36 +258,21 @@ def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
     same = (number[:, :-1] >= 0) & (number[:, 1:] >= 0) & on
     link(links, zip(number[:, :-1][same].tolist(), number[:, 1:][same].tolist(), strict=True))
     for place in np.flatnonzero(~on):
-        rows = [number[:, k] >= 0 for k in (place, place + 1)]
-        (before, first), (after, second) = (
-            (columns.theta0[some, place + k], number[some, place + k].tolist()) for k, some in enumerate(rows)
-        )
-        found = _nearest(before, after)
-        link(links, ((first[one], second[other]) for one, other in found.items()))
-        link(links, ((first[one], first[other]) for one, other in _couples(before, set(found))))
-        link(links, ((second[one], second[other]) for one, other in _couples(after, set(found.values()))))
+        both = slice(place, place + 2)
+        some = number[:, both] >= 0
+        who, pairs = number[:, both][some].tolist(), _pairs(columns.theta0[:, both][some], np.nonzero(some)[1])
+        link(links, ((who[one], who[other]) for one, other in pairs))
     return links
 
 
-def _nearest(before: FloatArray, after: FloatArray) -> dict[int, int]:
-    """Which root of a direction continues as which of the next, where their number changes."""
-    from scipy.optimize import linear_sum_assignment
-
-    far = np.abs(before[:, None] - after)
-    return {int(one): int(other) for one, other in zip(*linear_sum_assignment(far), strict=True) if far[one, other] < _STEP}
-
-
-def _couples(theta0: FloatArray, linked: set[int]) -> list[tuple[int, int]]:
-    """Neighbours without a link that meet between two directions, and not at θ₀ = 0 or π."""
-    free = [place for place in range(theta0.size) if place not in linked]
-    found = []
-    while len(free) > 1:
-        gaps = np.diff(theta0[free])
-        nearest = int(np.argmin(gaps))
-        if gaps[nearest] > _STEP:
-            break
-        found.append((free.pop(nearest), free.pop(nearest)))
-    return found
+def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
+    """Where the number of roots changes between two directions: which of one ``side`` go on as which of the other, the nearest
+    first, and of those that are left which meet in between, and not at θ₀ = 0 or π."""
+    free, every = set(range(side.size)), itertools.combinations(range(side.size), 2)
+    for _, far, *pair in sorted((side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every):
+        if far < _STEP and free.issuperset(pair):
+            free.difference_update(pair)
+            yield pair[0], pair[1]
 
 
 #: Degrees in sin θ of what is 0 at an event.

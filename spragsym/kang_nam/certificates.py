@@ -112,8 +112,8 @@ def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[B
         done = (value.sign() != 0) | (slope.sign() == slope_sign) | (ground.pressed().sign() < 0)
         if not discriminant:
             return Verdict(done, (value, slope))
-        mu0, _, alpha, sigma, beta = ground.others()
-        K = kernel.stiffness(ground.c, ground.s, ground.length(), mu0, alpha, sigma, beta, 1)
+        mu0, _, *springs = ground.others()
+        K = kernel.stiffness(ground.c, ground.s, ground.length(), mu0, *springs, 1)
         flutter = kernel.invariants(*K[0], *K[1])[2]
         return Verdict(done | (flutter.sign() > 0), (value, slope, flutter))
 
@@ -327,8 +327,7 @@ class Ground:
 
     def length(self) -> Affine:
         """L of the state of a direction."""
-        _, kappa, _, sigma, beta = self.others()
-        return kernel.state(self.c, self.s, self.c0, self.s0, kappa, sigma, beta, 1)[0]
+        return kernel.state_of(self.c, self.s, self.c0, self.s0, *self.others()[1:])[0]
 
 
 @dataclass(frozen=True)

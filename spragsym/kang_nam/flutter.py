@@ -68,8 +68,7 @@ def flutter_onsets(
     branch, count, side = np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64).reshape(-1, 3).T
     theta, L = np.array([row[6:8] for row in rows]).reshape(-1, 2).T
     # ω² of the two modes that meet is half the trace of K, which has no friction.
-    _, alpha, sigma, beta = p.scalars(*FIXED)
-    K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, alpha, sigma, beta, 1)
+    K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, *[*p.scalars(*FIXED[1:]), 1])
     omega = np.sqrt(0.5 * _stability.invariants(*K[0], *K[1])[0])
     more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
     return listed(Onsets, p, ("theta0",), np.full(len(rows), "flutter"), rows, between, more=more)
@@ -134,12 +133,11 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     """
     as_count("n", n, 2)
     fixed = Fixed(*p.scalars(*FIXED))
-    kappa, _, sigma, beta = fixed
     found = []
     directions = 1 + np.exp(np.linspace(-_FAR, _FAR, n // 2))  # flutter needs π/2 < θ < π
     for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 6 / n)):
         with np.errstate(all="ignore"):
-            L, x, y = kernel.state(*on_circle(t)[:2], np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
+            L, x, y = kernel.state_of(*on_circle(t)[:2], np.cos(theta0), np.sin(theta0), *fixed)
         good = (y < 0) & (mu0 > 0)
         found.append(np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good])
     theta0, mu0, theta, L, x, y, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
@@ -156,9 +154,8 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
-    kappa, alpha, sigma, beta = fixed
-    L, _, _ = kernel.state(c, s, np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
-    return _stability.flutter_friction(c, s, L, alpha, sigma, beta)
+    L, _, _ = kernel.state_of(c, s, np.cos(theta0), np.sin(theta0), *fixed)
+    return _stability.flutter_friction(c, s, L, *fixed[1:])
 
 
 _ONSET = Condition(_polynomial, _friction)
@@ -169,14 +166,13 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
 
     From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
     """
-    kappa, _, sigma, beta = fixed
     c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(all="ignore"):
         trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
         p1, q1, p2, q2 = solver.factors(solver.quartic(*trig), solver.cubic(*trig))
         pairs = solver.root_pair(p1, q1), solver.root_pair(p2, q2)
         t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
-        _, _, y = kernel.state(*solver.direction(t), c0, s0, kappa, sigma, beta, 1)
+        _, _, y = kernel.state_of(*solver.direction(t), c0, s0, *fixed)
         t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
         return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)
 
@@ -309,8 +305,8 @@ def _lengths(elimination: Elimination, spring: _Spring, values: tuple[Interval, 
     if sign_or_zero(Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
         L = X / Y
         return [L] if decided(L, "L = 0") > 0 else []
-    mu0, _, alpha, sigma, beta = values
-    e0, e1, e2 = _stability.flutter_quadratic(c, s, mu0, alpha, sigma, beta)
+    mu0, _, *springs = values
+    e0, e1, e2 = _stability.flutter_quadratic(c, s, mu0, *springs)
     square = e1 * e1 - 4 * e0 * e2
     if decided(square, "a double spring length") < 0 or decided(e1, "e1 = 0") > 0:
         return []
@@ -327,7 +323,7 @@ def _at_length(
     −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
     """
     root, v, c, s = spring
-    mu0, kappa, alpha, sigma, beta = values
+    mu0, kappa, *springs = values
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
     s0 = u1 + w1 * L
 
@@ -339,7 +335,7 @@ def _at_length(
     if sign_or_zero(s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
         return
     if elimination.alpha:
-        cosines = [(u2 + w2 * L) / alpha]
+        cosines = [(u2 + w2 * L) / springs[0]]
     else:
 
         def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
@@ -350,13 +346,13 @@ def _at_length(
         cosines = {1: [width, -width], 0: [width], -1: []}[above]
         stationary = above == 0
     for c0 in cosines:
-        L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
+        L, x, y = kernel.state_of(c, s, c0, s0, kappa, *springs)
         # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
-        change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, alpha, sigma, beta)
+        change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, *springs)
         touches = stationary or (alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0)
         side = 0 if touches else -decided(change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
-        branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / sigma, bits // 2)
+        branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / springs[1], bits // 2)
         yield Onset((atan2(s0, c0), *values), atan2(s, c), L, x, y, branch, count, side)
 
 

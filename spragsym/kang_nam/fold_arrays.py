@@ -132,7 +132,7 @@ def _kept(
     inside: Int8Array | int = 1,
 ) -> FoldArrays:
     """Candidates in contact with the value in its range; a sign that is needed and open makes the point undecided."""
-    L, _, y = kernel.state(*angles, here["kappa"], here["sigma"], here["beta"], 1)
+    L, _, y = kernel.state_of(*angles, *(here[name] for name in kernel.FIXED))
     tests = [value.sign(), L.sign(), -y.sign(), angles[3].sign(), inside]
     out = functools.reduce(np.logical_or, [test < 0 for test in tests])
     vague = functools.reduce(np.logical_or, [test == 0 for test in (*tests, side, upper)]) & ~out

@@ -293,8 +293,7 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
 
 def _after(point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]) -> tuple[Interval, ...]:
     c, s, _ = on_circle(kernel.landing(direction.t, trig, balls.sqrt))
-    kappa, _, sigma, beta = point.parameters[2:]
-    return (atan2(s, c), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
+    return (atan2(s, c), *kernel.state_of(c, s, *angles[2:], *point.parameters[2:]))
 
 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
@@ -380,7 +379,6 @@ class SineRoot:
 
 def in_contact(angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> Iterator[Point]:
     """The point at κ, α, σ, β with its state, if it is in contact with L > 0."""
-    kappa, _, sigma, beta = values
-    L, x, y = kernel.state(*angles, kappa, sigma, beta, 1)
+    L, x, y = kernel.state_of(*angles, *values)
     if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
         yield Point((atan2(angles.s0, angles.c0), mu0, *values), atan2(angles.s, angles.c), L, x, y)

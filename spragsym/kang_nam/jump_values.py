@@ -81,8 +81,8 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
         hopeless |= {begin + i: reason for i, reason in reasons.items()}
     at = given | {vary: value}
     with np.errstate(invalid="ignore"):
-        c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(at["theta0"]), np.sin(at["theta0"])
-        _, x, y = kernel.state(c, s, c0, s0, *(at[name] for name in ("kappa", "sigma", "beta")), 1)
+        angles = np.cos(theta), np.sin(theta), np.cos(at["theta0"]), np.sin(at["theta0"])
+        _, x, y = kernel.state_of(*angles, *(at[name] for name in kernel.FIXED))
     state = np.stack([x, y]).reshape(2, *shape)
     end = RANGES[vary].high if forward > 0 else RANGES[vary].low
     return Ends(value.reshape(shape), np.full(shape, _LARGEST_ERROR), state, hopeless, np.full(shape, end))

@@ -33,6 +33,13 @@ def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:
     return f_coefficients(cos0, sin0, *values, 1), f_changes(cos0, sin0, *values)[NAMES.index(vary)]
 
 
+def state_of(*given: Any) -> tuple[Any, Any, Any]:
+    """L, x and y in contact, from cos θ, sin θ, cos θ₀ and sin θ₀, and all of κ, α, σ and β."""
+    *angles, kappa, _, sigma, beta = given
+    found: tuple[Any, Any, Any] = state(*angles, kappa, sigma, beta, 1)
+    return found
+
+
 def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
     """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t, for any kind of numbers.
 

@@ -75,17 +75,16 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     """
     direction = as_numbers("theta", theta, RANGES["theta0"])
     reference = as_numbers("theta0", theta0, RANGES["theta0"])
-    kappa, alpha, sigma, beta = (getattr(p, name) for name in FIXED)
     try:
-        direction, reference, kappa, alpha, sigma, beta = np.broadcast_arrays(direction, reference, kappa, alpha, sigma, beta)
+        direction, reference, *fixed = np.broadcast_arrays(direction, reference, *(getattr(p, name) for name in FIXED))
     except ValueError as error:
         raise ParameterError(f"theta {direction.shape}, theta0 {reference.shape} and the parameters do not broadcast") from error
     c, s, c0, s0 = np.cos(direction), np.sin(direction), np.cos(reference), np.sin(reference)
     with np.errstate(all="ignore"):
-        mu0 = _catastrophe.surface(c, s, c0, s0, kappa, alpha, sigma, beta)
-        L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
-        slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1))
-        point = solver.Point(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
+        mu0 = _catastrophe.surface(c, s, c0, s0, *fixed)
+        L, x, y = kernel.state_of(c, s, c0, s0, *fixed)
+        point = solver.Point(c0, s0, mu0, *[*fixed, 1])
+        slope = kernel.f_slope(c, s, *kernel.f_coefficients(*point))
         code = solver.stability(solver.Direction(c, s), L, slope, 0.0, point).code
     good = (y < 0) & (L > 0) & np.isfinite(mu0)
     mu0, L, x, y = (np.where(good, value, np.nan) for value in (mu0, L, x, y))
@@ -171,13 +170,13 @@ def linear_sprag(p: Parameters) -> LinearSprag:
     >>> print(np.degrees(model.poles).round(3))
     [62.784 82.034]
     """
-    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
+    theta0, mu0, kappa, *springs = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        x, y = _linear.displacement(c0, s0, mu0, kappa, alpha, sigma, beta)
-        (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, mu0, alpha, sigma, beta, 1)
-        _, determinant, _ = _stability.invariants(K11, K12, K21, K22)
-        e0, e1, e2 = _linear.pole_quadratic(mu0, alpha, sigma, beta)
+        x, y = _linear.displacement(c0, s0, mu0, kappa, *springs)
+        K = _stability.stiffness(c0, s0, 1.0, mu0, *[*springs, 1])
+        _, determinant, _ = _stability.invariants(*K[0], *K[1])
+        e0, e1, e2 = _linear.pole_quadratic(mu0, *springs)
         # Factors of the discriminant.
         middle = _twice_the_mean(e0, e2)
         large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))

@@ -38,15 +38,13 @@ class Settled(NamedTuple):
     fold: bool
 
 
-def equilibria(
-    theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, *, contact: bool = True, digits: int = 17,
-) -> Settled:  # fmt: skip
+def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> Settled:
     """All equilibria of one point, to ``digits`` digits.
 
-    Parameters are anything that :class:`fractions.Fraction` takes exactly: float, int, str, Fraction; ``theta0`` may be a
-    function of the arithmetic that returns an interval.
+    Parameters, θ₀, μ₀, κ, α, σ and β, are anything that :class:`fractions.Fraction` takes exactly: float, int, str, Fraction;
+    θ₀ may be a function of the arithmetic that returns an interval.
     """
-    rational = [Fraction(value) for value in (mu0, kappa, alpha, sigma, beta)]
+    theta0, rational = exact[0], [Fraction(value) for value in exact[1:]]
     spread = _spread(theta0, rational)
     bits, most = max(FIRST_BITS, ROOM + spread, int(3.4 * digits) + 64), MAXIMUM_BITS + BITS_A_SPREAD * spread
     while True:
@@ -55,9 +53,9 @@ def equilibria(
                 return _settle(theta0, rational, contact, digits, bits, bits >= most)
             except Undecided as reason:
                 if bits >= most:
+                    point = ", ".join(f"{name}={value}" for name, value in zip(NAMES, exact, strict=True))
                     raise ConvergenceError(
-                        f"{bits} bits do not settle theta0={theta0}, mu0={mu0}, kappa={kappa}, alpha={alpha}, sigma={sigma}, "
-                        f"beta={beta}: {reason}; move the point off the boundary that it is on"
+                        f"{bits} bits do not settle {point}: {reason}; move the point off the boundary that it is on"
                     ) from None
         bits *= 2
 
@@ -81,7 +79,7 @@ def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, b
     quartic = kernel.t_quartic(*trig)
     roots = _fold_roots(trig, quartic, bits) if fold else _enclosed_roots(quartic, bits, all_real=discriminant < 0)
     # With rational parameters equality is exact where θ₀ drops out: off the belt without other springs L = 1 ± κ/σ at θ = ±90°.
-    mu0, kappa, alpha, sigma, beta = rational
+    _, kappa, alpha, sigma, beta = rational
     shrunk = not contact and alpha == beta == 0 and kappa == sigma
     states = [state for root in roots for state in _state(root, trig, values, digits, fold, shrunk)]
     if contact and len(states) % 2 == 0:
@@ -141,9 +139,9 @@ def _state(
     shrunk: bool,
 ) -> list[PreciseEquilibrium]:  # fmt: skip
     """The equilibrium at t, none if the root is not one; nor is it where the spring has the length 0, ``shrunk``."""
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
+    cos0, sin0, _, kappa, _, *springs, nbar = values
     c, s, _ = on_circle(t)
-    state = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
+    state = kernel.state(c, s, cos0, sin0, kappa, *springs, nbar)
     sides = balls.sign(state[0]), balls.sign(state[2]) * (-1 if nbar else 1)
     if -1 in sides or (shrunk and not sides[0]):
         return []
@@ -155,9 +153,9 @@ def _state(
 
 
 def _stability(c: Interval, s: Interval, L: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], fold: bool) -> int:
-    _, _, mu0, _, alpha, sigma, beta, nbar = values
-    (K11, K12), (K21, K22) = kernel.stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
-    trace, _, flutter = (balls.sign(value) for value in kernel.invariants(K11, K12, K21, K22))
+    _, _, mu0, _, *others = values
+    K = kernel.stiffness(c, s, L, mu0, *others)
+    trace, _, flutter = map(balls.sign, kernel.invariants(*K[0], *K[1]))
     slope = balls.sign(kernel.f_slope(c, s, *trig))
     if flutter < 0:
         return 3

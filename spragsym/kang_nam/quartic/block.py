@@ -68,9 +68,7 @@ def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int
     """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
     u = np.float64(kernel.WIDE_ROUNDOFF)
-    cos0, sin0 = cosine_and_sine(theta0)
-    mu0, kappa, alpha, sigma, beta = map(DoubleDouble, others)
-    point = kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
+    point = kernel.Point(*cosine_and_sine(theta0), *[*map(DoubleDouble, others), int(contact)])
     line = kernel.balance(point)
     found = kernel.guesses(point, line, u)
     apart_from_all = kernel.moderate(point) & kernel.representable(line) & found.certain
@@ -90,9 +88,8 @@ def count(values: list[FloatArray], size: int) -> Int8Array:
 
 
 def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
-    theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
-    cos0, sin0 = kernel.cosine_and_sine(theta0)
-    return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
+    theta0, *others = (value if value.size > 1 else value[0] for value in values)
+    return kernel.Point(*kernel.cosine_and_sine(theta0), *[*others, int(contact)])
 
 
 def _stacked(values: list[DoubleDouble]) -> DoubleDouble:

@@ -41,8 +41,7 @@ def _solve(
     first = tuple(out.first[name][here] for name in COLUMNS)
     shape = size, out.slots - 1
     further = *np.empty((len(COLUMNS) - 1, *shape)), np.empty(shape, dtype=np.int8)  # of the stability, the last
-    theta0, mu0, kappa, alpha, sigma, beta = values
-    used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), settled, out.count[here], first, (rows, *further))
+    used = method(*values, int(contact), settled, out.count[here], first, (rows, *further))
     if used:
         out.further.append(
             (begin + rows[:used], {name: column[:used].T.copy() for name, column in zip(COLUMNS, further, strict=True)})
@@ -55,6 +54,5 @@ def count(values: Sequence[FloatArray], size: int) -> Int8Array:
     from . import _compiled
 
     counts = np.empty(size, dtype=np.int8)
-    theta0, mu0, kappa, alpha, sigma, beta = values
-    _compiled.count(theta0, mu0, kappa, alpha, sigma, beta, counts)
+    _compiled.count(*[*values, counts])
     return counts

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...errors import BackendError, ConvergenceError, ParameterError
 from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters, as_count
-from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Shape
+from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
@@ -42,15 +42,23 @@ class _Closed(Linearizing):
     contact: bool
     slots: Slots
     escalated: IntArray  #: points
-    folds: IntArray
+    fold: IntArray
 
     def column(self, name: str) -> NDArray[Any] | None:
         """A column of the kernel's, or made of these; None for another name."""
-        if name in ("escalated", "fold"):
-            return _flags(self.p.shape, self.escalated if name == "escalated" else self.folds)
-        if name in ("eigenvalues", "marginal"):
-            return self._eigenvalues() if name == "eigenvalues" else self._marginal()
+        match name:
+            case "escalated" | "fold":
+                return self._flags(name)
+            case "eigenvalues":
+                return self._eigenvalues()
+            case "marginal":
+                return self._marginal()
         return self._padded(name) if name in COLUMNS else None
+
+    def _flags(self, name: str) -> BoolArray:
+        flags = np.zeros(math.prod(self.p.shape), dtype=np.bool_)
+        flags[getattr(self, name)] = True
+        return flags.reshape(self.p.shape)
 
     def _padded(self, name: str) -> NDArray[Any]:
         return np.moveaxis(self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1)
@@ -58,16 +66,16 @@ class _Closed(Linearizing):
     def _marginal(self) -> BoolArray:
         """At a fold the two slots that hold one state."""
         theta = self._padded("theta")
-        alike = (theta[..., :-1] == theta[..., 1:]) & _flags(self.p.shape, self.folds)[..., None]
+        alike = (theta[..., :-1] == theta[..., 1:]) & self._flags("fold")[..., None]
         none = np.zeros_like(alike[..., :1])
         return np.concatenate([alike, none], axis=-1) | np.concatenate([none, alike], axis=-1)
 
     def _eigenvalues(self) -> ComplexArray:
         """The four λ of (27)."""
-        mu0, alpha, sigma, beta = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
+        others = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
         theta, L = map(self._padded, ("theta", "L"))
         with np.errstate(all="ignore"):  # empty slots; parameters near the largest floats overflow
-            K = _stability.stiffness(np.cos(theta), np.sin(theta), L, mu0, alpha, sigma, beta, int(self.contact))
+            K = _stability.stiffness(np.cos(theta), np.sin(theta), L, *[*others, int(self.contact)])
             trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
             # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
             root = np.sqrt(discriminant.astype(complex))
@@ -109,12 +117,6 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     return Equilibria(p, contact, out.count.reshape(p.shape), decided, tuple(undecided), tuple(remarks), source)
 
 
-def _flags(shape: Shape, rows: IntArray) -> BoolArray:
-    flags = np.zeros(math.prod(shape), dtype=np.bool_)
-    flags[rows] = True
-    return flags.reshape(shape)
-
-
 def count(p: Parameters) -> Int8Array:
     """The closed form of :func:`spragsym.count`.
 
@@ -148,9 +150,9 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
     length = _block(size, threads)
 
     def one(begin: int) -> T:
-        end = min(begin + length, size)
+        part = slice(begin, begin + length)
         with np.errstate(all="ignore"):
-            return work([_part(values, begin, end) for values in given], begin, end - begin)
+            return work([values if values.size == 1 else values[part] for values in given], begin, min(length, size - begin))
 
     # glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that
     # has to be more than all arrays in between take.
@@ -169,18 +171,9 @@ def _block(size: int, threads: int) -> int:
 
 
 def _column(p: Parameters, name: str) -> FloatArray:
-    """A parameter as it was given if it is one number or has the common shape; otherwise broadcast to that shape."""
-    value = getattr(p, name)
-    if value.size == 1 or value.shape == p.shape:
-        return np.ascontiguousarray(value).reshape(-1)
-    return np.broadcast_to(value, p.shape)
-
-
-def _part(values: FloatArray, begin: int, end: int) -> FloatArray:
-    """A range of points in C order, contiguous: one number as it is, and of a broadcast array a copy of this range only."""
-    if values.size == 1:
-        return values
-    return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
+    """A parameter in C order, contiguous: one number as it is, an array of the common shape."""
+    value: FloatArray = getattr(p, name)
+    return np.ascontiguousarray(value if value.size == 1 else np.broadcast_to(value, p.shape)).reshape(-1)
 
 
 # -------------------------------------------------------------------------------------------------- more digits

@@ -29,14 +29,17 @@ TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04,
 #: Steps are this share of the radius of convergence that is proved.
 SHARE = 1 / 7
 
+#: By this they stay below it, however it is rounded.
+SHORT = 1 - 1e-12
+
 #: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it multiplies what is left out.
 STEEPEST = 20
 
 #: A window within which something happens, in units of how long it takes by itself.
 APART = 2
 
-#: Halvings of a step in which a border might be met.
-DEEPEST = 40
+#: Share of a step below which it is not halved any more where a border might be met in it.
+SHORTEST = 2.0**-39.5
 
 
 class NotProved(Exception):
@@ -67,19 +70,12 @@ class Balls:
     accurate than ``rough``, which costs far less.
     """
 
-    field: Field
-    constants: list[Any]
+    smooth: Smooth
     fine: Accuracy
     rough: Accuracy
     point: list[Any]
     matrix: Any
     start: list[Any]
-    mode: Mode
-
-    @property
-    def smooth(self) -> Smooth:
-        """The field in the mode."""
-        return Smooth(self.field, self.constants, self.mode)
 
     @property
     def box(self) -> list[Any]:
@@ -94,38 +90,42 @@ class Balls:
             raise ParameterError(f"duration = {duration} is not certainly 0 or more; a set of states is carried onward only")
         left = duration
         while left > 0:
-            box = self.box
-            radius, bounds, slope = self._disc(box)
-            step = left.min(_exact(radius * SHARE))
-            step = left if left < 1.2 * step and left < radius / 4 else step
-            self._step(box, step, radius, bounds, slope)
-            left = left - step
+            left = left - self._step(left)
             if not left.is_exact():
                 raise NotProved("time could not be kept exactly: the steps have become as short as its last bit")
 
-    def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
-        ratio, piece = arb((step / radius).abs_upper()), self.smooth
-        middle, m = [value.mid() for value in self.point], self.field.size
+    def _step(self, left: Any) -> Any:
+        """Carry all states on for all of a time, or as much of it as a step may be; that is given."""
+        box, piece = self.box, self.smooth
+        radius, bounds, slope = self._disc(box)
+        step = arb(radius * SHARE * SHORT)
+        step = left if left < 1.2 * step else step
+        ratio = (step / radius).abs_upper()
+        middle = [value.mid() for value in self.point]
         center = piece.solution(middle, self.fine.order)
         with bits(self.rough.bits):
             tail = _left_out(ratio, self.rough)
             within = piece.solution(box, self.rough.order)
             derivative = piece.fundamental(within, self.rough.order, step)
-            derivative += arb_mat(m, m, [_around((slope * radius).exp() * tail)] * (m * m))
+            derivative += piece.filled(around((slope * radius).exp() * tail))
             self.matrix = derivative * self.matrix
         # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
         off = derivative * arb_mat([[value - mid] for value, mid in zip(self.point, middle, strict=True)])
         left_out = _left_out(ratio, self.fine)
-        ends = [polynomial(jet, step) + _around(bound * left_out)
+        ends = [polynomial(jet, step) + around(bound * left_out)
                 for jet, bound in zip(center, bounds, strict=True)]  # fmt: skip
         self.point = _moved(ends, off)
-        self._stays(_Piece(within, [bound * tail for bound in bounds], step, box, self.box))
+        passed = _Piece(within, [bound * tail for bound in bounds], step, box, self.box)
+        for border in piece.field.borders:
+            if border.kink:
+                self._clear(border, passed, arb(0), step)
+        return step
 
-    def _disc(self, box: list[Any]) -> tuple[Any, list[Any], Any]:
+    def _disc(self, box: list[Any]) -> tuple[float, list[Any], Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
 
         def disc(radii: list[Any]) -> list[Any]:
-            return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
+            return [acb(value + around(r), around(r)) for value, r in zip(box, radii, strict=True)]
 
         def sizes(radii: list[Any]) -> list[Any]:
             return [abs(acb(rate)).abs_upper() for rate in self.smooth.rates(disc(radii))]
@@ -135,70 +135,65 @@ class Balls:
         # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:
-            radii = [arb(float(length * 1.1 * size.mid())) + arb(1e-3) for size in still]
+            found, room = still, 1.1
             for _ in range(6):
-                found = sizes(radii)
+                radii = [arb(float(length * room * size.mid())) + arb(1e-3) for size in found]
+                found, room = sizes(radii), 1.05
                 if not all(size.is_finite() for size in found):
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
                     slope = self.smooth.steepness(disc(radii))
                     if length * slope < STEEPEST:
-                        return arb(length), radii, slope
+                        return length, radii, slope
                     break
-                radii = [arb(float(length * 1.05 * size.mid())) + arb(1e-3) for size in found]
         raise NotProved("the field could not be bounded about the orbit")
 
-    def _stays(self, piece: _Piece) -> None:
-        """Show that no state leaves the mode during a step."""
-        for border in self.field.borders:
-            if border.kink:
-                self._clear(border, piece, arb(0), piece.step, 0)
-
-    def _clear(self, border: Any, piece: _Piece, begin: Any, end: Any, depth: int) -> None:
+    def _clear(self, border: Border, piece: _Piece, begin: Any, end: Any) -> None:
+        """Show that no state leaves the mode through a border during a part of a step."""
         state, smooth = piece.at(begin.union(end)), self.smooth
         if smooth.level(border, state) > 0:
             return
         rate = smooth.level_rate(border, state)
-        if (rate > 0 or rate < 0) and all(smooth.level(border, piece.at(t)) > 0 for t in (begin, end)):
+        monotonic = rate > 0 or rate < 0
+        if monotonic and all(smooth.level(border, piece.at(t)) > 0 for t in (begin, end)):
             return
-        if depth >= DEEPEST:
-            if rate > 0 or rate < 0:
+        if end - begin < piece.step * SHORTEST:
+            if monotonic:
                 raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
             raise NotProved(
                 f"whether the orbit meets {border.name} could not be decided near one place: it touches it there, or all "
                 "but; at a grazing no number of digits tells: move a parameter"
             )
         middle = ((begin + end) / 2).mid()
-        self._clear(border, piece, begin, middle, depth + 1)
-        self._clear(border, piece, middle, end, depth + 1)
+        self._clear(border, piece, begin, middle)
+        self._clear(border, piece, middle, end)
 
     # ------------------------------------------------------------------------------------------------ borders
 
     def keeps_clear(self, states: list[Any], but: int = -1) -> None:
         """Show that states are inside of all borders of the mode but one."""
-        for i, border in enumerate(self.field.borders):
+        for i, border in enumerate(self.smooth.field.borders):
             if border.kink and i != but and not self.smooth.level(border, states) > 0:
                 raise NotProved(f"{border.name} is too near to be told from what happens beside it")
 
     def apart(self, index: int) -> Any:
         """How far apart in time the states come to a border, about; not rigorous."""
-        border = self.field.borders[index]
-        middle = [value.mid() for value in self.point]
-        speed = abs(arb(self.smooth.level_rate(border, middle))).lower()
-        return arb(arb(self.smooth.level(border, self.box)).rad()) / speed
+        border = self.smooth.field.borders[index]
+        speed = arb(self.smooth.level_rate(border, [value.mid() for value in self.point])).abs_lower()
+        return arb(self.smooth.level(border, self.box)).rad() / speed
 
     def cross(self, index: int, window: Any) -> None:
         """Carry all states over a border, which each of them crosses once within the window."""
         if not window > 0:
             raise ParameterError(f"window = {window} is not positive; a set of states is carried onward only")
-        border, before, box = self.field.borders[index], self.smooth, self.box
-        after = replace(before, mode=border.beyond(self.mode))
+        before, box = self.smooth, self.box
+        border, after = before.field.borders[index], before.beyond(index)
         if not before.level(border, box) > 0:
             raise TooWide(f"that no state has met {border.name} yet could not be shown")
-        hull = [_widened(value, arb(1e-6)) for value in box]
+        hull = [value + around(1e-6) for value in box]
         self.keeps_clear(hull, but=index)
         both = (before, after)
-        speed = most([abs(arb(value)).abs_upper() for piece in both for value in piece.rates(hull)])
+        speed = most([arb(value).abs_upper() for piece in both for value in piece.rates(hull)])
         slope = most([piece.steepness(hull) for piece in both])
         if not window * speed < arb(1e-6):
             raise TooWide(
@@ -208,14 +203,12 @@ class Balls:
         if not (before.level_rate(border, hull) < 0 and turned * after.level_rate(border, hull) < 0):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
         # Within the window all that changes, the mode too, changes rates by no more than their slope over the way.
-        off = _around(window * slope * window * speed)
+        off = around(window * slope * window * speed)
         self.point = [value + window * rate + off for value, rate in zip(self.point, before.rates(self.point), strict=True)]
-        m, spread = self.field.size, _around((window * slope).exp() - 1)
-        near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
-        self.matrix = near_one * self.matrix
+        self.matrix = (self.smooth.filled(around((window * slope).exp() - 1)) + 1) * self.matrix
         if not before.level(border, self.box) < 0:
             raise TooWide(f"that every state has crossed {border.name} could not be shown")
-        self.mode = after.mode
+        self.smooth = after
 
 
 @dataclass(frozen=True)
@@ -232,7 +225,7 @@ class _Piece:
         """The states at a time, or over a ball of times."""
         if t.is_exact() and (t == 0 or t == self.step):
             return self.first if t == 0 else self.last
-        return [polynomial(each, t) + _around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
+        return [polynomial(each, t) + around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
 
 
 def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
@@ -267,15 +260,6 @@ class _Functions(Functions):
 XP = _Functions(_Methods(), lambda value: arb(value) if isinstance(value, int | float) else value)
 
 
-def slopes_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> list[list[Any]]:
-    """Derivatives of the accelerations by the state, balls or series, one operation after the other.
-
-    The generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
-    """
-    accelerations = field.acceleration(variables(state, 1), constants, mode, XP)
-    return [gradient(acceleration, field.size) for acceleration in accelerations]
-
-
 @contextmanager
 def _terms(count: int) -> Iterator[None]:
     """Power series of ``count`` terms for as long as the context lasts."""
@@ -294,13 +278,26 @@ class Smooth:
     constants: list[Any]
     mode: Mode
 
+    def beyond(self, index: int) -> Smooth:
+        """The piece behind a border."""
+        return replace(self, mode=self.field.borders[index].beyond(self.mode))
+
+    def filled(self, value: Any) -> Any:
+        """A matrix as derivatives by the state are, of one number."""
+        m = self.field.size
+        return arb_mat(m, m, [value] * (m * m))
+
     def rates(self, state: list[Any]) -> list[Any]:
         """The rates of all numbers of a state."""
         return [*state[len(self.field.coordinates) :], *self.field.acceleration(state, self.constants, self.mode, XP)]
 
     def slopes(self, state: list[Any]) -> list[list[Any]]:
-        """Derivatives of the accelerations by the state."""
-        return slopes_at(self.field, state, self.constants, self.mode)
+        """Derivatives of the accelerations by the state, one operation after the other.
+
+        Generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
+        """
+        accelerations = self.field.acceleration(variables(state, 1), self.constants, self.mode, XP)
+        return [gradient(acceleration, self.field.size) for acceleration in accelerations]
 
     def level(self, border: Border, state: list[Any]) -> Any:
         """A border's level at a state, positive within the piece."""
@@ -313,8 +310,7 @@ class Smooth:
 
     def steepness(self, state: list[Any]) -> Any:
         """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
-        rows = self.slopes(state)
-        return most([arb(1), *(sum((abs(acb(value)).abs_upper() for value in row), arb(0)) for row in rows)])
+        return most([arb(1), *(sum(abs(acb(value)).abs_upper() for value in row) for row in self.slopes(state))])
 
     def solution(self, state: list[Any], order: int) -> list[Any]:
         """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
@@ -347,22 +343,14 @@ class Smooth:
         with _terms(order + 1):
             rows = self.slopes(within)
         slopes = [arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)]
-        parts = [unit(m)]
+        parts = [self.filled(0) + 1]
         for k in range(order):
             total = slopes[0] * parts[k]
             for i in range(1, k + 1):
                 total += slopes[i] * parts[k - i]
             # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
             parts.append(arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1)))
-        found = parts[-1]
-        for part in reversed(parts[:-1]):
-            found = found * step + part
-        return found
-
-
-def unit(size: int) -> Any:
-    """The identity."""
-    return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
+        return reduce(lambda found, part: found * step + part, reversed(parts))
 
 
 def _term(value: Any, k: int) -> Any:
@@ -374,18 +362,9 @@ def polynomial(series: Any, t: Any) -> Any:
     return arb_poly(series.coeffs())(t)
 
 
-def _around(radius: Any) -> Any:
+def around(radius: Any) -> Any:
     """The ball about 0 that holds ±radius."""
     return arb(0, arb(radius).abs_upper())
-
-
-def _widened(value: Any, radius: Any) -> Any:
-    return value + _around(radius)
-
-
-def _exact(value: Any) -> Any:
-    """A short number at most as large as a ball's."""
-    return arb(float(value.lower()) * (1 - 1e-12))
 
 
 def most(values: list[Any]) -> Any:

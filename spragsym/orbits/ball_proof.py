@@ -13,19 +13,8 @@ import numpy as np
 from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
-from ..models.field import Field, Mode, exact_field
-from .ball_flow import (
-    APART,
-    XP,
-    Accuracy,
-    Balls,
-    NotProved,
-    Smooth,
-    TooWide,
-    bits,
-    polynomial,
-    unit,
-)  # fmt: skip
+from ..models.field import Field, exact_field
+from .ball_flow import APART, XP, Accuracy, Balls, NotProved, Smooth, TooWide, around, bits, polynomial
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
 ROUNDS, GAINED = 14, 6
@@ -51,7 +40,7 @@ SLOWEST = 1e-7
 
 def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     """What is shown of a claim: where its digits leave the box of starts too wide, with more of them, up to :data:`ENOUGH`."""
-    digits = int(claim["digits"])
+    digits = claim["digits"]
     while True:
         try:
             with bits(accuracy_for(digits).bits):
@@ -64,29 +53,26 @@ def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     """What is shown of a claim, all numbers exactly, as :func:`spoken`; within the bits of :func:`accuracy_for`."""
-    digits = int(claim["digits"])
-    radius, fine, rough = arb(10.0**-digits), accuracy_for(digits), accuracy_for(min(digits, ROUGH))
-    constants = list(field.constants([arb(value) for value in claim["values"]], XP))
-    state, period = [arb(value) for value in claim["state"]], arb(claim["period"])
-    n = len(field.coordinates)
+    digits = claim["digits"]
+    radius, fine, rough = 10.0**-digits, accuracy_for(digits), accuracy_for(min(digits, ROUGH))
+    slopes, n = np.array(claim["slopes"]), len(field.coordinates)
     moved = [i for i in range(field.size) if i != n]
-    state[n] = arb(0)  # exactly: the section is where the first coordinate is largest
-    mode = field.exact(field.initial_mode(claim["state"], field.constants(claim["values"])))
-    slopes = np.array(claim["slopes"])
     if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
         raise NotProved("a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone")
     inverse = arb_mat(np.linalg.inv(slopes).tolist())
-    state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, digits)
+    mode = field.exact(field.initial_mode(claim["state"], field.constants(claim["values"])))
+    begun = Smooth(field, list(field.constants([arb(value) for value in claim["values"]], XP)), mode)
+    state, period, times = _refined(begun, claim, inverse, moved)
 
     start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
-    balls = Balls(field, constants, fine, rough, [value.mid() for value in state], unit(field.size), start, mode)
+    balls = Balls(begun, fine, rough, [value.mid() for value in state], begun.filled(0) + 1, start)
     clock = arb(0)
     for index, time in times:
-        half = arb(min(float((radius * WINDOW).mid()), WIDEST))
+        half = arb(min(radius * WINDOW, WIDEST))
         for _ in range(2):  # the states tell how wide the window need be once they are near
-            before = arb(time - half).mid()
+            before = (time - half).mid()
             if before > clock:
-                balls.carry(_exactly(before - clock))
+                balls.carry(before - clock)
                 clock = before
             if not time > clock:
                 raise NotProved(
@@ -96,13 +82,13 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
             if not APART * near < half:
                 break
             half = arb(float(APART * near.mid()))
-        window = _exactly((2 * (time - clock)).mid())
+        window = (2 * (time - clock)).mid()
         balls.cross(index, window)
-        clock = _exactly(clock + window)
+        clock += window
     if not period > clock:
         raise NotProved("a border is crossed where the orbit begins and ends; begin it elsewhere")
-    balls.carry(_exactly(period - clock))
-    if balls.mode != mode:
+    balls.carry(period - clock)  # no rounding so far: it refuses a time that is not exact
+    if balls.smooth.mode != mode:
         raise NotProved("the motion does not come back in the smooth piece in which it began")
     return _krawczyk(balls, state, period, radius, inverse, moved)
 
@@ -115,43 +101,35 @@ def accuracy_for(digits: int) -> Accuracy:
     return Accuracy(math.ceil(1.3 * digits) + 18, math.ceil(3.33 * (1.2 * digits + 45)))
 
 
-def _exactly(value: Any) -> Any:
-    if not value.is_exact():
-        raise NotProved("time could not be kept exactly: it is not a number")
-    return value
-
-
 # ------------------------------------------------------------------------------ the orbit to many digits, not yet proved
 
 
 def _refined(
-    field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]],
-    inverse: Any, moved: list[int], digits: int,
+    begun: Smooth, claim: dict[str, Any], inverse: Any, moved: list[int]
 ) -> tuple[list[Any], Any, list[tuple[int, Any]]]:  # fmt: skip
     """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
 
     Each round works with as many digits as it may gain.
     """
-    goal = arb(10) ** -(1.1 * digits + 6)
-    missed, slow, now = arb(1), 0, min(digits, 2 * AHEAD)
+    digits, state, period = claim["digits"], [arb(value) for value in claim["state"]], arb(claim["period"])
+    state[len(begun.field.coordinates)] = arb(0)  # exactly: the section is where the first coordinate is largest
+    missed, slow, now = 1.0, 0, min(digits, 2 * AHEAD)
     for _ in range(ROUNDS + digits // GAINED):
         with bits(accuracy_for(now).bits):
-            end, times = _traced(field, constants, state, period, mode, crossings, now)
+            end, times = _traced(begun, state, period, claim["crossings"], now)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]
         steps = [step.mid() for step in (inverse * arb_mat([[gap] for gap in gaps])).entries()]
         for i, column in enumerate(moved):
             state[column] = (state[column] - steps[i]).mid()
         period = (period - steps[-1]).mid()
-        before, missed = missed, max((abs(gap) for gap in gaps), key=_size)
-        if now == digits and (missed < goal or (missed > before and before < arb(10) ** -(1.05 * digits))):
+        before, missed = missed, max(_size(gap) for gap in gaps)
+        if now == digits and (missed < 10.0 ** -(1.1 * digits + 6) or before < min(missed, 10.0 ** -(1.05 * digits))):
             return state, period, times
-        slow = slow + 1 if not missed < before / 3 else 0
-        if slow > 1 or not missed < 1:
+        slow = slow + 1 if missed >= before / 3 else 0
+        if slow > 1 or missed >= 1:
             break
-        now = min(digits, max(now, math.ceil(AHEAD - math.log10(_size(missed)) if missed > 0 else digits)))
-    raise NotProved(
-        f"Newton's method in many digits does not converge from the cycle as given: it stays open by {_size(missed):.1e}"
-    )
+        now = min(digits, max(now, math.ceil(AHEAD - math.log10(missed)) if missed else digits))
+    raise NotProved(f"Newton's method in many digits does not converge from the cycle as given: it stays open by {missed:.1e}")
 
 
 def _size(value: Any) -> float:
@@ -161,34 +139,32 @@ def _size(value: Any) -> float:
 
 
 def _traced(
-    field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]], digits: int
+    piece: Smooth, state: list[Any], period: Any, crossings: list[Any], digits: int
 ) -> tuple[list[Any], list[tuple[int, Any]]]:  # fmt: skip
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
-    clock, now, times, order = arb(0), list(state), [], accuracy_for(digits).order
+    clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
     least = arb(10) ** -(1.1 * digits + 16)
-    for about, border in [*((float(t), int(i)) for t, i in crossings), (None, -1)]:
+    for about, border in [*crossings, (None, -1)]:
         target = period if about is None else arb(about)
         if not target > clock:
             raise NotProved("two crossings can't be told apart in time")
         while True:
-            jets = Smooth(field, constants, mode).solution(now, order)
-            size = max((abs(jet[order]).mid() for jet in jets), key=lambda ball: ball.mid())
+            jets = piece.solution(now, order)
+            size = max(abs(jet[order]).mid() for jet in jets)
             reach = min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0) if size > 0 else 1.0
-            left = target - clock
-            if float(left.mid()) <= reach:
+            left = (target - clock).mid()
+            if float(left) <= reach:
                 break
             now = [polynomial(jet, arb(reach)).mid() for jet in jets]
             clock = (clock + arb(reach)).mid()
-        left = left.mid()
         if about is not None:
-            that, begun = field.borders[border], left
+            that, begun = piece.field.borders[border], left
             uncrossed = (
                 f"in many digits the orbit does not cross {that.name} near t = {about:.6g}, where the cycle is said to: none "
                 "like it was found at these parameters"
             )
             for _ in range(10):
                 there = [polynomial(jet, left).mid() for jet in jets]
-                piece = Smooth(field, constants, mode)
                 change, level = piece.level_rate(that, there), piece.level(that, there)
                 if not abs(change) > SLOWEST:
                     raise NotProved(
@@ -202,62 +178,61 @@ def _traced(
         clock = (clock + left).mid()
         if about is not None:
             times.append((border, clock))
-            mode = field.borders[border].beyond(mode)
+            piece = piece.beyond(border)
     return now, times
 
 
 # -------------------------------------------------------------------------------------------------- the theorem
 
 
-def _krawczyk(balls: Balls, state: list[Any], period: Any, radius: Any, inverse: Any, moved: list[int]) -> dict[str, Any]:
+def _krawczyk(balls: Balls, state: list[Any], period: Any, radius: float, inverse: Any, moved: list[int]) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
-    m, around = balls.field.size, [value + arb(0, arb(1e-6)) for value in balls.box]
-    balls.keeps_clear(around)
-    rates = [arb(rate) for rate in balls.smooth.rates(around)]
-    slope = balls.smooth.steepness(around)
-    if not all(abs(rate) * radius < arb(1e-6) for rate in rates):
+    near = [value + arb(0, 1e-6) for value in balls.box]
+    balls.keeps_clear(near)
+    rates = [arb(rate) for rate in balls.smooth.rates(near)]
+    if not all(abs(rate) * radius < 1e-6 for rate in rates):
         raise NotProved("the period's ball is too wide")
     # Over the ball of the period the derivative of the flow changes by no more than this share.
-    share = ((slope * radius).exp() - 1).abs_upper()
+    share = ((balls.smooth.steepness(near) * radius).exp() - 1).abs_upper()
     rows = balls.matrix.tolist()
-    sizes = [sum((abs(value).abs_upper() for value in column), arb(0)) for column in zip(*rows, strict=True)]
-    monodromy = [[value + arb(0, (share * size).abs_upper()) for value, size in zip(row, sizes, strict=True)] for row in rows]
+    sizes = [sum(value.abs_upper() for value in column) for column in zip(*rows, strict=True)]
+    monodromy = [[value + around(share * size) for value, size in zip(row, sizes, strict=True)] for row in rows]
     slopes = [[*(row[j] - int(i == j) for j in moved), rate] for i, (row, rate) in enumerate(zip(monodromy, rates, strict=True))]
     gaps = [[value - begun] for value, begun in zip(balls.point, state, strict=True)]
-    corrections, off = (inverse * arb_mat(gaps)).entries(), (unit(m) - inverse * arb_mat(slopes)).tolist()
     inside = [
-        abs(correction).abs_upper() + sum((abs(value).abs_upper() for value in row), arb(0)) * radius
-        for correction, row in zip(corrections, off, strict=True)
+        correction.abs_upper() + sum(value.abs_upper() for value in row) * radius
+        for correction, row in zip((inverse * arb_mat(gaps)).entries(), (1 - inverse * arb_mat(slopes)).tolist(), strict=True)
     ]
     if not all(value < radius for value in inside):
         worst = max(float((value / radius).mid()) for value in inside)
         raise TooWide(f"Newton's operator does not map the box into itself: {worst:.3g} times its size")
-    return _told(monodromy, state, period, inside)
+    return {
+        "state": [spoken(value) for value in state], "period": spoken(period),
+        "error": max((spoken(value.upper()) for value in inside), key=Fraction), **_multipliers(monodromy),
+    }  # fmt: skip
 
 
-def _told(monodromy: list[list[Any]], state: list[Any], period: Any, inside: list[Any]) -> dict[str, Any]:
+def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
+    """Balls that hold the eigenvalues, the trivial one first, and whether all others are inside of the unit circle."""
     try:
         eigenvalues = acb_mat(monodromy).eig()
     except (ValueError, ArithmeticError):
         eigenvalues = []
-    trivial = [i for i, value in enumerate(eigenvalues) if (value - 1).contains(0)]
-    others = [value for i, value in enumerate(eigenvalues) if i not in trivial]
+    trivial = [value for value in eigenvalues if (value - 1).contains(0)]
+    others = [value for value in eigenvalues if not (value - 1).contains(0)]
+    others.sort(key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
     stable = None
-    if len(trivial) == 1:
-        if all(abs(value) < 1 for value in others):
-            stable = True
-        elif any(abs(value) > 1 for value in others):
-            stable = False
-    ordered = sorted(others, key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
+    if len(trivial) == 1 and all(abs(value) < 1 for value in others):
+        stable = True
+    elif len(trivial) == 1 and any(abs(value) > 1 for value in others):
+        stable = False
     return {
-        "state": [spoken(value) for value in state], "period": spoken(period),
-        "error": max((spoken(value.upper()) for value in inside), key=Fraction),
         "multipliers": [
             [spoken(value.real), spoken(value.imag), max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction)]
-            for value in [*(eigenvalues[i] for i in trivial), *ordered]
+            for value in [*trivial, *others]
         ],
         "stable": stable,
-    }  # fmt: skip
+    }
 
 
 def spoken(value: Any, part: str = "mid") -> str:

@@ -570,7 +570,8 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.Sim
         def begun() -> Any:
             point = [flint.arb(float(value)) for value in before]
             accuracy = [ball_flow.Accuracy(40, 200)] * 2
-            return ball_flow.Balls(SPRAG, constants, *accuracy, point, unit, [flint.arb(0, off)] * 4, (0, 1, 1))
+            piece = ball_flow.Smooth(SPRAG, constants, (0, 1, 1))
+            return ball_flow.Balls(piece, *accuracy, point, unit, [flint.arb(0, off)] * 4)
 
         balls = begun()
         balls.carry(flint.arb(0.1 - 1e-9))
@@ -578,7 +579,7 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.Sim
             begun().cross(0, flint.arb(2e-9))  # far from the border nothing is crossed
         balls.cross(0, flint.arb(2e-9))
         balls.carry(flint.arb(0.1))
-        assert balls.mode == (1, 1, 1)
+        assert balls.smooth.mode == (1, 1, 1)
         duration = 0.1 - 1e-9 + 2e-9 + 0.1
         for corner in ((1, 1, 1, 1), (-1, 1, -1, 1), (0, 0, 0, 0)):
             there = flow.fly(before + off * np.array(corner), slow.loop.constants, duration)
@@ -606,13 +607,13 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
         constants = list(field.constants(values, proving.ball_flow.XP))
         state = [flint.arb(0.1 + 0.03 * i) for i in range(field.size)]
         for mode in field.modes:
-            found = itertools.chain(*ball_flow.slopes_at(field, state, constants, mode))
+            found = itertools.chain(*ball_flow.Smooth(field, constants, mode).slopes(state))
             derived = itertools.chain(*field.jacobian(state, constants, mode, proving.ball_flow.XP))
             assert all(abs(a - b) < 1e-12 for a, b in zip(found, derived, strict=True))
     field = exact_field("stick_slip")
     wide = [flint.arb(0.1, 0.1), flint.arb(0.2, 0.03)]  # sticking: x' = V
     constants = list(field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], proving.ball_flow.XP))
-    (slopes,) = ball_flow.slopes_at(field, wide, constants, (1, 1))
+    (slopes,) = ball_flow.Smooth(field, constants, (1, 1)).slopes(wide)
     assert (
         abs(slopes[1]) < 20 < abs(field.jacobian(wide, constants, (1, 1), proving.ball_flow.XP)[0][1]).upper()
     )  # written out it is wider

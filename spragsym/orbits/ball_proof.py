@@ -177,7 +177,8 @@ def _traced(
         now = [polynomial(jet, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if about is not None:
-            times.append((border, clock))
+            # To the last bit of the period, no more: so that times from one crossing to the next are exact.
+            times.append((border, (clock + period).mid() - period))
             piece = piece.beyond(border)
     return now, times
 

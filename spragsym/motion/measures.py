@@ -1,7 +1,6 @@
 """Quantities measured on a motion while it runs, or from its samples afterwards: averages, turning points, frequencies."""
 
 import math
-from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -68,27 +67,6 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
         np.array([shift, shift**2, *states[1:n]]) @ samples.weights(), minima[-KEPT:], events,
         (float(extrema.min()), float(extrema.max())), passed, samples(passed).T,
     )  # fmt: skip
-
-
-class Turns:
-    """Where x' = 0 on the way of one motion: the latest, and the range of x over all."""
-
-    def __init__(self) -> None:
-        self.low, self.high = np.inf, -np.inf
-        #: Time and state.
-        self.tops: deque[list[float]] = deque(maxlen=KEPT)
-        self.lows: deque[list[float]] = deque(maxlen=KEPT)
-        #: Where x passes a whole turn.
-        self.passages: deque[list[float]] = deque(maxlen=KEPT)
-
-    def add(self, t: float, direction: int, state: list[float]) -> None:
-        """Note one; ``direction`` is negative where x is largest."""
-        if direction < 0:
-            self.tops.append([t, *state])
-            self.high = max(self.high, state[0])
-        else:
-            self.lows.append([t, *state])
-            self.low = min(self.low, state[0])
 
 
 @dataclass(frozen=True)

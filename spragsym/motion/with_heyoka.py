@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from abc import ABC, abstractmethod
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -15,7 +16,7 @@ from ..errors import ConvergenceError
 from ..models.field import GAP, JUMPED, XP, Border, Field, Functions, Mode, library
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
-from .measures import Course, Turns
+from .measures import KEPT, Course
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
 from .solution import Crossing, Passage, Solution, Turn, assembled, crossed, parted
 
@@ -196,9 +197,10 @@ class Carrier(ABC):
         return not self.jumped
 
     def _put(self, states: Sequence[Any], pars: Sequence[Any]) -> None:
-        """States and parameters into the lanes, where nothing was crossed yet."""
-        self.state[:], self.pars[:] = 0.0, np.array(pars, dtype=float).T[: len(self.pars)]
-        self.state[: self.m] = np.array(states, dtype=float).T
+        """States and parameters into the first lanes, where nothing was crossed yet."""
+        self.state[:] = 0.0
+        self.state[: self.m, : len(states)] = np.array(states, dtype=float).T
+        self.pars[:, : len(pars)] = np.array(pars, dtype=float).T[: len(self.pars)]
         self.strays.clear()
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
@@ -349,28 +351,24 @@ NEAR = 1e-3
 
 
 @dataclass
-class Seen:
-    """What is noted of a motion in a lane: turns, how many events of each kind, the states where borders were last crossed.
-
-    One that may be ``resting`` on a border has events that are told from chatter by samples only.
-    """
-
-    turns: Turns = field(default_factory=Turns)
-    counts: list[int] = field(default_factory=lambda: [0] * len(Event))
-    crossed: dict[int, list[float]] = field(default_factory=dict)
-    resting: bool = False
-
-
-@dataclass
 class Traveller:
-    """A motion on its way: all that is carried of it, its mode, its steps so far, what was noted last, and why it stopped."""
+    """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped, and what is noted of it.
+
+    That is how many events there were of each kind, the states where borders were last crossed, the latest turns of x with their
+    times, by the sign of its second derivative, and where it passes a whole turn; and least and largest x at turns. One that may
+    be ``resting`` on a border has events that are told from chatter by samples only.
+    """
 
     problem: Problem
     carried: FloatArray
     mode: Mode
     steps: int = 0
-    seen: Seen = field(default_factory=Seen)
     error: Exception | None = None
+    counts: list[int] = field(default_factory=lambda: [0] * len(Event))
+    crossed: dict[int, list[float]] = field(default_factory=dict)
+    turns: dict[int, deque[list[float]]] = field(default_factory=lambda: {kind: deque(maxlen=KEPT) for kind in (1, -1, PASSAGE)})
+    reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
+    resting: bool = False
 
 
 class Lanes(Carrier):
@@ -381,40 +379,36 @@ class Lanes(Carrier):
 
     def __init__(self, field: Field, rtol: float, watch: bool) -> None:
         super().__init__(field, rtol, lanes=LANES, watch=watch)
-        self.watch, self.kinds = watch, kinds_of(field)
-        self.seen = [Seen() for _ in range(LANES)]
+        self.kinds = kinds_of(field) if watch else {}
+        self.some: Sequence[Traveller] = ()
         self.dense, self.look = self.solver.d_output, self.solver.update_d_output
 
     def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
         kind = self.kinds.get((row, self.field.borders[row].sign(self.modes[lane])))
-        if kind is not None and self.watch:
-            self.seen[lane].counts[kind] += 1
+        if kind is not None:
+            self.some[lane].counts[kind] += 1
             self._rest(lane, row)
 
     def _rest(self, lane: int, row: int) -> None:
         """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
-        seen, state = self.seen[lane], self.state[: self.m, lane].tolist()
-        before, seen.crossed[row] = seen.crossed.get(row), state
+        one, state = self.some[lane], self.state[: self.m, lane].tolist()
+        before, one.crossed[row] = one.crossed.get(row), state
         if before and max(abs(a - b) for a, b in zip(state, before, strict=True)) <= NEAR * max(map(abs, state)):
-            seen.resting = True
+            one.resting = True
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         self.look(t)
-        turns, state = self.seen[lane].turns, self.dense[: self.m, lane].tolist()
-        if border == PASSAGE:
-            turns.passages.append([t, *state])
-        else:
-            turns.add(t, direction, state)
+        one, state = self.some[lane], self.dense[: self.m, lane].tolist()
+        one.turns[PASSAGE if border == PASSAGE else direction].append([t, *state])
+        if border != PASSAGE:
+            one.reach[direction] = (max if direction < 0 else min)(one.reach[direction], state[0])
 
     def carry(self, motions: Sequence[Traveller], begin: float, end: float) -> None:
         """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way."""
-        left = [one for one in motions if one.error is None]
-        while left:
-            some, left = left[:LANES], left[LANES:]
-            self._begin(some, begin, end)
-            if not self._arrived(some, end):
-                left = [one for one in some if one.error is None] + left
-        if not (arrived := [one for one in motions if one.error is None]):
+        going = [one for one in motions if one.error is None]
+        for first in range(0, len(going), LANES):
+            self._through(going[first : first + LANES], begin, end)
+        if not (arrived := [one for one in going if one.error is None]):
             return
         states, constants, modes = (
             np.array(column).T
@@ -424,39 +418,34 @@ class Lanes(Carrier):
             if not inside:
                 one.error = missed(end) if np.isfinite(one.carried[: self.m]).all() else out_of_range()
 
-    def _begin(self, some: list[Traveller], begin: float, end: float) -> None:
-        """Put motions into lanes; what else is free stands still at the end, where the first lane is."""
-        filled = [*some, *some[:1] * (LANES - len(some))]
-        pars = [(*one.problem.constants, *one.mode, one.carried[0], _scale(end - begin)) for one in filled]
-        self.solver.set_dtime(np.where(np.arange(LANES) < len(some), begin, end), np.zeros(LANES))
-        self._put([one.carried[: self.m] for one in filled], pars)
-        self.modes, self.seen = [one.mode for one in filled], [Seen() for _ in filled]
-
-    def _arrived(self, some: list[Traveller], end: float) -> bool:
-        """Go on to the end; whether all are there: where one breaks off the others begin again."""
-        steps = [one.steps for one in some]
-        while self.times.min() < end:
-            begun, (late, early) = self.times.tolist(), self.solver.dtime
-            self.solver.set_dtime(late.copy(), np.where(late == end, 0.0, early))  # who has ended does not move by rounding
+    def _through(self, some: Sequence[Traveller], begin: float, end: float) -> None:
+        """Carry as many as there are lanes. In a lane that is free something that goes on elsewhere stands still, at the end."""
+        scale, self.some, going = _scale(end - begin), some, [*range(len(some))]
+        self.solver.set_time(begin)
+        self._put(
+            [one.carried[: self.m] for one in some], [(*one.problem.constants, *one.mode, one.carried[0], scale) for one in some]
+        )
+        self.modes = [one.mode for one in some]
+        while going:
+            free = [lane for lane in range(LANES) if lane not in going]
+            late, early = (part.copy() for part in self.solver.dtime)
+            late[free], early[free] = end, 0.0
+            self.solver.set_dtime(late, early)
+            for values in (self.state, self.pars):
+                values[:, free] = values[:, going[:1]]
             self.solver.propagate_until(end, max_steps=BURST)
-            for lane, one in enumerate(some):
+            for lane in going.copy():
+                one, begun = some[lane], float(late[lane])
                 most, t_end, constants = one.problem.max_steps, one.problem.t_end, one.problem.constants
                 try:
-                    steps[lane] = self._counted(lane, begun[lane], steps[lane], most, t_end, constants)
+                    one.steps = self._counted(lane, begun, one.steps, most, t_end, constants)
                 except ConvergenceError as error:
                     one.error = error
-            if any(one.error for one in some):
-                return False
-        for lane, one in enumerate(some):
-            for border in list(self.seen[lane].crossed):
-                self._rest(lane, border)
-            one.carried, one.mode, one.steps, one.seen = (
-                self.state[:, lane].copy(),
-                self.modes[lane],
-                steps[lane],
-                self.seen[lane],
-            )
-        return True
+                if one.error or not self.times[lane] < end:
+                    going.remove(lane)
+                    one.carried, one.mode = self.state[:, lane].copy(), self.modes[lane]
+                    for border in [*one.crossed]:
+                        self._rest(lane, border)
 
 
 def _scale(duration: float) -> float:
@@ -480,14 +469,14 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
     compiled(Lanes, one.field, one.rtol, watch=True).carry(motions, begin, end)
 
     def course(motion: Traveller, first: FloatArray) -> Course:
-        last, seen = motion.carried, motion.seen.turns
-        tops, lows, passed = (np.array(each).reshape(-1, 1 + size) for each in (seen.tops, seen.lows, seen.passages))
-        low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
+        last, reach = motion.carried, motion.reach
+        tops, lows, passed = (np.array(motion.turns[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE))
+        low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, reach[1]), (max, reach[-1])))
         return Course(
             begin, end, first, last[:size], tops[:, 0], tops[:, 1:], last[size:] / scale, lows[:, 1:],
-            np.array(motion.seen.counts), (low, high), passed[:, 0], passed[:, 1:],
+            np.array(motion.counts), (low, high), passed[:, 0], passed[:, 1:],
         )  # fmt: skip
 
     found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]
-    again = [isinstance(each.error, StiffError) or (each.error is None and each.seen.resting) for each in motions]
+    again = [isinstance(each.error, StiffError) or (each.error is None and each.resting) for each in motions]
     return found, np.flatnonzero(again).tolist()

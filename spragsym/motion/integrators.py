@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any, TypeVar
 
@@ -25,7 +25,7 @@ from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
 from .solution import Fly, Passage, Solution, events_of, without_chatter
 from .with_heyoka import taylor_of
-from .with_scipy import IMPLICIT, RTOL, Flight
+from .with_scipy import IMPLICIT, NONE, RTOL, Flight
 
 T = TypeVar("T")
 
@@ -78,8 +78,8 @@ def integrate(problem: Problem, backend: str) -> Solution:
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
     except StiffError:
-        flight = Flight(problem.field, False, 0, max(problem.rtol, IMPLICIT), stiff=True)
-        solution = flight.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record)
+        flight = Flight(problem.field, False, max(problem.rtol, IMPLICIT), stiff=True)
+        solution = flight.motion(replace(problem, max_steps=None))
     return without_chatter(solution, problem)
 
 
@@ -120,31 +120,30 @@ class Flow:
         return cls(field, choose(backend, OF_ANY_MODEL))
 
     def fly(
-        self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray | None = None
+        self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray = NONE
     ) -> Passage:  # fmt: skip
         """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (2, P)."""
-        if directions is None:
-            directions = np.zeros((2, len(self.field.parameters)))
         if self.other:
             return self.other(state, constants, duration, directions)
-        along = 2 if directions.any() else 0
-        return self._asked(lambda carrier: carrier.fly(state, constants, duration, directions), True, along)
+        along = directions if directions.any() else NONE
+        return self._asked(lambda carrier: carrier.fly(state, constants, duration, along), True, len(along))
 
     def plain(
-        self, state: FloatArray, constants: tuple[float, ...], duration: float, _: object = None, *, loose: bool = False
+        self, state: FloatArray, constants: tuple[float, ...], duration: float, *, loose: bool = False
     ) -> Passage:  # fmt: skip
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
         return self._asked(lambda carrier: carrier.fly(state, constants, duration), False, rtol=LOOSE if loose else RTOL)
 
     def samples(self, start: FloatArray, constants: tuple[float, ...], t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
-        return self._asked(lambda carrier: carrier.motion(start, constants, t_end).samples, False)
+        problem = Problem(constants, tuple(start.tolist()), t_end, 0.0, RTOL, None, lambda _: self.field)
+        return self._asked(lambda carrier: carrier.motion(problem).samples, False)
 
     def _asked(self, ask: Callable[[Any], T], derivatives: bool, directions: int = 0, rtol: float = RTOL) -> T:
         """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""
         try:
             if self.backend == "heyoka":
                 return ask(taylor_of(self.field, derivatives, directions))
-            return ask(Flight(self.field, derivatives, directions, rtol))
+            return ask(Flight(self.field, derivatives, rtol))
         except StiffError:
-            return ask(Flight(self.field, derivatives, directions, max(rtol, IMPLICIT), stiff=True))
+            return ask(Flight(self.field, derivatives, max(rtol, IMPLICIT), stiff=True))

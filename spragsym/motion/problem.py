@@ -56,7 +56,8 @@ class Problem:
     t_end: float
     t_record: float
     rtol: float
-    max_steps: int
+    #: None for as many as an integrator makes of any motion.
+    max_steps: int | None
     #: The field, for a given reach of the exponentials of the friction law.
     field_of: Callable[[float], Field]
 

@@ -87,10 +87,14 @@ class Loop:
         return self.guess.values
 
     @cached_property
+    def ends(self) -> FloatArray:
+        """Ends of the stretches, shape (k, m)."""
+        return np.array([each.state for each in self.passages])
+
+    @cached_property
     def gaps(self) -> FloatArray:
-        """Ends of the stretches less the beginnings of the next, shape (k, m): what comes around closes after whole turns."""
-        ends = np.array([each.state for each in self.passages])
-        return apart(ends, np.roll(self.states, -1, axis=0), self.field.around)
+        """Ends of the stretches less the beginnings of the next: what comes around closes after whole turns."""
+        return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.around)
 
     @property
     def missed(self) -> float:
@@ -100,7 +104,7 @@ class Loop:
     @cached_property
     def winding(self) -> int:
         """Turns that the first coordinate makes in one round."""
-        moved = sum(float(each.state[0] - start[0]) for each, start in zip(self.passages, self.states, strict=True))
+        moved = float((self.ends - self.states)[:, 0].sum())
         return round(moved / TURN) if 0 in self.field.around else 0
 
     @cached_property
@@ -320,8 +324,9 @@ def once_round(loop: Loop) -> Loop:
 
 def difference(loop: Loop) -> float:
     """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
-    other = looped(replace(loop.flow, other=loop.flow.plain), loop.guess)
-    return max(float(np.abs(a.state - b.state).max()) for a, b in zip(loop.passages, other.passages, strict=True))
+    stretch = loop.period / len(loop.passages)
+    ends = [loop.flow.plain(state, loop.constants, stretch).state for state in loop.states]
+    return float(np.abs(loop.ends - ends).max())
 
 
 def error_of(loop: Loop, differs: float = 0.0) -> float:
@@ -335,7 +340,7 @@ def error_of(loop: Loop, differs: float = 0.0) -> float:
 
 def extent(loop: Loop) -> float:
     """How far apart the turns of an orbit are: the largest of all components."""
-    states = [*(turn.state for turn in loop.turns()), *loop.states, *(each.state for each in loop.passages)]
+    states = [*(turn.state for turn in loop.turns()), *loop.states, *loop.ends]
     return float(np.ptp(states, axis=0).max())
 
 

@@ -76,6 +76,10 @@ def parted(state: FloatArray, columns: FloatArray | None) -> tuple[FloatArray, F
     return state.copy(), whole[:, :m], whole[:, m:]
 
 
+#: Times and states of some steps at their Lobatto points, shapes (steps, DEGREE + 1) and (steps, 2 n, DEGREE + 1).
+Samples: TypeAlias = tuple[FloatArray, FloatArray]
+
+
 @dataclass(frozen=True)
 class Solution:
     """A motion as polynomials, and its crossings of kinks; whether an implicit method carried it, as explicit steps collapsed."""
@@ -85,8 +89,9 @@ class Solution:
     implicit: bool = False
 
 
-def assembled(t: FloatArray, states: FloatArray, crossings: Sequence[Crossing], t_record: float = 0.0) -> Solution:
-    """From samples by steps, shapes (steps, DEGREE + 1) and (steps, 2 n, DEGREE + 1), to samples in a row."""
+def assembled(pieces: Sequence[Samples], crossings: Sequence[Crossing], t_record: float) -> Solution:
+    """From samples by steps to samples in a row."""
+    t, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     samples = PiecewisePolynomial(
         np.append(t[:, :-1].ravel(), t[-1, -1]),
         np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),

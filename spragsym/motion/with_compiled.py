@@ -12,8 +12,8 @@ from ..models.load import fits
 from ..models.parameters import FloatArray
 from . import with_scipy
 from .lobatto import unit_points
-from .problem import Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Solution, assembled, crossed
+from .problem import MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
+from .solution import Crossing, Samples, Solution, assembled, crossed
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
 CHUNK = 20_000
@@ -45,11 +45,10 @@ def integrate(problem: Problem) -> Solution:
 
     unit = unit_points()
     mode, state, elapsed, steps = problem.field.initial_mode(problem.start, problem.constants), np.array(problem.start), 0.0, 0
-    constants = np.array(problem.constants)
+    constants, most = np.array(problem.constants), problem.max_steps or MAX_STEPS
     length = with_scipy.first_step(problem, mode)
     times, states = np.empty((CHUNK, unit.size)), np.empty((CHUNK, 4, unit.size))
-    pieces: list[tuple[FloatArray, FloatArray]] = []
-    crossings: list[Crossing] = []
+    pieces, crossings = list[Samples](), list[Crossing]()
     while elapsed < problem.t_end:
         # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
         bound = problem.t_end - elapsed
@@ -57,7 +56,7 @@ def integrate(problem: Problem) -> Solution:
         outcome, border = FULL, 0
         while outcome == FULL:
             begun = float(clock[0])
-            limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, problem.max_steps - steps])
+            limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, most - steps])
             given = np.array([*mode, problem.reach, WIDTH, GAP])
             outcome, border, made, kept = _carried.carry(
                 constants, given, limits, _tables(), unit, state, clock, times, states
@@ -70,7 +69,7 @@ def integrate(problem: Problem) -> Solution:
                 check_stiffness(problem.field, state, problem.constants, step, left)
         elapsed, length = elapsed + float(clock[0]), float(clock[1])
         if outcome == TOO_MANY:
-            raise too_many_steps(problem.max_steps, elapsed, problem.t_end, problem.rtol)
+            raise too_many_steps(most, elapsed, problem.t_end, problem.rtol)
         if not np.isfinite(state).all():
             raise out_of_range()
         if outcome == TOO_SMALL:
@@ -79,5 +78,4 @@ def integrate(problem: Problem) -> Solution:
             break
         mode = problem.field.borders[border].beyond(mode)
         crossings += crossed(problem.field, border, mode, elapsed, state)
-    found_times, found_states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    return assembled(found_times, found_states, crossings, problem.t_record)
+    return assembled(pieces, crossings, problem.t_record)

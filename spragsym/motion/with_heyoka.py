@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Solution, Turn, assembled, crossed, parted
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, crossed, parted
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so. Steps after
 #: which a stretch of a flow is given up.
@@ -43,9 +43,6 @@ FELT = 37.0
 CURVED = 1e-3 * GAP
 
 T = TypeVar("T")
-
-#: Times and states by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1).
-Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 
 @dataclass(frozen=True)
@@ -285,15 +282,13 @@ class Taylor(Carrier):
             raise missed(t)
         return steps, pieces
 
-    def motion(
-        self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int = MAX_STEPS
-    ) -> Solution:  # fmt: skip
+    def motion(self, problem: Problem) -> Solution:
         """A motion by its samples, from ``t_record`` on."""
-        self.begin(start, constants)
-        steps = self.go(t_record, t_end, max_steps)[0] if t_record > 0 else 0
-        _, pieces = self.go(t_end, t_end, max_steps, steps, record=True)
-        times, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-        return assembled(times, states, self.crossings, t_record)
+        self.begin(problem.start, problem.constants)
+        end, most = problem.t_end, problem.max_steps or MAX_STEPS
+        steps, _ = self.go(problem.t_record, end, most)
+        _, pieces = self.go(end, end, most, steps, record=True)
+        return assembled(pieces, self.crossings, problem.t_record)
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: Any = ()) -> Passage:
         """Carry a state on for a while."""
@@ -333,8 +328,7 @@ def taylor_of(field: Field, derivatives: bool, directions: int) -> Taylor:
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    carried = taylor_for(problem)
-    return carried.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=problem.max_steps)
+    return taylor_for(problem).motion(problem)
 
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
@@ -436,7 +430,7 @@ class Lanes(Carrier):
             self.solver.propagate_until(end, max_steps=BURST)
             for lane in going.copy():
                 one, begun = some[lane], float(late[lane])
-                most, t_end, constants = one.problem.max_steps, one.problem.t_end, one.problem.constants
+                most, t_end, constants = one.problem.max_steps or MAX_STEPS, one.problem.t_end, one.problem.constants
                 try:
                     one.steps = self._counted(lane, begun, one.steps, most, t_end, constants)
                 except ConvergenceError as error:

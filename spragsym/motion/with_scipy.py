@@ -14,21 +14,18 @@ from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Solution, Turn, assembled, crossed, parted
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, crossed, parted
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
 FLOATS = SimpleNamespace(**{**vars(math), "exp": lambda z: math.exp(min(z, 100.0))})
-ARRAYS = SimpleNamespace(
-    sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)), log=np.log, tanh=np.tanh, atan=np.atan, atan2=np.atan2,
-    cos=np.cos, sin=np.sin, pi=np.pi,
-)  # fmt: skip
+ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 100.0))})
 
 #: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a share of it.
 RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
 
 #: No directions.
-NONE = np.empty(0)
+NONE = np.empty((0, 0))
 
 #: Steps after which a stretch of a flow is given up, and between two looks at whether they have collapsed.
 MAX_STEPS, LOOK = 200_000, 2000
@@ -71,7 +68,6 @@ class Flight:
 
     field: Field
     derivatives: bool
-    directions: int
     rtol: float = RTOL
     stiff: bool = False
     absolute: float = ABSOLUTE
@@ -85,29 +81,27 @@ class Flight:
         crossings, turns = list[Crossing](), list[Turn]()
         whole = np.asarray(state, dtype=float)
         if self.derivatives:
-            whole = np.concatenate([whole, np.eye(m, m + self.directions).ravel()])
+            whole = np.concatenate([whole, np.eye(m, m + len(directions)).ravel()])
         for piece in self._pieces(whole, constants, duration, directions):
             turns += self._turns(piece, constants)
             crossings += piece.crossings
             whole = piece.last
         return Passage(*self._split(whole), tuple(crossings), tuple(turns))
 
-    def motion(
-        self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int | None = None
-    ) -> Solution:  # fmt: skip
+    def motion(self, problem: Problem) -> Solution:
         """A motion by its samples, from ``t_record`` on, without derivatives."""
-        times, states, crossings = [], [], list[Crossing]()
+        pieces, crossings, begin = list[Samples](), list[Crossing](), problem.t_record
         with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
-            for piece in self._pieces(np.array(start, dtype=float), constants, t_end, NONE, max_steps):
+            start = np.array(problem.start, dtype=float)
+            for piece in self._pieces(start, problem.constants, problem.t_end, NONE, problem.max_steps):
                 crossings += piece.crossings
-                if piece.end > max(piece.begin, t_record - piece.clock):
-                    times.append(piece.clock + piece.t)
-                    states.append(piece.samples)
-        return replace(assembled(np.array(times), np.array(states), crossings, t_record), implicit=self.stiff)
+                if piece.end > max(piece.begin, begin - piece.clock):
+                    pieces.append(((piece.clock + piece.t)[None], piece.samples[None]))
+        return replace(assembled(pieces, crossings, begin), implicit=self.stiff)
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         m = self.field.size
-        return parted(values[:m], values[m:].reshape(m, m + self.directions) if self.derivatives else None)
+        return parted(values[:m], values[m:].reshape(m, -1) if self.derivatives else None)
 
     def _pieces(
         self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray, most: int | None = None
@@ -174,7 +168,7 @@ class Flight:
                 return own
             columns = whole[m:].reshape(m, -1)
             change = field.matrix(state, constants, mode, FLOATS) @ columns
-            if self.directions:
+            if directions.size:
                 change[n:, m:] += np.array(field.by_parameters(state, constants, mode, FLOATS), dtype=float) @ directions.T
             return np.concatenate([own, change.ravel()])
 
@@ -218,13 +212,12 @@ class Flight:
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    flight, begun = Flight(problem.field, False, 0, problem.rtol, absolute=1e-3, interpolated=True), problem.start
-    return flight.motion(begun, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=problem.max_steps)
+    return Flight(problem.field, False, problem.rtol, absolute=1e-3, interpolated=True).motion(problem)
 
 
 def first_step(problem: Problem, mode: Mode) -> float:
     """The length of the first step, as SciPy chooses it."""
-    rates = Flight(problem.field, False, 0).rates(problem.constants, mode, NONE)
+    rates = Flight(problem.field, False).rates(problem.constants, mode, NONE)
     options = {"rtol": problem.rtol, "atol": problem.rtol * 1e-3}
     return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
 

@@ -393,9 +393,10 @@ class Lanes(Carrier):
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         self.look(t)
         one, state = self.some[lane], self.dense[: self.m, lane].tolist()
-        one.turns[PASSAGE if border == PASSAGE else direction].append([t, *state])
+        kind, bound = (-1, max) if direction < 0 else (1, min)  # the direction is 0 where both derivatives are
+        one.turns[PASSAGE if border == PASSAGE else kind].append([t, *state])
         if border != PASSAGE:
-            one.reach[direction] = (max if direction < 0 else min)(one.reach[direction], state[0])
+            one.reach[kind] = bound(one.reach[kind], state[0])
 
     def carry(self, motions: Sequence[Traveller], begin: float, end: float) -> None:
         """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way."""

@@ -146,7 +146,7 @@ def test_every_module_that_decides_a_record_counts(tmp_path: Path, monkeypatch: 
     for file in read:
         (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / file).write_bytes((package / file).read_bytes())
-    monkeypatch.setattr(many, "files", lambda _: tmp_path)
+    monkeypatch.setattr(many, "PACKAGE", tmp_path)
     monkeypatch.setattr(many, "DECIDING", [place for place in many.DECIDING if (tmp_path / place).exists()])
     digest = many.digest.__wrapped__
     before = digest()

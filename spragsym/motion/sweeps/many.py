@@ -5,11 +5,10 @@ from __future__ import annotations
 import hashlib
 import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
-from importlib.resources import files
-from importlib.resources.abc import Traversable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -39,6 +38,9 @@ TOGETHER, TOGETHER_FOR = 1024, 2e5
 
 #: Tasks that every worker gets at least, where there are points enough.
 PARTS = 16
+
+#: The package's folder.
+PACKAGE = Path(__file__).parents[2]
 
 #: What a motion's record is made by: rooms, and single modules. ``test_sweeps`` compares them with what is imported.
 DECIDING = (
@@ -341,18 +343,8 @@ def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[
 @cache
 def digest(*further: str) -> str:
     """SHA-256 of the text of all modules that decide a record, whatever their line ends are; ``further`` places among them."""
-    package = files(__package__.partition(".")[0])
-    total = hashlib.sha256()
-    for name, module in sorted(found for place in (*DECIDING, *further) for found in _modules(package, place)):
+    total, places = hashlib.sha256(), [PACKAGE / place for place in (*DECIDING, *further)]
+    for module in sorted(found for there in places for found in ([there] if there.is_file() else there.rglob("*.py"))):
+        name = module.relative_to(PACKAGE).as_posix()
         total.update(f"{name}\n".encode() + module.read_bytes().replace(b"\r\n", b"\n"))
     return total.hexdigest()
-
-
-def _modules(package: Traversable, place: str) -> Iterator[tuple[str, Traversable]]:
-    """Name and text of a module, or of all modules of a room."""
-    there = package.joinpath(place)
-    if place.endswith(".py"):
-        yield place, there
-    elif there.is_dir():
-        for inner in there.iterdir():
-            yield from _modules(package, f"{place}/{inner.name}")

@@ -90,7 +90,7 @@ __all__ = [
 
 
 #: Marks of equilibria by their stability.
-_MARKS = {Stability.STABLE: ("o", "stable"), Stability.DIVERGENT: ("x", "divergent"), Stability.FLUTTER: ("^", "flutter")}
+_MARKS = {Stability.STABLE: "o", Stability.DIVERGENT: "x", Stability.FLUTTER: "^"}
 
 
 @styled
@@ -144,11 +144,11 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     if across is None:
         ax.set_xlabel("state")
     lines = []
-    for kind, (mark, word) in _MARKS.items():
+    for kind, mark in _MARKS.items():
         here = rows["stability"] == kind
         if here.any():
-            style: dict[str, Any] = {"linestyle": "none", "marker": mark, "color": BLACK, "markersize": 3, "label": word}
-            lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **(style | options))
+            style = {"linestyle": "none", "marker": mark, "color": BLACK, "markersize": 3, "label": kind.name.lower(), **options}
+            lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **style)
     return lines
 
 
@@ -158,14 +158,15 @@ def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, of: str | N
 
 def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
     """The first column of numbers over another that varies, or over the row."""
-    columns = {name: np.ravel(column) for name, column in result.data().items() if column.dtype.kind in "fiu"}
+    columns = [(name, np.ravel(column)) for name, column in result.data().items() if column.dtype.kind in "fiu"]
     if not columns:
         raise ParameterError(f"{type(result).__name__} has no columns of numbers, so that there is nothing to draw; print it")
+    if len(columns) == 1:
+        columns.insert(0, ("row", np.arange(columns[0][1].size)))
+    (across, x), (up, y), *_ = columns
     ax = own_axes(ax)
-    names = [*columns][:2]
-    across = columns[names[0]] if len(names) == 2 else np.arange(columns[names[0]].size)
-    ax.set(xlabel=names[0] if len(names) == 2 else "row", ylabel=names[-1])
-    return ax.plot(across, columns[names[-1]], ".", **options)
+    ax.set(xlabel=across, ylabel=up)
+    return ax.plot(x, y, ".", **options)
 
 
 _FIGURES: Mapping[str, Callable[..., Any]] = {

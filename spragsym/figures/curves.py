@@ -107,18 +107,15 @@ def branches(
     them, see :func:`spragsym.bifurcation.branches.linked`. Where a curve leaves the contact it ends at the last of these
     points.
     """
-    vary, ends, turns = _range(p, vary, low, high, contact)
-    return curves_between(p, vary, ends, turns, damping, n)
+    return curves_between(p, *_range(p, vary, low, high, contact), damping, n)
 
 
 def curves_between(
     p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
 ) -> list[Branch]:  # fmt: skip
     """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds."""
-    found: list[Branch] = []
-    for eq, at, between in chains_between(p, vary, ends, turns, damping, n):
-        found += _pieces(vary, eq, at, turns, between, damping)
-    return found
+    chains = chains_between(p, vary, ends, turns, damping, n)
+    return [piece for eq, at, between in chains for piece in _pieces(vary, eq, at, turns, between, damping)]
 
 
 def chains_between(
@@ -202,8 +199,8 @@ def draw_branches(
     ax = own_axes(ax)
     lines = []
     for curve in curves:
-        style: dict[str, Any] = {"color": color, "linestyle": LINES[curve.stability]}
-        lines += ax.plot(curve.shown(curve.vary), curve.shown(quantity), **(style | options))
+        style = {"color": color, "linestyle": LINES[curve.stability], **options}
+        lines += ax.plot(curve.shown(curve.vary), curve.shown(quantity), **style)
     return lines
 
 
@@ -222,14 +219,8 @@ def mark_folds(
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
     x, y = as_drawn(model, turns.vary[0], along[inside]), as_drawn(model, quantity, getattr(turns, quantity)[inside])
-    style: dict[str, Any] = {
-        "linestyle": "none",
-        "marker": "o",
-        "markersize": 3.4,
-        "color": BLACK,
-        "zorder": 3,
-    }
-    return own_axes(ax).plot(x, y, **(style | options))
+    style = {"linestyle": "none", "marker": "o", "markersize": 3.4, "color": BLACK, "zorder": 3, **options}
+    return own_axes(ax).plot(x, y, **style)
 
 
 def plot_equilibria(
@@ -323,9 +314,9 @@ def draw_path(
     name_axes(ax, path.parameters.model, path.vary, quantity)
     artists: list[Any] = []
     pieces = passages(path, quantity)
-    style: dict[str, Any] = {"color": color, "linewidth": 1.1, "zorder": 2.2}
+    style = {"color": color, "linewidth": 1.1, "zorder": 2.2, **options}
     for value, state in pieces:
-        artists += ax.plot(value, state, **(style | options))
+        artists += ax.plot(value, state, **style)
         artists += [_head(ax, *_around(value, state, share), color) for share in arrows]
     for (value, state), (_, landed) in itertools.pairwise(pieces):
         begin, end = (value[-1], state[-1]), (value[-1], landed[0])

@@ -44,6 +44,7 @@ from .style import (
     label,
     line_at,
     panels,
+    runs,
     say,
     shown,
     single,
@@ -123,8 +124,7 @@ def figure_cycles() -> Sheet:
     places = float(np.degrees(fate.value)), _fold(Parameters.article()), _fold(_sliding())
     for line_place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
-    angle_axis(ax)
-    ax.set(ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
+    angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V = {V}, steepness
         d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|; colours: cycles, root mean square of x about
@@ -145,22 +145,20 @@ def draw_stretches(
     ax: Axes, values: FloatArray, heights: FloatArray, stable: BoolArray, colour: str, width: float
 ) -> None:  # fmt: skip
     """A branch: full where stable, dashed where not, without a gap between."""
-    for wanted, style in ((True, "-"), (False, (0, (3, 1.5)))):
-        ends = stable == wanted
-        shown = ends | np.append(False, ends[:-1] & ~ends[1:])
-        ax.plot(np.where(shown, values, np.nan), np.where(shown, heights, np.nan), color=colour, linestyle=style, linewidth=width)
+    for part in runs(stable):
+        style = "-" if stable[part][0] else (0, (3, 1.5))
+        ax.plot(values[part], heights[part], color=colour, linestyle=style, linewidth=width)
 
 
 def draw_cycles(
     ax: Axes, branch: CycleBranch, unit: float, heights: FloatArray, height_of: Callable[[Cycle], float], colour: str
 ) -> None:
     """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far as it is stable."""
-    changes = list(branch.changes())
-    at = np.repeat([place for place, _ in changes], 2).astype(int)
-    values = np.insert(branch.values, at, np.repeat([event.value for _, event in changes], 2))
-    curve = np.insert(heights, at, np.repeat([height_of(event.cycle) for _, event in changes], 2))
-    stable = np.insert(branch.stable, at, [side for place, _ in changes for side in branch.stable[place - 1 : place + 1]])
-    draw_stretches(ax, unit * values, curve, stable, colour, 1.3)
+    changes = dict(branch.changes())
+    at = [*changes]
+    values = np.insert(branch.values, at, [event.value for event in changes.values()])
+    curve = np.insert(heights, at, [height_of(event.cycle) for event in changes.values()])
+    draw_stretches(ax, unit * values, curve, np.insert(branch.stable, at, branch.stable[at]), colour, 1.3)
 
 
 @styled
@@ -234,8 +232,7 @@ def figure_cycles_plane(
             fates["mu0"].append(mu0)
     ax.plot(*fates.values(), "o", color=BLACK, markersize=3)
     tables |= {"a_statics": stacked(still), "a_fates": fates}
-    angle_axis(ax)
-    ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
+    angle_axis(ax, ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
         equilibria, at μ₀. Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed.
@@ -258,9 +255,8 @@ def fate_map_figure(found: FateMap) -> Sheet:
     if len(varied) != 2 or found.kind.size != math.prod(found.inputs[name].size for name in varied):
         raise ParameterError(f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters")
     every = {name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel()) for name in varied}
-    (across, column), (up, row) = (np.unique(values, return_inverse=True) for values in every.values())
-    place = np.empty((up.size, across.size), dtype=int)
-    place[row, column] = np.arange(row.size)
+    across, up = map(np.unique, every.values())
+    place = np.lexsort([*every.values()]).reshape(up.size, across.size)
     kind, period = found.kind.ravel()[place], found.period.ravel()[place]
     figure, ax = single(DOUBLE, 3.2)
     for code, (colour, _) in PLAIN.items():

@@ -121,14 +121,13 @@ def draw_linear(ax: Axes, p: Parameters, name: str) -> Table:
 
 
 def draw_panel(
-    ax: Axes, p: Parameters | None, curves: Iterable[Branch], name: str = "x", color: str = BLACK, **limits: tuple[float, float]
+    ax: Axes, p: Parameters | None, curves: Iterable[Branch], name: str = "x", color: str = BLACK, **limits: Any
 ) -> None:  # fmt: skip
     """Curves over the inclination, and the folds of a set of parameters."""
     draw_branches(curves, name, ax=ax, color=color)
     if p is not None:
         mark_folds(ss.folds(p), name, ax=ax, color=color)
-    angle_axis(ax)
-    ax.set(ylabel=LABELS[name], **limits)
+    angle_axis(ax, ylabel=LABELS[name], **limits)
 
 
 #: Where a direct label stands, and the point of the curve that a thin line leads to.
@@ -205,13 +204,11 @@ def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
     inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
         draw_branches(branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0)
-    angle_axis(inset, step=60)
-    inset.set(ylabel=LABELS["x"], ylim=(-0.02, 0.068))
-    inset.set_yticks((0.0, 0.03, 0.06))
+    angle_axis(inset, step=60, ylabel=LABELS["x"], ylim=(-0.02, 0.068), yticks=(0.0, 0.03, 0.06))
     inset.tick_params(labelsize=7)
-    for label in (inset.xaxis.label, inset.yaxis.label):
-        label.set_fontsize(7)
-    inset.xaxis.labelpad = inset.yaxis.labelpad = 1.0
+    for axis in (inset.xaxis, inset.yaxis):
+        axis.label.set_fontsize(7)
+        axis.labelpad = 1.0
     return inset
 
 
@@ -231,21 +228,12 @@ def figure_6() -> Sheet:
     curves = branches(p)
     values = np.radians(np.linspace(0.5, 179.5, 359))
     rising, falling = _both_ways(left, p, curves, values, [(0.55,), (0.35, 0.9)], [(40, 0.45), (58, 1.5)])
-    angle_axis(left)
-    left.set(ylabel=LABELS["x"], ylim=(-2.1, 2.3))
+    angle_axis(left, ylabel=LABELS["x"], ylim=(-2.1, 2.3))
     linear = draw_linear(right, p, "x")
     low, high = linear_curves(p)[1]
     right.axvspan(low, high, color=SKY, alpha=0.25, linewidth=0)
-    angle_axis(right)
-    right.set(ylabel=LABELS["x"], ylim=(-6, 6))
-    right.annotate(
-        "no steady sliding",
-        ((low + high) / 2, 4.4),
-        (102, 4.9),
-        fontsize=8,
-        va="center",
-        arrowprops={"arrowstyle": "-", "linewidth": 0.5},
-    )
+    angle_axis(right, ylabel=LABELS["x"], ylim=(-6, 6))
+    _point_at(right, "no steady sliding", ((low + high) / 2, 4.4), (102, 4.9))
     return figure.describe(
         f"""Figure 6. Trajectory of the equilibrium over the inclination at μ₀ = 0.7, {BASE_TEXT}. (a)
         Nonlinear model: from small deformation the state jumps where θ₀ rises through the fold, and

@@ -58,9 +58,7 @@ def figure_3() -> Sheet:
         left.plot(speed[part], friction[part], color=BLACK)
     line_at(left, V)
     write_along(left, r"$x' = V$", V + 0.04, -0.12)
-    left.set(xlabel=r"$x'$", ylabel=r"$\mu/\mu_0$", xlim=(-0.5, 1.5), ylim=(-1.15, 1.15))
-    left.set_xticks(np.arange(-0.5, 1.6, 0.5))
-    right.set_xticks(np.arange(-0.1, 0.11, 0.05))
+    left.set(xlabel=r"$x'$", ylabel=r"$\mu/\mu_0$", xlim=(-0.5, 1.5), ylim=(-1.15, 1.15), xticks=np.arange(-0.5, 1.6, 0.5))
     y = np.array([-0.1, 0.0, 0.1])
     # Without spring and preload the acceleration across the belt, (9), is the contact force, (11).
     _, contact = MODEL.algebra.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
@@ -68,7 +66,7 @@ def figure_3() -> Sheet:
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06, ha="left")
     write_along(right, "lift-off", 0.05, 0.009, ha="center")
-    right.set(xlabel=r"$y$", ylabel=r"$n$", xlim=(-0.1, 0.1), ylim=(-0.008, 0.105))
+    right.set(xlabel=r"$y$", ylabel=r"$n$", xlim=(-0.1, 0.1), ylim=(-0.008, 0.105), xticks=np.arange(-0.1, 0.11, 0.05))
     return figure.describe(
         f"""Figure 3. (a) Regularized friction coefficient (10) over the speed of the mass, for a belt speed
         V = {V} and a steepness d = {D:g}, which are our assumption: the article states neither. (b) Contact
@@ -94,8 +92,7 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     fold = float(np.degrees(ss.folds(p).theta0[0]))
     line_at(right, fold, VERMILION, 0.8)
     write_along(right, f"fold, {fold:.2f}°", fold + 3, 0.12, color=VERMILION)
-    angle_axis(right)
-    right.set(ylabel=r"RMS of $x$", ylim=(0, None))
+    angle_axis(right, ylabel=r"RMS of $x$", ylim=(0, None))
     return figure.describe(
         f"""Figure 7. Motion from rest at x = y = 0, μ₀ = 0.5, {BASE_TEXT}. (a) x over dimensionless time at
         θ₀ = 49°. (b) Root mean square of x, about zero, over 1500 < τ < 2000. Belt speed V = {V},
@@ -248,8 +245,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
         line.set_path_effects([withStroke(linewidth=2.4, foreground="white")])
     for text, place in (("I", (50, 0.75)), ("II", (117, 0.93))):
         write_along(ax, text, *place, ha="center", color=BLACK if text == "I" else "white")
-    angle_axis(ax)
-    ax.set(ylabel=r"$\mu_0$", ylim=MU0_RANGE)
+    angle_axis(ax, ylabel=r"$\mu_0$", ylim=MU0_RANGE)
     figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
     share = 2**levels
     return figure.describe(
@@ -318,8 +314,7 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         for rms, value, color in zip(sweep.rms, values, _SHADES, strict=True):
             ax.plot(angles, rms, color=color, linewidth=0.9, label=f"${name} = {value:.3g}$")
             columns[f"rms_x_{name}_{value:.4g}"] = rms
-        angle_axis(ax, 20, 70, 10)
-        ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
+        angle_axis(ax, 20, 70, 10, ylabel=r"RMS of $x$", ylim=(0, None))
         ax.legend(loc="upper left", handlelength=1.2, borderaxespad=0.1)
     ax = axes[2]
     coarse = p.replace(theta0=np.radians(np.arange(26.0, 60.0, 2.0 * step_deg)))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import functools
 import io
 import itertools
 import math
@@ -12,7 +11,8 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, ParamSpec, TypeAlias, TypeVar
+from types import MappingProxyType
+from typing import Any, TypeAlias
 
 import matplotlib
 import numpy as np
@@ -72,29 +72,22 @@ STYLE: dict[str, Any] = {
 #: Columns of numbers or words by name: what one panel shows.
 Table: TypeAlias = Mapping[str, ArrayLike]
 
-_P = ParamSpec("_P")
-_R = TypeVar("_R")
-
 
 class Sheet(Figure):
     """A figure with its caption, and the data of its panels by letter."""
 
     caption: str = ""
-
-    def __init__(self, *args: Any, **options: Any) -> None:
-        super().__init__(*args, **options)
-        self.tables: dict[str, Table] = {}
+    tables: Mapping[str, Table] = MappingProxyType({})
 
     def describe(self, caption: str, **tables: Table) -> Sheet:
         """Set the caption, and the data of panels ``a``, ``b``, …."""
         self.caption = " ".join(textwrap.dedent(caption).split())
-        self.tables = dict(tables)
+        self.tables = tables
         return self
 
     def _repr_png_(self) -> bytes:
-        with house_style(), io.BytesIO() as file:
-            self.savefig(file, format="png", dpi=150)
-            return file.getvalue()
+        with house_style():
+            return picture(self, "png", dpi=150)
 
 
 @contextmanager
@@ -107,15 +100,8 @@ def house_style() -> Iterator[None]:
     matplotlib.interactive(interactive)  # which a notebook turns on when pyplot is first imported, perhaps in here
 
 
-def styled(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Run a function with the house style, and leave the global one as it was."""
-
-    @functools.wraps(function)
-    def inside(*args: _P.args, **options: _P.kwargs) -> _R:
-        with house_style():
-            return function(*args, **options)
-
-    return inside
+#: Decorator: run a function with the house style, and leave the global one as it was.
+styled = house_style()
 
 
 def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Sheet, NDArray[Any]]:
@@ -157,12 +143,9 @@ def own_axes(ax: Axes | None) -> Axes:
     return pyplot.gca()
 
 
-def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, label: bool = True) -> None:
-    """θ₀ in degrees along x."""
-    ax.set_xlim(low, high)
-    ax.set_xticks(np.arange(low, high + step / 2, step))
-    if label:
-        ax.set_xlabel(r"$\theta_0$ (deg)")
+def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, **more: Any) -> None:
+    """θ₀ in degrees along x, and more settings of the axes."""
+    ax.set(xlim=(low, high), xticks=np.arange(low, high + step / 2, step), xlabel=r"$\theta_0$ (deg)", **more)
 
 
 def remark(ax: Axes, text: str) -> None:
@@ -177,8 +160,7 @@ def line_at(ax: Axes, place: float, color: str = GREY, width: float = 0.7, style
 
 def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any) -> Any:
     """A direct label in data coordinates."""
-    style: dict[str, Any] = {"color": color, "fontsize": 8, "ha": "left", "va": "center"}
-    return ax.text(x, y, text, **(style | options))
+    return ax.text(x, y, text, **{"color": color, "fontsize": 8, "ha": "left", "va": "center", **options})
 
 
 def say(ax: Axes, text: str) -> None:
@@ -256,8 +238,7 @@ def label(model: Model, name: str) -> str:
 
 def shown(known: Model | Field, name: str) -> tuple[str, float]:
     """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
-    angle = known.is_angle(name)
-    return f"${symbol(name)}$ (deg)" if angle else f"${symbol(name)}$", math.degrees(1.0) if angle else 1.0
+    return (f"${symbol(name)}$ (deg)", math.degrees(1.0)) if known.is_angle(name) else (f"${symbol(name)}$", 1.0)
 
 
 def as_drawn(model: Model, name: str, values: Any) -> Any:
@@ -336,10 +317,10 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
     return [folder / name for name in files]
 
 
-def picture(figure: Any, kind: str) -> bytes:
+def picture(figure: Any, kind: str, **options: Any) -> bytes:
     """A figure in a format."""
     stream = io.BytesIO()
-    figure.savefig(stream, format=kind, metadata=FORMATS[kind])
+    figure.savefig(stream, format=kind, metadata=FORMATS[kind], **options)
     return stream.getvalue()
 
 

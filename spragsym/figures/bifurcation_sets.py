@@ -83,8 +83,6 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
 def figure_12() -> Sheet:
     """The bifurcation set."""
     figure, ax = single(SINGLE, 2.7)
-    p = Parameters.article()
-    label_regions(ax, p, [(20, 0.3), (155, 0.25)], (98, 0.6))
     for name, angle in PATHS_DEG.items():
         line_at(ax, angle, width=0.6)
         write_along(ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY)
@@ -93,7 +91,7 @@ def figure_12() -> Sheet:
         contact
         in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13.
         {RANGE_TEXT}""",
-        a=_drawn_plane(ax, p),
+        a=_regions(ax, Parameters.article(), [(20, 0.3), (155, 0.25)], (98, 0.6)),
     )
 
 
@@ -109,11 +107,12 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
         for number in np.unique(onsets.curve)
     ]
     shown = stacked(list(map(table_of_points, flutter)), "curve", POINT)
-    tables = {"a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail), "b": _drawn_plane(plane, p)}
-    tables |= {"a_flutter": shown, "b_flutter": shown}
+    tables = {
+        "a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail),
+        "b": _regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75)), "a_flutter": shown, "b_flutter": shown,
+    }  # fmt: skip
     for line in flutter:
         plane.plot(line[:, 0], line[:, 1], color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
-    label_regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75))
     for x in (6, 157):
         write_along(plane, "flutter", x, 0.85, color=GREEN)
     figure.text(0.02, 0.95, "(a)", va="center")
@@ -128,19 +127,14 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     )
 
 
-def _drawn_plane(ax: Axes, p: Parameters) -> Table:
+def _regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> Table:
+    """The bifurcation set, with the number of equilibria in each region and the cusp's coordinates beside it."""
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
-    return stacked([{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves], "curve")
-
-
-def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> None:
-    """The number of equilibria in each region, and the cusp's coordinates beside it."""
-    for place in three:
-        write_along(ax, "3", *place, ha="center", fontsize=10)
-    write_along(ax, "1", *one, ha="center", fontsize=10)
-    cusp = ss.bifurcation_set(p).cusps
-    theta0, mu0 = float(np.degrees(cusp.theta0[0])), float(cusp.mu0[0])
+    for text, place in (*(("3", place) for place in three), ("1", one)):
+        write_along(ax, text, *place, ha="center", fontsize=10)
+    theta0, mu0 = float(np.degrees(found.cusps.theta0[0])), float(found.cusps.mu0[0])
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
+    return stacked([{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves], "curve")
 
 
 _SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
@@ -271,9 +265,7 @@ _TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
     """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
-    tables: dict[str, Table] = {}
-    for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
-        tables[letter] = _draw_cusp_friction(ax, name, n)
+    tables = {letter: _draw_cusp_friction(ax, name, n) for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True)}
     return figure.describe(
         f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ, (d) κ, the other
         parameters
@@ -333,11 +325,8 @@ def false_double_roots(p: Parameters) -> FloatArray:
     # There a sin θ + b = 0 and d sin θ = m sin² θ: a d + m b = 0, with cos θ₀ and sin θ₀ of the first degree.
     a, b, d, m = _equilibrium.f_coefficients(*_given(p, np.array([0, np.pi / 2, np.pi])))
     right, up, left = a * d + m * b
-    along, level = (right - left) / 2, (right + left) / 2
-    with np.errstate(invalid="ignore"):  # where there is none
-        middle, half = np.arctan2(up - level, along), np.arccos(-level / np.hypot(along, up - level))
-    angles = np.sort(np.mod([middle - half, middle + half], 2 * np.pi))
-    return angles[(0 < angles) & (angles < np.pi)]
+    t = np.roots([left, 2 * up - left - right, right])  # of tan(θ₀/2)
+    return np.sort(2 * np.arctan(t.real[np.isreal(t) & (t.real > 0)]))
 
 
 @styled

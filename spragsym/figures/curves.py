@@ -40,6 +40,7 @@ from .style import (
     runs,
     stacked,
     styled,
+    titled,
     window,
     with_unit,
 )
@@ -122,7 +123,13 @@ def chains_between(
     p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
 ) -> Iterator[tuple[Equilibria, States, tuple[float, float]]]:  # fmt: skip
     """Equilibria between two cuts, those of one curve by their indices into the columns, and the two cuts."""
-    for begin, end in itertools.pairwise(_cuts(p, vary, *ends, turns, damping)):
+    inner: list[float] = []  # folds and onsets of flutter, as far as these are known
+    if turns is not None:
+        inner += getattr(turns, vary).tolist()
+        with suppress(SpragsymError):
+            inner += getattr(ss.flutter_onsets(p, vary, damping=damping), vary).tolist()
+    low, high = ends
+    for begin, end in itertools.pairwise([low, *sorted({value for value in inner if low < value < high}), high]):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
@@ -149,16 +156,6 @@ def _range(
     if not allowed.low <= low < high <= allowed.high:
         raise ParameterError(f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first")
     return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
-
-
-def _cuts(p: ParameterSet, vary: str, low: float, high: float, turns: Points | None, damping: bool) -> list[float]:
-    """The ends of the range, and between them the folds and the onsets of flutter, as far as these are known."""
-    inner: list[float] = []
-    if turns is not None:
-        inner += getattr(turns, vary).tolist()
-        with suppress(SpragsymError):
-            inner += getattr(ss.flutter_onsets(p, vary, damping=damping), vary).tolist()
-    return [low, *sorted({value for value in inner if low < value < high}), high]
 
 
 def _pieces(
@@ -272,15 +269,19 @@ def plot_equilibria(
     return lines
 
 
-def table_of(curves: Iterable[Branch], **same: float) -> Table:
-    """Branches as columns, one after the other; ``same`` are columns of one value."""
+def table_of(curves: Iterable[Branch]) -> Table:
+    """Branches as columns, one after the other."""
     tables = []
     for curve in curves:
-        titles = {name: f"{name}_deg" if curve.model.is_angle(name) else name for name in (curve.vary, *curve.states)}
         kind = np.full(curve.values.size, curve.stability.name.lower())
-        tables.append({"stability": kind, **{title: curve.shown(name) for name, title in titles.items()}})
-    columns = stacked(tables, "branch")
-    return {**{name: np.full(np.size(columns["branch"]), value) for name, value in same.items()}, **columns}
+        columns = {titled(curve.model, name): curve.shown(name) for name in (curve.vary, *curve.states)}
+        tables.append({"stability": kind, **columns})
+    return stacked(tables, "branch")
+
+
+def first_fold(p: ParameterSet) -> float:
+    """The least θ₀ of a fold, degrees."""
+    return float(np.degrees(ss.folds(p).theta0[0]))
 
 
 # ------------------------------------------------------------------------------------------------- paths
@@ -317,33 +318,21 @@ def draw_path(
     style = {"color": color, "linewidth": 1.1, "zorder": 2.2, **options}
     for value, state in pieces:
         artists += ax.plot(value, state, **style)
-        artists += [_head(ax, *_around(value, state, share), color) for share in arrows]
+        artists += [_head(ax, value, state, share, color) for share in arrows]
     for (value, state), (_, landed) in itertools.pairwise(pieces):
-        begin, end = (value[-1], state[-1]), (value[-1], landed[0])
-        artists += ax.plot(*zip(begin, end, strict=True), color=color, linewidth=1.1, linestyle=":")
-        artists.append(_head(ax, begin, end, color))
+        jump = value[[-1, -1]], np.array([state[-1], landed[0]])
+        artists += ax.plot(*jump, color=color, linewidth=1.1, linestyle=":")
+        artists.append(_head(ax, *jump, 1.0, color))
     return artists
 
 
-def _around(x: FloatArray, y: FloatArray, share: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Two neighbouring points of a curve, at a share of its way along x."""
-    sign = 1.0 if x[-1] > x[0] else -1.0
-    i = int(np.clip(np.searchsorted(sign * x, sign * (x[0] + share * (x[-1] - x[0]))), 1, x.size - 1))
-    return (x[i - 1], y[i - 1]), (x[i], y[i])
-
-
-def _head(ax: Axes, begin: tuple[float, float], end: tuple[float, float], color: str) -> Any:
-    """An arrow head at ``end``, pointing away from ``begin``."""
-    near = (end[0] + 1e-3 * (begin[0] - end[0]), end[1] + 1e-3 * (begin[1] - end[1]))
-    props = {
-        "arrowstyle": "-|>",
-        "color": color,
-        "shrinkA": 0,
-        "shrinkB": 0,
-        "mutation_scale": 9,
-        "linewidth": 0.8,
-    }
-    return ax.annotate("", end, near, arrowprops=props)
+def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Any:
+    """An arrow head on a curve, at a share of its way along x."""
+    way = x[-1] - x[0]
+    i = int(np.clip(np.argmax((x - (x[0] + share * way)) * way >= 0), 1, x.size - 1))
+    near = (x[i] + 1e-3 * (x[i - 1] - x[i]), y[i] + 1e-3 * (y[i - 1] - y[i]))
+    props = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9, "linewidth": 0.8}
+    return ax.annotate("", (x[i], y[i]), near, arrowprops=props)
 
 
 def plot_eigenvalues(

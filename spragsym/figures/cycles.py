@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from importlib import resources
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..orbits.fates import Kind
-from .curves import branches, table_of
+from .curves import branches, first_fold, table_of
 from .style import (
     BASE_TEXT,
     BLACK,
@@ -50,6 +51,7 @@ from .style import (
     single,
     stacked,
     styled,
+    titled,
     write_along,
 )
 
@@ -89,11 +91,6 @@ def _sliding() -> Parameters:
     return Parameters.article(mu0=float(MODEL.friction(Parameters.article(V=V, d=D))))
 
 
-def _fold(p: Parameters) -> float:
-    """The least θ₀ of a fold, degrees."""
-    return float(np.degrees(ss.folds(p).theta0[0]))
-
-
 @styled
 def figure_cycles() -> Sheet:
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
@@ -121,7 +118,7 @@ def figure_cycles() -> Sheet:
                         "rms_x": line["rms"], "stable": line["stable"]})  # fmt: skip
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
-    places = float(np.degrees(fate.value)), _fold(Parameters.article()), _fold(_sliding())
+    places = float(np.degrees(fate.value)), first_fold(Parameters.article()), first_fold(_sliding())
     for line_place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
@@ -151,14 +148,22 @@ def draw_stretches(
 
 
 def draw_cycles(
-    ax: Axes, branch: CycleBranch, unit: float, heights: FloatArray, height_of: Callable[[Cycle], float], colour: str
+    ax: Axes,
+    branch: CycleBranch,
+    units: tuple[float, float],
+    heights: FloatArray,
+    height_of: Callable[[Cycle], float],
+    colour: str,
 ) -> None:
-    """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far as it is stable."""
+    """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far as it is stable.
+
+    ``units`` is what one of the parameter and of the column is on the axes.
+    """
     changes = dict(branch.changes())
     at = [*changes]
     values = np.insert(branch.values, at, [event.value for event in changes.values()])
     curve = np.insert(heights, at, [height_of(event.cycle) for event in changes.values()])
-    draw_stretches(ax, unit * values, curve, np.insert(branch.stable, at, branch.stable[at]), colour, 1.3)
+    draw_stretches(ax, units[0] * values, units[1] * curve, np.insert(branch.stable, at, branch.stable[at]), colour, 1.3)
 
 
 @styled
@@ -167,14 +172,16 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     field = branch.cycles[0].field
     (along, unit), (first, one) = (shown(field, name) for name in (branch.vary, field.coordinates[0]))
-    draw_cycles(left, branch, unit, one * branch.rms, lambda cycle: one * cycle.rms, BLUE)
-    draw_cycles(right, branch, unit, branch.periods, lambda cycle: cycle.period, BLUE)
-    left.set(xlabel=along, ylabel=f"RMS of {first}")
-    right.set(xlabel=along, ylabel="period")
-    for kind, marker in {**MARKERS, "grazing": "|"}.items():
-        for event in branch.of(kind):
-            for ax, value in ((left, one * event.cycle.rms), (right, event.cycle.period)):
-                ax.plot(unit * event.value, value, marker, color=BLACK, markersize=4, markerfacecolor="white")
+    for ax, size, heights, height_of, up in (
+        (left, one, branch.rms, attrgetter("rms"), f"RMS of {first}"),
+        (right, 1.0, branch.periods, attrgetter("period"), "period"),
+    ):
+        draw_cycles(ax, branch, (unit, size), heights, height_of, BLUE)
+        ax.set(xlabel=along, ylabel=up)
+        for kind, marker in {**MARKERS, "grazing": "|"}.items():
+            for event in branch.of(kind):
+                place = unit * event.value, size * height_of(event.cycle)
+                ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")
     return figure.describe(
         "A branch of cycles: full where stable, dashed where not; circles are period doublings, squares folds, bars grazings.",
         a={branch.vary: branch.values, f"rms_{field.coordinates[0]}": branch.rms, "stable": branch.stable},
@@ -225,7 +232,7 @@ def figure_cycles_plane(
     fates = {"theta0_deg": list[float](), "mu0": list[float]()}
     for mu0 in frictions:
         p = Parameters.article(mu0=mu0)
-        fold = np.radians(_fold(p))
+        fold = np.radians(first_fold(p))
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
             fate = fate_boundary(p, vary="theta0", bracket=(fold - np.radians(9.0), fold - 0.003), V=V, d=D)
             fates["theta0_deg"].append(float(np.degrees(fate.value)))
@@ -277,7 +284,7 @@ def fate_map_figure(found: FateMap) -> Sheet:
         period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is proved by Lyapunov
         exponents, as far as the motion was followed; crosses are undecided, upright
         ones in colour with an exponent above its 95 % interval: irregular so far.""",
-        a={f"{name}_deg" if model.is_angle(name) else name: values for name, values in every.items()}
+        a={titled(model, name): values for name, values in every.items()}
         | {"kind": found.kind.ravel(), "period": found.period.ravel()},
     )  # fmt: skip
 
@@ -292,7 +299,8 @@ CLOSE = 0.04
 def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
     figure, ax = single(DOUBLE, 3.6)
-    (title, unit), (height, one) = (shown(found.model, name) for name in (found.vary, found.name))
+    (title, height), units = zip(*(shown(found.model, name) for name in (found.vary, found.name)), strict=True)
+    unit, one = units
     tables: dict[str, Table] = {}
     for i, rest in enumerate(found.equilibria):
         colour = BLACK if rest.mode == "contact" else GREY
@@ -300,8 +308,8 @@ def diagram_figure(found: Diagram) -> Sheet:
         tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
     for i, branch in enumerate(found.cycles):
         colour = COLOURS[i % len(COLOURS)]
-        draw_cycles(ax, branch, unit, one * branch.highest, lambda cycle: one * cycle.state[0], colour)
-        draw_cycles(ax, branch, unit, one * branch.lowest, lambda cycle: one * (cycle.state[0] - 2 * cycle.amplitude), colour)
+        draw_cycles(ax, branch, units, branch.highest, lambda cycle: cycle.state[0], colour)
+        draw_cycles(ax, branch, units, branch.lowest, lambda cycle: cycle.state[0] - 2 * cycle.amplitude, colour)
         tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
             "stable": branch.stable,

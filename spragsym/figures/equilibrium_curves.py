@@ -38,6 +38,7 @@ from .style import (
     stacked,
     styled,
     symbol,
+    titled,
     write_along,
 )
 
@@ -182,7 +183,8 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[
         curves = branches(p)
         draw_panel(ax, p, curves, color=color, ylim=(-2.2, 2.4))
         _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
-        tables.append(table_of(curves, **{name: value}))
+        table = table_of(curves)
+        tables.append({name: np.full(np.size(table["branch"]), value), **table})
     others = ", ".join(part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name]))
     sheet = figure.describe(
         f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {
@@ -287,5 +289,5 @@ def _both_ways(
 
 
 def table_of_path(path: Path) -> Table:
-    title = f"{path.vary}_deg" if path.parameters.model.is_angle(path.vary) else path.vary
+    title = titled(path.parameters.model, path.vary)
     return stacked([{title: value, "x": state} for value, state in passages(path)], "piece")

@@ -19,6 +19,7 @@ from ..models.parameters import FloatArray, Parameters
 from ..motion import Trajectory, simulate
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
 from ..numerics.interval_arrays import BoolArray
+from .curves import first_fold
 from .planes import draw_bifurcation_set
 from .style import (
     BASE_TEXT,
@@ -89,7 +90,7 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     angles = np.arange(step_deg, 180.0 - step_deg / 2, step_deg)
     sweep = rms_sweep(p.replace(theta0=np.radians(angles)), V, D, workers=workers)
     right.plot(angles, sweep.rms, color=BLACK, marker=".", markersize=2.2, linewidth=0.5)
-    fold = float(np.degrees(ss.folds(p).theta0[0]))
+    fold = first_fold(p)
     line_at(right, fold, VERMILION, 0.8)
     write_along(right, f"fold, {fold:.2f}°", fold + 3, 0.12, color=VERMILION)
     angle_axis(right, ylabel=r"RMS of $x$", ylim=(0, None))
@@ -325,7 +326,7 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)
-    ax.axhline(float(np.degrees(ss.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    ax.axhline(first_fold(p), color=GREY, linewidth=0.7, linestyle=":")
     tables["c"] = {"V": np.repeat(jumps.V, jumps.d.size), "d": np.tile(jumps.d, jumps.V.size), "theta0_deg": places.ravel()}
     return figure.describe(
         f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x

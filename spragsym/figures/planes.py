@@ -59,12 +59,10 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
         Of the curves.
     """
     ax, model = own_axes(ax), found.cusps.parameters.model
-    one, two = found.vary
     artists = [line for curve in found.curves for line in ax.plot(*_places(model, found.vary, curve), color=color)]
     cusps = _places(model, found.vary, found.cusps)
-    artists += [*ax.plot(*cusps, "o", color=BLACK, markersize=3.5), *_undecided(ax, model, found)]
-    ax.set(xlabel=label(model, one), ylabel=label(model, two))
-    return artists
+    artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
+    return [*artists, *_plane(ax, model, found)]
 
 
 def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
@@ -82,7 +80,6 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     ax : Axes, optional
     """
     ax, model = own_axes(ax), found.points.parameters.model
-    one, two = found.vary
     artists: list[Any] = []
     color = BLACK if found.damping else GREY
     styles = {"gentle": "-", "dangerous": "--", "undecided": ":" if found.damping else "-"}
@@ -98,17 +95,17 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
             artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
-    ax.set(xlabel=label(model, one), ylabel=label(model, two))
     _span(ax, model, found.vary, found.between)
-    return [*artists, *_undecided(ax, model, found)]
+    return [*artists, *_plane(ax, model, found)]
 
 
-def _undecided(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:
-    """Stretches of the lines that were searched of which it is not known what they hold."""
-    if not len(found.undecided):
-        return []
-    ends = [[as_drawn(model, name, found.undecided[:, k - 2, end]) for k, name in enumerate(found.vary)] for end in (0, 1)]
-    return ax.plot(*np.swapaxes(ends, 0, 1), color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
+def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:
+    """Names of the axes, and stretches of the lines that were searched of which it is not known what they hold."""
+    across, up = found.vary
+    ax.set(xlabel=label(model, across), ylabel=label(model, up))
+    ends = zip(found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False)  # closed forms have none
+    places = (as_drawn(model, name, of.T) for name, of in ends)
+    return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
 
 def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None:

@@ -246,6 +246,11 @@ def as_drawn(model: Model, name: str, values: Any) -> Any:
     return np.degrees(values) if model.is_angle(name) else values
 
 
+def titled(model: Model, name: str) -> str:
+    """What a table calls a parameter or a column in the unit of its axis."""
+    return f"{name}_deg" if model.is_angle(name) else name
+
+
 def with_unit(model: Model, name: str) -> str:
     """Axis label with the unit of the model."""
     if model.is_angle(name):

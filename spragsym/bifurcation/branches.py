@@ -26,7 +26,7 @@ from ..statics.stability import linearization
 from .defining_systems import Family, given_column
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
-from .tubes import Parts, Tubes
+from .tubes import Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
@@ -129,15 +129,16 @@ def _by_tubes(
     along: Along, steps: list[Step], states: Mapping[float, _States]
 ) -> tuple[dict[Step, dict[int, int]], set[Step]]:  # fmt: skip
     """Pairs of slots whose states a tube joins, over a fold those of states that go through; and steps of which all are known."""
-    tubes, n, around = Tubes(along.balance, along.vary), along.balance.n, along.balance.around
+    n, around = along.balance.n, along.balance.around
     begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
     pairs: list[dict[int, int]] = [{} for _ in steps]
-    parts = Parts.points(np.repeat(given_column(along.p, along.balance.parameters, (along.vary,)), len(begun), axis=1))
+    given = given_column(along.p, along.balance.parameters, (along.vary,))
+    tubes = Tubes.of_points(along.balance, along.vary, np.repeat(given, len(begun), axis=1))
     z = np.array([[*states[steps[k][0]].q[:, slot], steps[k][0]] for k, slot in begun]).reshape(-1, n + 1).T
-    start = tubes.place(parts, z, n)
+    start = tubes.place(z)
     goal = np.array([steps[k][1] for k, _ in begun])
-    there = tubes.followed(parts, start, goal)
-    same = there.sure & (there.z[n] == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
+    there = tubes.followed(start, goal)
+    same = there.sure & (there.v == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
     for column in np.flatnonzero(same):
         k, slot = begun[column]
         away = states[steps[k][1]].q - there.z[:n, column, None]

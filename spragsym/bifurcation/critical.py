@@ -26,7 +26,7 @@ from .defining_systems import TOUCH, TOUCH_TURN, Family, endless, given_column, 
 from .folds import cusps, folds
 from .paths import ModelEnd, first_end
 from .points import INFINITY, OVER_BORDER, escapes, isolated
-from .tubes import Parts, Tubes
+from .tubes import Tubes
 
 #: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
@@ -275,14 +275,14 @@ def _in_words(value: float) -> str:
 
 def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArray) -> FloatArray:
     """The state at values of a parameter that go one way, shape (n, values), of the one that is ``q`` at the first."""
-    tubes, parts = Tubes(balance, name), Parts.points(given_column(p, balance.parameters, (name,)))
-    here = tubes.place(parts, np.append(q, values[0])[:, None], tubes.n)
+    tubes = Tubes.of_points(balance, name, given_column(p, balance.parameters, (name,)))
+    here = tubes.place(np.append(q, values[0])[:, None])
     states = [q]
     for value in values[1:].tolist():
-        here = tubes.followed(parts, here, np.array([value]))
-        if not here.sure[0] or here.z[tubes.n, 0] != value:
+        here = tubes.followed(here, np.array([value]))
+        if not here.sure[0] or here.v[0] != value:
             raise ConvergenceError(f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}")
-        states.append(here.z[: tubes.n, 0])
+        states.append(here.z[:-1, 0])
     return np.stack(states, axis=1)
 
 

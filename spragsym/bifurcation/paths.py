@@ -32,7 +32,7 @@ from .branches import HALVINGS, clearly_nearest, linked
 from .defining_systems import TOUCH, Family, given_column
 from .folds import folds
 from .points import INFINITY, OVER_BORDER, escapes, isolated, what_ends
-from .tubes import Parts, Place, Tubes
+from .tubes import Place, Tubes
 from .turning_points import turned
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
@@ -341,23 +341,18 @@ class _Way:
             near = clearly_nearest(start.z[: tubes.n], self._states(here))[0]
             return int(here[near]) if near >= 0 else None
         forward = 1 if self.stops[goal] > self.stops[stop] else -1
-        found = turned(tubes, self._part, start, forward)
+        found = turned(tubes, start, forward)
         if not found.sure[0]:
             return None
         away = np.abs(np.vstack([self._states(here), self.at[here]]) - found.z) / np.maximum(1.0, np.abs(found.z))
         nearest = int(away.max(axis=0).argmin())
         return int(here[nearest]) if away[:, nearest].max() <= MATCH else None
 
-    @functools.cached_property
-    def _part(self) -> Parts:
-        """The parameters, of which none has a width."""
-        return Parts.points(given_column(self.p, self.balance.parameters, (self.vary,)))
-
     def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""
-        tubes = Tubes(balance, self.vary)
+        tubes = Tubes.of_points(balance, self.vary, given_column(self.p, balance.parameters, (self.vary,)))
         z = np.array([*(self.eq.coordinates[name][stop, slot] for name in balance.coordinates), self.stops[stop]])
-        return tubes, tubes.place(self._part, z[:, None], tubes.n)
+        return tubes, tubes.place(z[:, None])
 
     def _states(self, numbers: IntArray) -> FloatArray:
         """Coordinates of points at which states vanish, shape (n, numbers)."""
@@ -377,9 +372,9 @@ class _Way:
             return turns
         for number in here[self.kinds[here] == "border"].tolist():
             tubes, start = self._standing(Balance(self.model, contact=True, room=OVER_BORDER), stop - 1, place)
-            there = tubes.followed(self._part, start, self.at[[number]])
+            there = tubes.followed(start, self.at[[number]])
             away = np.abs(self._states(np.array([number])) - there.z[: tubes.n])
-            if there.sure[0] and there.z[tubes.n, 0] == self.at[number] and (away <= there.room[: tubes.n]).all():
+            if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
         q = np.array([[self.eq.coordinates[name][stop - 1, place]] for name in self.balance.coordinates])

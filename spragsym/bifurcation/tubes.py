@@ -15,7 +15,7 @@ little more is left than slopes really vary by; intervals would take each entry 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
@@ -24,10 +24,11 @@ import numpy as np
 from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
 from ..statics.balance import Balance
 from ..statics.forces import State
 from ..statics.precise_balance import on_side
+from ..statics.stability import filled
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
@@ -48,6 +49,11 @@ class ByColumn:
     def __getitem__(self, rows: Any) -> Self:
         return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
 
+    def put(self, rows: Any, other: Self) -> None:
+        """Take columns over."""
+        for field in fields(self):
+            getattr(self, field.name)[..., rows] = getattr(other, field.name)
+
     def then(self, others: Self) -> Self:
         """These, and others."""
 
@@ -58,7 +64,9 @@ class ByColumn:
 
     def _made(self, of: Callable[..., Any], *others: Self) -> Self:
         parts = {field.name: [getattr(each, field.name) for each in (self, *others)] for field in fields(self)}
-        return replace(self, **{name: of(*each) for name, each in parts.items() if not isinstance(each[0], Mapping)})
+        return replace(
+            self, **{name: of(*each) for name, each in parts.items() if isinstance(each[0], np.ndarray | Intervals | ByColumn)}
+        )
 
 
 def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
@@ -77,28 +85,6 @@ def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntAr
 
 
 @dataclass(frozen=True)
-class Parts(ByColumn):
-    """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
-
-    ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
-    """
-
-    fixed: FloatArray
-    centre: FloatArray
-    half: FloatArray
-
-    @classmethod
-    def points(cls, fixed: FloatArray) -> Parts:
-        """Parameters of which none has a width."""
-        nothing = np.zeros((0, fixed.shape[1]))
-        return cls(fixed, nothing, nothing)
-
-    def middles(self) -> Parts:
-        """Regions of zero width: their midpoints."""
-        return replace(self, half=np.zeros_like(self.half))
-
-
-@dataclass(frozen=True)
 class Place(ByColumn):
     """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
 
@@ -114,10 +100,10 @@ class Place(ByColumn):
     by_p: FloatArray
     sure: BoolArray
 
-    def put(self, rows: Any, other: Place) -> None:
-        """Take the places of some rows over."""
-        for field in fields(self):
-            getattr(self, field.name)[..., rows] = getattr(other, field.name)
+    @property
+    def v(self) -> FloatArray:
+        """Values of what moves."""
+        return self.z[-1]
 
     def box(self) -> Intervals:
         """All states there."""
@@ -127,15 +113,15 @@ class Place(ByColumn):
         """The region over which slopes are evaluated."""
         return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
 
-    def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
-        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates.
+    def lies_in(self, other: Place, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
+        """Whether its states are those of another place, which holds for all its parameters: by their coordinates.
 
         ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
         two differ by over the box.
         """
         apart = np.abs(self.z - other.z - shift) + turned
         within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
-        return self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
+        return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
 
 
 @dataclass(frozen=True)
@@ -178,9 +164,19 @@ class Slopes:
         """A number of the type as an interval."""
         return value if self.Y is None else value.interval()
 
-    def forces(self, found: Intervals) -> Intervals:
-        """Forces, shape (n, N), as these rows have them."""
-        return found if self.Y is None else Intervals(contractors.product(self.Y, found.ends[:, :, None])[:, :, 0])
+    def left(self, forces: Intervals, region: Region, apart: FloatArray) -> list[Intervals]:
+        """F(m, c) and what is left of the changes along a tube and across the box of its parameters, by row."""
+        if self.Y is not None:
+            forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
+        moved, strayed = (Intervals(np.stack([part, part])) for part in (region.moved, apart))
+        left = []
+        for i, row in enumerate(self.rows):
+            total = forces[i] + self.taken(self.image(i, region.along)) * moved
+            for k, reach in enumerate(strayed):
+                change = self.image(i, region.by_p[:, k], row[len(region.along) + k])
+                total = total + self.taken(change) * reach
+            left.append(total)
+        return left
 
     def image(self, row: int, direction: FloatArray, start: Any = None) -> Any:
         """A row times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left out."""
@@ -195,131 +191,132 @@ class Slopes:
         return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
 
 
-def of_affine(rows: Matrix, others: Sequence[int], shape: Shape) -> Slopes:
-    """Slopes from rows of affine numbers, multiplied by the inverse of their midpoints before they become intervals."""
-    middles = np.array([[_middle(row[j], shape) for j in others] for row in rows])
-    Y, zero = contractors.inverse(middles), Affine(np.zeros(shape), np.zeros((1, *shape)))
-    n = range(len(rows))
-    return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
+@dataclass(frozen=True)
+class Tubes(ByColumn):
+    """Curves of states of a model in contact as ``vary`` moves, for boxes of parameters, one a column.
 
+    ``fixed`` are all parameters, shape (parameters, N); ``centre`` and ``half`` are middle and half-width of those that are
+    ``free`` to have a width, shape (free, N). The ``pivot`` is the number of what the others follow among the coordinates and,
+    last, what moves.
+    """
 
-def _middle(entry: Any, shape: Shape) -> FloatArray:
-    return np.broadcast_to(entry.value if isinstance(entry, Affine) else float(entry), shape)
+    balance: Balance
+    vary: str
+    free: tuple[str, ...]
+    pivot: int
+    fixed: FloatArray
+    centre: FloatArray
+    half: FloatArray
 
+    @classmethod
+    def of_points(cls, balance: Balance, vary: str, fixed: FloatArray, free: tuple[str, ...] = ()) -> Self:
+        """Of parameters of which none has a width yet; the others follow what moves."""
+        centre = fixed[[balance.parameters.index(name) for name in free]]
+        return cls(balance, vary, free, balance.n, fixed, centre, np.zeros_like(centre))
 
-def beside_tube(
-    place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray, apart: FloatArray, pivot: int
-) -> FloatArray:  # fmt: skip
-    """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
-    off = np.abs(place.z - middle - along * (place.z[pivot] - middle[pivot]))
-    turned = np.abs(place.by_p - by_p - along[:, None] * (place.by_p[pivot] - by_p[pivot]))
-    size = np.abs(place.z) + np.abs(middle) + place.held
-    out = (off + (turned * apart).sum(axis=1) + place.off + np.abs(along) * place.off[pivot]) * UP + 4 * np.spacing(size)
-    out[pivot] = 0.0
-    return np.where(np.isfinite(out), out, np.inf)
+    def middles(self) -> Self:
+        """Boxes of zero width: their midpoints."""
+        return replace(self, half=np.zeros_like(self.half))
 
+    @property
+    def n(self) -> int:
+        """Number of the coordinates, and of what moves."""
+        return self.balance.n
 
-class Tubes:
-    """Curves of states of a model in contact as ``vary`` moves; ``free`` are the parameters that have a width."""
+    @property
+    def moving(self) -> list[int]:
+        """Numbers of the free parameters, and of what moves."""
+        return [self.balance.parameters.index(name) for name in (*self.free, self.vary)]
 
-    def __init__(self, balance: Balance, vary: str, free: tuple[str, ...] = ()) -> None:
-        self.balance, self.n = balance, balance.n
-        self.moving = balance.parameters.index(vary)
-        self.vary, self.free = vary, free
-        self.places = [balance.parameters.index(name) for name in free]
+    @property
+    def others(self) -> list[int]:
+        """What follows the pivot."""
+        return [each for each in range(self.n + 1) if each != self.pivot]
 
     # --------------------------------------------------------------------------------------------------- evaluation
 
-    def _bounds(self, parts: Parts, v: Intervals) -> Intervals:
-        low, high = parts.fixed.copy(), parts.fixed.copy()
-        low[self.moving], high[self.moving] = v.low, v.high
-        span = self._span(parts)
-        low[self.places], high[self.places] = span.low, span.high
+    def _bounds(self, v: Intervals) -> Intervals:
+        low, high, span = self.fixed.copy(), self.fixed.copy(), self._span()
+        low[self.moving], high[self.moving] = np.vstack([span.low, v.low]), np.vstack([span.high, v.high])
         with np.errstate(all="ignore"):
             return self.balance.prepared(Intervals.between(low, high))
 
-    @staticmethod
-    def _span(parts: Parts) -> Intervals:
-        wide = np.where(parts.half > 0, parts.half * UP + np.spacing(np.abs(parts.centre)), 0.0)
-        return Intervals(np.stack([-parts.centre, parts.centre]) + wide)
+    def _span(self) -> Intervals:
+        wide = np.where(self.half > 0, self.half * UP + np.spacing(np.abs(self.centre)), 0.0)
+        return Intervals(np.stack([-self.centre, self.centre]) + wide)
 
-    def slopes(self, parts: Parts, z: Intervals) -> Intervals:
+    def slopes(self, z: Intervals) -> Intervals:
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
-        at = self.balance.state(z[: self.n], self._bounds(parts, z[self.n]))
+        at = self.balance.state(z[: self.n], self._bounds(z[self.n]))
         with np.errstate(all="ignore"):
-            return matrix(self._rows(at, self._moving(parts)), at.shape)
+            return matrix(self._rows(at), at.shape)
 
-    def over(self, parts: Parts, region: Region, pivot: int) -> Slopes:
-        """Slopes over regions, solved for all unknowns but the pivot: affine where parameters have a width."""
-        if not parts.half.any():
-            slopes = self.slopes(parts, region.box)
-            return Slopes([list(row) for row in slopes], Intervals(np.zeros((2, *slopes.shape[2:]))))
+    def over(self, region: Region) -> Slopes:
+        """Slopes over regions, affine where parameters have a width.
+
+        Those are multiplied by the inverse of their midpoints for all unknowns but the pivot, before they become intervals.
+        """
+        shape = self.half.shape[1:]
+        if not self.half.any():
+            return Slopes([*self.slopes(region.box)], Intervals(np.zeros((2, *shape))))
         with np.errstate(all="ignore"):
-            return of_affine(self.affine_slopes(parts, region), self._others(pivot), parts.half.shape[1:])
+            rows, zero, n = self.affine_slopes(region), Affine(np.zeros(shape), np.zeros((1, *shape))), range(self.n)
+            Y = contractors.inverse(filled([[getattr(row[j], "value", row[j]) for j in self.others] for row in rows], shape))
+            return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
 
-    def affine_slopes(self, parts: Parts, region: Region) -> list[list[Any]]:
+    def affine_slopes(self, region: Region) -> list[list[Any]]:
         """Slopes in affine arithmetic, by row and column."""
-        apart, shape = self.apart(parts), parts.half.shape[1:]
+        apart, shape = self.apart(), self.half.shape[1:]
         z = region.numbers(apart)
-        fixed = zip(self.balance.parameters, parts.fixed, strict=True)
+        fixed = zip(self.balance.parameters, self.fixed, strict=True)
         values: dict[str, Any] = {name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed}
         for k, name in enumerate(self.free):
             terms = np.zeros_like(z[0].terms)
             terms[1 + k] = apart[k]
-            values[name] = Affine(parts.centre[k], terms)
+            values[name] = Affine(self.centre[k], terms)
         values[self.vary] = z[self.n]
         at = self.balance.at(z[: self.n], self.balance.arguments_of(values, AFFINE), xp=AFFINE)
-        return self._rows(replace(at, turnings=self._turnings(parts, region)), self._moving(parts))
+        return self._rows(replace(at, turnings=self._turnings(region)))
 
-    def _turnings(self, parts: Parts, region: Region) -> list[Affine]:
+    def _turnings(self, region: Region) -> list[Affine]:
         """Angles of torsion springs, from intervals."""
         if not self.balance.torsions:
             return []
-        found = self.balance.state(region.box[: self.n], self._bounds(parts, region.box[self.n])).directions
+        found = self.balance.state(region.box[: self.n], self._bounds(region.box[self.n])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
-    def _rows(self, at: State, names: list[str]) -> list[list[Any]]:
-        none = [0] * (1 + len(self.free) - len(names))
-        return [[*row, *more, *none] for row, more in zip(at.stiffness(), at.by_parameters(names), strict=True)]
+    def _rows(self, at: State) -> list[list[Any]]:
+        """By the free parameters where any box has a width."""
+        names, none = ([*self.free], []) if self.half.any() else ([], [0] * len(self.free))
+        moved = at.by_parameters([self.vary, *names])
+        return [[*row, *more, *none] for row, more in zip(at.stiffness(), moved, strict=True)]
 
-    def _moving(self, parts: Parts) -> list[str]:
-        """What moves, and the free parameters where any box has a width."""
-        return [self.vary, *(self.free if parts.half.any() else ())]
-
-    def floats(self, parts: Parts, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
+    def floats(self, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
         """Forces and their slopes in the middle of the boxes, in floats."""
-        columns = parts.fixed.copy()
-        columns[self.moving], columns[self.places] = z[self.n], parts.centre
+        columns = self.fixed.copy()
+        columns[self.moving] = np.vstack([self.centre, z[self.n]])
         at = self.balance.at(list(z[: self.n]), self.balance.floats(columns), xp=np)
         with np.errstate(all="ignore"):
-            forces = at.rows("forces")
-            rows = self._rows(at, self._moving(parts)) if slopes else []
-        whole = np.zeros((self.n, self.n + 1 + len(self.free), z.shape[1]))
-        for i, row in enumerate(rows):
-            for j, entry in enumerate(row):
-                whole[i, j] = entry
-        return np.stack([np.broadcast_to(force, z.shape[1:]) for force in forces]), whole
+            forces, rows = at.rows("forces"), self._rows(at) if slopes else []
+        return filled([forces], z.shape[1:])[0], filled(rows, z.shape[1:])
 
-    def _forces(self, parts: Parts, z: FloatArray) -> Intervals:
+    def _forces(self, z: FloatArray) -> Intervals:
         """Enclosed, in the middle of the boxes."""
-        bounds = self._bounds(parts.middles(), Intervals.point(z[self.n]))
+        bounds = self.middles()._bounds(Intervals.point(z[self.n]))
         at = self.balance.state(Intervals.point(z[: self.n]), bounds, self.balance.anywhere)
         with np.errstate(all="ignore"):
             return stacked(at.rows("forces"), at.shape)
 
-    def apart(self, parts: Parts) -> FloatArray:
+    def apart(self) -> FloatArray:
         """How far the free parameters lie from their middles at most."""
-        wide = self._span(parts)
-        return np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
+        wide = self._span()
+        return np.maximum(wide.high - self.centre, self.centre - wide.low) * UP
 
-    def _others(self, pivot: int) -> list[int]:
-        return [each for each in range(self.n + 1) if each != pivot]
-
-    def corrected(self, parts: Parts, z: FloatArray, pivot: int) -> FloatArray:
+    def corrected(self, z: FloatArray) -> FloatArray:
         """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every other step."""
-        others, z, inverse = self._others(pivot), z.copy(), np.zeros(0)
+        others, z, inverse = self.others, z.copy(), np.zeros(0)
         for number in range(STEPS):
-            forces, slopes = self.floats(parts, z, slopes=number % 2 == 0)
+            forces, slopes = self.floats(z, slopes=number % 2 == 0)
             if number % 2 == 0:
                 inverse = contractors.inverse(slopes[:, others])
             step = np.einsum("ijN,jN->iN", inverse, forces)
@@ -329,78 +326,81 @@ class Tubes:
                 break
         return z
 
-    def tangents(self, parts: Parts, z: FloatArray, pivot: int) -> tuple[FloatArray, FloatArray]:
+    def tangents(self, z: FloatArray) -> tuple[FloatArray, FloatArray]:
         """dz/ds and dz/dp in the middle of the boxes."""
-        others = self._others(pivot)
-        slopes = self.floats(parts, z)[1]
+        others = self.others
+        slopes = self.floats(z)[1]
         inverse = contractors.inverse(slopes[:, others])
-        by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *parts.half.shape))
-        by_s[others] = -np.einsum("ijN,jN->iN", inverse, slopes[:, pivot])
+        by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *self.half.shape))
+        by_s[others] = -np.einsum("ijN,jN->iN", inverse, slopes[:, self.pivot])
         by_p[others] = -np.einsum("ijN,jkN->ikN", inverse, slopes[:, self.n + 1 :])
         return by_s, by_p
 
-    def _across(self, parts: Parts, z: FloatArray, pivot: int) -> FloatArray:
+    def _across(self, z: FloatArray) -> FloatArray:
         """dz/dp in the middle of the boxes, where they have a width at all."""
-        return self.tangents(parts, z, pivot)[1] if parts.half.any() else np.zeros((self.n + 1, *parts.half.shape))
+        return self.tangents(z)[1] if self.half.any() else np.zeros((self.n + 1, *self.half.shape))
 
     # ------------------------------------------------------------------------------------------------------- proofs
 
-    def place(self, parts: Parts, z: FloatArray, pivot: int, like: Place | None = None) -> Place:
+    def place(self, z: FloatArray, like: Place | None = None) -> Place:
         """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle.
 
         ``like`` is a place near by, which tells how far from the middle states may lie.
         """
-        z = self.corrected(parts, z, pivot)
-        zero, by_p = np.zeros_like(z), self._across(parts, z, pivot)
-        beside = zero if like is None else like.off * parts.half.any(axis=0)
-        sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, beside)
+        z = self.corrected(z)
+        zero, by_p = np.zeros_like(z), self._across(z)
+        beside = zero if like is None else like.off * self.half.any(axis=0)
+        sure, room, held, off = self._one_state(z, zero, by_p, np.zeros(z.shape[1]), beside)
         return Place(z, held, off, room, by_p, sure)
 
-    def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[BoolArray, Place, Region]:
+    def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Region]:
         """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
-        end = self.place(parts, z, pivot, start)
+        end = self.place(z, start)
         z = end.z
+        pivot, held = self.pivot, start.held[self.pivot]
         way = z[pivot] - start.z[pivot]
         with np.errstate(all="ignore"):
             along = np.where(way != 0, (z - start.z) / way, 0.0)
         # With another pivot than before the states there lie on either side of the middle.
-        wide = np.where(
-            start.held[pivot] > 0, start.held[pivot] * UP + 2 * np.spacing(np.abs(start.z[pivot]) + start.held[pivot]), 0
-        )
+        wide = np.where(held > 0, held * UP + 2 * np.spacing(np.abs(start.z[pivot]) + held), 0)
         begin = start.z - along * np.sign(way) * wide
-        middle, half = 0.5 * (begin + z), 0.5 * np.abs(z[pivot] - begin[pivot])
-        middle[pivot] = 0.5 * (begin[pivot] + z[pivot])
-        inside = self._across(parts, middle, pivot)
-        apart = self.apart(parts)
-        beside = np.maximum(*(beside_tube(one, middle, along, inside, apart, pivot) for one in (start, end)))
-        sure, _, held, off = self._one_state(parts, middle, along, inside, half, pivot, beside)
+        middle, half = 0.5 * (begin + z), 0.5 * np.abs(z - begin)[pivot]
+        by_p = self._across(middle)
+        beside = np.maximum(*(self._beside(one, middle, along, by_p) for one in (start, end)))
+        sure, _, held, off = self._one_state(middle, along, by_p, half, beside)
         tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
-        region = Region(tube, middle, along, self._moved(middle, half, pivot), inside, off)
+        region = Region(tube, middle, along, self._moved(middle, half), by_p, off)
         return sure & end.sure & start.sure & (np.abs(way) >= wide), end, region
 
-    @staticmethod
-    def _moved(middle: FloatArray, half: FloatArray, pivot: int) -> FloatArray:
+    def _beside(self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray) -> FloatArray:
+        """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
+        off, turned, pivot = place.z - middle, place.by_p - by_p, self.pivot
+        swing = (np.abs(turned - along[:, None] * turned[pivot]) * self.apart()).sum(axis=1)
+        size = np.abs(place.z) + np.abs(middle) + place.held
+        moved = np.abs(off - along * off[pivot]) + swing + place.off + np.abs(along) * place.off[pivot]
+        out = moved * UP + 4 * np.spacing(size)
+        out[pivot] = 0.0
+        return np.where(np.isfinite(out), out, np.inf)
+
+    def _moved(self, middle: FloatArray, half: FloatArray) -> FloatArray:
         """How far the pivot's values lie from the middle, which is rounded."""
-        return np.where(half > 0, half * UP + np.spacing(np.abs(middle[pivot]) + half), 0.0)
+        return np.where(half > 0, half * UP + np.spacing(np.abs(middle[self.pivot]) + half), 0.0)
 
     def _one_state(
-        self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
-        beside: FloatArray,
+        self, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, beside: FloatArray
     ) -> tuple[BoolArray, FloatArray, FloatArray, FloatArray]:  # fmt: skip
         """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
 
         They hold what lies within ``beside`` of where their middles move. Beside it how far from there a state is alone, and how
         far from the middles, and from where these move, states lie at most.
         """
-        others, count = self._others(pivot), middle.shape[1]
-        least = NARROW * np.maximum(1.0, np.abs(middle[others]))
-        apart, moved = self.apart(parts), self._moved(middle, half, pivot)
-        swing = (np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1)) * UP
-        forces = self._forces(parts, middle)
-        across, strayed = Intervals(np.stack([moved, moved])), Intervals(np.stack([apart, apart]))
-        reach = np.maximum(2 * least, (1 + ROOM) * beside[others] * parts.half.any(axis=0))
+        others, moved, forces = self.others, self._moved(middle, half), self._forces(middle)
+        swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * UP
+        least = 2 * NARROW * np.maximum(1.0, np.abs(middle[others]))
+        reach = np.maximum(least, (1 + ROOM) * beside[others] * self.half.any(axis=0))
         room, held, off = np.zeros_like(middle), swing.copy(), np.zeros_like(middle)
-        sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
+        most, sure = np.zeros_like(reach), np.zeros(half.size, dtype=np.bool_)
+        open_ = ~sure
         for _ in range(INFLATIONS):
             rows = np.flatnonzero(open_)
             if not rows.size:
@@ -410,72 +410,52 @@ class Tubes:
             size = swing[:, rows] + alone
             box = Intervals(np.stack([-m, m]) + size + np.where(size > 0, np.spacing(np.abs(m) + size), 0.0))
             region = Region(box, m, along[:, rows], moved[rows], by_p[:, :, rows], alone)
-            slopes = self.over(parts[rows], region, pivot)
+            some = self[rows]
+            slopes = some.over(region)
             with np.errstate(all="ignore"):
-                left = self._left(slopes, slopes.forces(forces[:, rows]), region, across[rows], strayed[:, rows])
-                step = slopes.newton(left, others, reach[:, rows])
+                step = slopes.newton(slopes.left(forces[:, rows], region, some.apart()), others, reach[:, rows])
             good = np.isfinite(step).all(axis=(0, 1))
             done = good & contractors.inside(step, np.stack([reach[:, rows]] * 2))
             if done.any():
                 here = rows[done]
-                bounds = self._bounds(parts[here], box[:, done][self.n])
+                bounds = some[done]._bounds(box[:, done][self.n])
                 sure[here] = on_side(self.balance, bounds, box.ends[:, : self.n, done])[0]
-                room[:, here] = alone[:, done]
-                held[np.array(others)[:, None], here] = (swing[others][:, here] + np.maximum(*step[:, :, done])) * UP
-                off[np.array(others)[:, None], here] = np.maximum(*step[:, :, done]) * UP
+                room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
             open_[rows[done | ~good]] = False
-            reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.where(good, np.maximum(*np.abs(step)), 0.0))
+            reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.maximum(*np.abs(step)))
+        held[others], off[others] = (swing[others] + most) * UP, most * UP
         return sure, room, held, off
 
-    def _left(self, slopes: Slopes, forces: Intervals, region: Region, moved: Intervals, strayed: Intervals) -> list[Intervals]:
-        """F(m, c) and what is left of the changes along the tube and across the box, by row."""
-        left = []
-        for i, row in enumerate(slopes.rows):
-            total = forces[i] + slopes.taken(slopes.image(i, region.along)) * moved
-            for k in range(strayed.shape[0]):
-                change = slopes.image(i, region.by_p[:, k], row[self.n + 1 + k])
-                total = total + slopes.taken(change) * strayed[k]
-            left.append(total)
-        return left
-
-    def rises(self, parts: Parts, region: Region, by_s: FloatArray, pivot: int) -> IntArray:
+    def rises(self, region: Region, by_s: FloatArray) -> FloatArray:
         """Sign of dv/ds for all states in regions, 0 where it is not known; ``by_s`` is about dz/ds."""
-        others, v = self._others(pivot), self.n
-        slopes, zero = self.over(parts, region, pivot), np.zeros((self.n, by_s.shape[1]))
-        out, direction = np.zeros(by_s.shape[1], dtype=np.int64), by_s.copy()
-        direction[pivot] = 0.0
+        slopes, size, direction = self.over(region), np.abs(by_s[-1]), by_s.copy()
+        direction[self.pivot] = 0.0
+        known, reach = np.zeros(size.shape, dtype=np.bool_), np.tile(0.1 * size + TINY, (self.n, 1))
         with np.errstate(all="ignore"):
-            left = [slopes.taken(slopes.image(i, direction, row[pivot])) for i, row in enumerate(slopes.rows)]
-            reach = zero + 0.1 * np.abs(by_s[v]) + TINY
+            left = [slopes.taken(slopes.image(i, direction, row[self.pivot])) for i, row in enumerate(slopes.rows)]
             for _ in range(INFLATIONS):
-                # Of what dz/ds differs by from the slope in the middle.
-                step = slopes.newton(left, others, reach)
-                known = contractors.inside(step, np.stack([reach, reach]))
-                off = np.maximum(*step)[others.index(v)] * UP
-                out = np.where(known & (off < np.abs(by_s[v])), np.sign(by_s[v]).astype(np.int64), out)
-                reach = np.where(
-                    known | ~np.isfinite(step).all(axis=(0, 1)), reach, (1 + ROOM) * np.maximum(reach, np.maximum(*step))
-                )
-        return out
+                # Of what dz/ds differs by from the slope in the middle; v is the last of what follows a coordinate.
+                step = slopes.newton(left, self.others, reach)
+                most = np.maximum(*step)
+                known |= contractors.inside(step, np.stack([reach, reach])) & (most[-1] * UP < size)
+                reach = (1 + ROOM) * np.maximum(reach, most)
+        return np.where(known, np.sign(by_s[-1]), 0.0)
 
     # ------------------------------------------------------------------------------------------------------ the way
 
-    def followed(self, parts: Parts, start: Place, goal: FloatArray, least: float = LEAST) -> Place:
+    def followed(self, start: Place, goal: FloatArray, least: float = LEAST) -> Place:
         """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where all of the way is."""
         here = start[np.arange(goal.size)]
-        way = goal - here.z[self.n]
+        way = goal - here.v
         step = FIRST * way
         for _ in range(MOST):
-            rows = np.flatnonzero(here.sure & (here.z[self.n] != goal) & (np.abs(step) >= least * np.abs(way)))
+            rows = np.flatnonzero(here.sure & (here.v != goal) & (np.abs(step) >= least * np.abs(way)))
             if not rows.size:
                 break
             at = here[rows]
-            rest = goal[rows] - at.z[self.n]
-            whole = np.abs(step[rows]) >= np.abs(rest)
-            to = np.where(whole, goal[rows], at.z[self.n] + step[rows])
-            z = at.z.copy()
-            z[self.n] = to
-            good, end, _ = self.segment(parts[rows], at, z, self.n)
+            z, rest = at.z.copy(), goal[rows] - at.v
+            z[-1] = np.where(np.abs(step[rows]) >= np.abs(rest), goal[rows], at.v + step[rows])
+            good, end, _ = self[rows].segment(at, z)
             here.put(rows[good], end[good])
-            step[rows] = np.where(good, 2 * step[rows], 0.25 * (to - at.z[self.n]))
+            step[rows] = np.where(good, 2 * step[rows], 0.25 * (z[-1] - at.v))
         return here

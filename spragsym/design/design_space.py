@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes import Parts
+from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import SMALL, secants
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number
@@ -191,12 +191,12 @@ class Border:
 
     def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
         """The fold near (q, v), if there is one within what the parameter may be."""
-        n, tubes, z = asked.balance.n, asked.tubes, last[:, None]
-        parts = Parts.points(asked.fixed)
+        n, z = asked.balance.n, last[:, None]
+        tubes = Tubes.of_points(asked.balance, self.vary, asked.fixed)
         # At a fold the null vector of K is the direction of the curve: nothing else of z changes there.
-        along = np.linalg.svd(tubes.floats(parts, z)[1][:, :n, 0])[2][-1]
-        pivot = int(np.argmax(np.abs(along) / np.maximum(np.abs(last[:n]), SMALL)))
-        z, met = secants(tubes, parts, tubes.corrected(parts, z, pivot), pivot, np.ones(1))
+        along = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
+        tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / np.maximum(np.abs(last[:n]), SMALL))))
+        z, met = secants(tubes, tubes.corrected(z), np.ones(1))
         value = z[n].reshape(asked.shape)
         if not met[0] or not asked.begin[0] <= value <= asked.until[0]:
             return None

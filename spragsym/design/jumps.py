@@ -11,7 +11,7 @@ import numpy as np
 
 from ..bifurcation.defining_systems import ranges
 from ..bifurcation.paths import ModelEnd, first_end
-from ..bifurcation.tubes import Parts, Place, Tubes
+from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
@@ -205,7 +205,6 @@ class Followed:
         self.fixed = np.stack([np.broadcast_to(column, self.shape).reshape(-1) for column in columns])
         self.begin = self.fixed[self.balance.parameters.index(vary)]
         self.until = self._until(allowed, until)
-        self.tubes = Tubes(self.balance, vary)
 
     def _until(self, allowed: Range, until: float | FloatArray | None) -> FloatArray:
         if until is None:
@@ -227,13 +226,13 @@ class Followed:
         """
         found, out = np.full(self.begin.size, np.nan), self._nothing()
         for rows in self._blocks():
-            parts, start, goal = self._start(rows)
-            safe, top, _ = passed(self.tubes, parts, start, goal)
+            tubes, start, goal = self._start(rows)
+            safe, top, _ = passed(tubes, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
             ended[left[self._none(rows[left])]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
-            left = left[self._block(rows[left], (parts[left], start[left], goal[left]), out, hasty=hasty)]
+            left = left[self._block(rows[left], (tubes[left], start[left], goal[left]), out, hasty=hasty)]
             ended[left] = np.isfinite(out.value[rows[left]])
             found[rows] = ended
         return found.reshape(self.shape)
@@ -276,44 +275,43 @@ class Followed:
         p: ParameterSet = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
         return p if self.near is None else p.following(**self.near)
 
-    def _start(self, rows: Any) -> tuple[Parts, Place, FloatArray]:
+    def _start(self, rows: Any) -> tuple[Tubes, Place, FloatArray]:
         """Some points, the reference states from which they are followed, where these are known, and up to where."""
-        n, begin = self.balance.n, self.begin[rows]
+        begin = self.begin[rows]
         p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
         eq = equilibria(p)
         slot = reference_state(self.model, eq, self.near)
         z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0
-        parts = Parts.points(self.fixed[:, rows])
-        start = self.tubes.place(parts, z, n)
+        tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
+        start = tubes.place(z)
         start.sure[~known] = False
-        return parts, start, self.until[rows]
+        return tubes, start, self.until[rows]
 
-    def _block(self, rows: Any, started: tuple[Parts, Place, FloatArray], out: Ends, *, hasty: bool = False) -> Any:
+    def _block(self, rows: Any, started: tuple[Tubes, Place, FloatArray], out: Ends, *, hasty: bool = False) -> Any:
         """Fold or no fold by tubes, for some points; of which of them that is decided."""
-        n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
-        parts, start, goal = started
+        begin, (tubes, start, goal) = self.begin[rows], started
         rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
         left = np.arange(rows.size)
         decided, at = np.zeros(rows.size, dtype=np.bool_), start
         for _ in range(rounds):
-            at = tubes.followed(parts[left], at, goal[left], THIN)
-            arrived = at.sure & (at.z[n] == goal[left])
+            at = tubes[left].followed(at, goal[left], THIN)
+            arrived = at.sure & (at.v == goal[left])
             decided[left[arrived]] = True
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
             if not left.size:
                 break
-            fold = turned(tubes, parts[left], at, self.forward, segments)
+            fold = turned(tubes[left], at, self.forward, segments)
             found = fold.sure & (fold.high <= goal[left] if self.forward > 0 else fold.low >= goal[left])
             to = rows[left[found]]
-            out.value[to], out.state[:, to] = fold.z[n, found], fold.z[:n, found]
-            out.error[to] = np.maximum(fold.high - fold.z[n], fold.z[n] - fold.low)[found]
+            out.value[to], out.state[:, to] = fold.z[-1, found], fold.z[:-1, found]
+            out.error[to] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[found]
             # What turns back beyond the goal has come to it.
             known = found | (fold.sure & (fold.low > goal[left] if self.forward > 0 else fold.high < goal[left]))
             decided[left[known]] = True
             left, at = left[~known], at[~known]
-            at = past(tubes, parts[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
+            at = past(tubes[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
         return decided
 
 

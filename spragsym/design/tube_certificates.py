@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes import Parts, Place, Tubes, halves
+from ..bifurcation.tubes import Place, Tubes, halves
 from ..bifurcation.turning_points import SMALL, passed
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, as_count
@@ -83,19 +83,20 @@ class Splitting(Claim):
         matter = {*self.balance.balanced, *self.balance.matter} - {vary}
         self.free = tuple(name for name, *end in zip(names, *ends, strict=True) if name in matter and end[0] != end[1])
         self.sides = (*self.free, vary)
-        self.tubes, self.fixed = Tubes(self.balance, vary, self.free), ends[0][:, None]
-        self.rows = [*self.tubes.places, self.tubes.moving]
+        self.tubes = Tubes.of_points(self.balance, vary, ends[0][:, None], self.free)
+        self.rows = self.tubes.moving
         one, other = (end[self.rows, None] for end in ends)
         middle = 0.5 * (one + other)[:-1]
-        parts = self._parts(one, other)
-        start = self.tubes.place(parts.middles(), np.append(self._first(middle[:, 0]), begin)[:, None], self.tubes.n)
-        start = replace(start, by_p=self.tubes.tangents(parts, start.z, self.tubes.n)[1])
+        tubes = self._over(one, other)
+        start = tubes.middles().place(np.append(self._first(middle[:, 0]), begin)[:, None])
+        start = replace(start, by_p=tubes.tangents(start.z)[1])
         self.whole = Pieces(one, other, start, np.stack([middle, middle]), np.full(1, -np.inf), np.full(1, np.inf))
 
-    def _parts(self, low: FloatArray, high: FloatArray) -> Parts:
+    def _over(self, low: FloatArray, high: FloatArray) -> Tubes:
+        """Tubes for parts of the box."""
         centre = 0.5 * (low[:-1] + high[:-1])
         half = np.maximum(high[:-1] - centre, centre - low[:-1])
-        return Parts(np.repeat(self.fixed, low.shape[1], axis=1), centre, half)
+        return replace(self.tubes[np.zeros(low.shape[1], dtype=np.int64)], centre=centre, half=half)
 
     def _first(self, middle: FloatArray) -> FloatArray:
         """The reference state in the middle of the box, where what moves begins."""
@@ -111,12 +112,12 @@ class Splitting(Claim):
         places = []
         for free in (one, other):
             at = np.append(free, self.begin)[:, None]
-            places.append(self.tubes.place(self._parts(at, at), np.append(self._first(free), self.begin)[:, None], self.tubes.n))
+            places.append(self._over(at, at).place(np.append(self._first(free), self.begin)[:, None]))
         return bool(self._linked(one[:, None], places[0], other[:, None], places[1])[0])
 
     def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at a point of the box."""
-        fixed = self.fixed[:, 0].copy()
+        fixed = self.tubes.fixed[:, 0].copy()
         fixed[self.rows] = values
         found = self.balance.scaled(dict(zip(self.balance.parameters, fixed.tolist(), strict=True)))
         return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
@@ -132,18 +133,18 @@ class Splitting(Claim):
 
         ``sharp`` asks for the narrowest ``safe`` and ``top``; else they only tell where the state ends from the pieces' ends.
         """
-        parts, start = self._begun(pieces)
-        last, goal = self.tubes.n, pieces.high[-1]
-        reached = self.tubes.followed(parts, start, goal, THIN if (pieces.low == pieces.high).all() else WIDE)
-        safe, top = np.where(reached.sure, reached.z[last], -np.inf), np.full(goal.size, np.inf)
+        tubes, start = self._begun(pieces)
+        goal = pieces.high[-1]
+        reached = tubes.followed(start, goal, THIN if (pieces.low == pieces.high).all() else WIDE)
+        safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
         width = (pieces.high - pieces.low)[:-1]
         # As far as it got, by how far each parameter moves the state.
         weight = SLIGHT * width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)[:-1]
         moves = (np.abs(reached.by_p) / np.maximum(np.abs(reached.z), SMALL)[:, None]).max(axis=0)
         weight += np.where(np.isfinite(moves), moves, 0.0) * width
-        rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.z[last]))
+        rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:
-            safe[rows], top[rows], moves = passed(self.tubes, parts[rows], reached[rows], goal[rows], sharp)
+            safe[rows], top[rows], moves = passed(tubes[rows], reached[rows], goal[rows], sharp)
             weight[:, rows] = width[:, rows] * moves
         own = np.flatnonzero(start.sure)
         base, of = pieces.base[np.arange(len(pieces))], pieces.of.copy()
@@ -153,32 +154,31 @@ class Splitting(Claim):
         known = {"safe": np.maximum(pieces.safe, safe), "top": np.minimum(pieces.top, top)}
         return replace(pieces, base=base, of=of, **known), weight
 
-    def _begun(self, pieces: Pieces) -> tuple[Parts, Place]:
+    def _begun(self, pieces: Pieces) -> tuple[Tubes, Place]:
         """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""
-        parts, middle = self._parts(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
-        shift = np.einsum("ikN,kN->iN", pieces.base.by_p, parts.centre - middle)
-        here = self.tubes.place(parts, pieces.base.z + shift, self.tubes.n)
-        turned = (np.abs(here.by_p - pieces.base.by_p) * self.tubes.apart(parts)).sum(axis=1)
+        tubes, middle = self._over(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
+        shift = np.einsum("ikN,kN->iN", pieces.base.by_p, tubes.centre - middle)
+        here = tubes.place(pieces.base.z + shift)
+        turned = (np.abs(here.by_p - pieces.base.by_p) * tubes.apart()).sum(axis=1)
         held = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(axis=0)
-        same = held & here.lies_in(pieces.base, self.balance.n, shift, turned)
+        same = held & here.lies_in(pieces.base, shift, turned)
         rows = np.flatnonzero(here.sure & pieces.base.sure & ~same)
-        same[rows] = self._linked(middle[:, rows], pieces.base[rows], parts.centre[:, rows], here[rows])
-        return parts, replace(here, sure=same)
+        same[rows] = self._linked(middle[:, rows], pieces.base[rows], tubes.centre[:, rows], here[rows])
+        return tubes, replace(here, sure=same)
 
     def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> BoolArray:
         """Whether the states of a place become those of another, as one parameter after the other moves between their middles."""
-        n, last = self.balance.n, before
-        at = np.repeat(self.fixed, one.shape[1], axis=1)
-        at[self.tubes.places], at[self.tubes.moving] = one, self.begin
+        last, at = before, np.repeat(self.tubes.fixed, one.shape[1], axis=1)
+        at[self.rows[:-1]], at[self.rows[-1]] = one, self.begin
         out = np.ones(one.shape[1], dtype=np.bool_)
         for k, name in enumerate(self.free):
-            tubes, parts = Tubes(self.balance, name), Parts.points(at)
-            start = tubes.place(parts, np.concatenate([last.z[:-1], one[k : k + 1]]), n)
-            out &= start.lies_in(last, n)
-            last = tubes.followed(parts, start, other[k])
-            out &= last.z[n] == other[k]
-            at[self.tubes.places[k]] = other[k]
-        return out & last.lies_in(after, n)
+            tubes = Tubes.of_points(self.balance, name, at)
+            start = tubes.place(np.concatenate([last.z[:-1], one[k : k + 1]]))
+            out &= start.lies_in(last)
+            last = tubes.followed(start, other[k])
+            out &= last.v == other[k]
+            at[self.rows[k]] = other[k]
+        return out & last.lies_in(after)
 
     def refuted(self, points: FloatArray) -> ParameterSet | None:
         ends = np.flatnonzero(self.settled(self.points(points))[0].outcome == ENDS)

@@ -45,8 +45,7 @@ def test_nothing_is_proved_that_closed_forms_refute(ranges: Any) -> None:
 def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
     """Their change across the box is not linear: by the slopes in the middle alone, corners lie outside."""
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
-    parts = box._parts(box.whole.low, box.whole.high)
-    here = box.tubes.followed(parts, box.whole.base, np.array([0.3]))
+    here = box._over(box.whole.low, box.whole.high).followed(box.whole.base, np.array([0.3]))
     assert here.sure[0]
     assert here.z[2, 0] == 0.3
     ends = here.box()[:, 0]

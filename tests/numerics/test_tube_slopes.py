@@ -1,10 +1,12 @@
 """Slopes over parts of tubes in affine arithmetic: against slopes at points of the same region, and against intervals."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.tubes import Parts, Region
+from spragsym.bifurcation.tubes import Region, Tubes
 from spragsym.design.tube_certificates import Splitting
 from spragsym.models.quantities import Unit
 from spragsym.numerics import contractors
@@ -25,65 +27,65 @@ BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] =
 )
 
 
-def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]) -> tuple[Splitting, Parts, Region]:
+def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]) -> tuple[Splitting, Tubes, Region]:
     """States about one of the middle of a box, moved along and across at random."""
     model, rng = ss.load(name).search, np.random.default_rng(2)
     low, high = (model.Parameters(**{key: ends[side] for key, ends in ranges.items()}) for side in (0, 1))
     vary = "mu0" if "mu0" in ranges else "mu_s"
     box = Splitting(low, high, vary, ranges[vary][0], units)
-    parts, n = box._parts(box.whole.low, box.whole.high), box.tubes.n
+    tubes = box._over(box.whole.low, box.whole.high)
     z = box.whole.base.z
-    by_p = box.tubes.tangents(parts, z, n)[1]
+    by_p = tubes.tangents(z)[1]
     along = rng.normal(size=z.shape) * 0.1
-    along[n] = 1.0
+    along[-1] = 1.0
     off = np.full_like(z, 1e-3)
-    off[n] = 0.0
-    moved, apart = np.full(1, 0.02), box.tubes.apart(parts)
+    off[-1] = 0.0
+    moved, apart = np.full(1, 0.02), tubes.apart()
     size = np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1) + off
-    return box, parts, Region(Intervals.between(z - 1.001 * size, z + 1.001 * size), z, along, moved, by_p, off)
+    return box, tubes, Region(Intervals.between(z - 1.001 * size, z + 1.001 * size), z, along, moved, by_p, off)
 
 
 @pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
 def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_intervals(
     name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
 ) -> None:
-    box, parts, region = region_of(name, ranges, units)
-    tubes, count = box.tubes, 3000
+    box, tubes, region = region_of(name, ranges, units)
+    count = 3000
     others = list(range(tubes.n))
     rng = np.random.default_rng(3)
     ends = [rng.choice([-1.0, 1.0], (size, count)) * rng.choice([1.0, 0.3], count) for size in (1, len(box.free), tubes.n + 1)]
-    p = parts.centre + parts.half * ends[1]
+    p = tubes.centre + tubes.half * ends[1]
     z = (
         region.middle
         + region.along * region.moved * ends[0]
-        + region.by_p[..., 0] @ (parts.half * ends[1])
+        + region.by_p[..., 0] @ (tubes.half * ends[1])
         + region.off * ends[2]
     )
-    points = Parts(np.repeat(parts.fixed, count, axis=1), p, np.full_like(p, 1e-9))
-    sampled = tubes.floats(points, z)[1]
-    intervals = tubes.slopes(parts, region.box)
+    points = replace(tubes, fixed=np.repeat(tubes.fixed, count, axis=1), centre=p, half=np.full_like(p, 1e-9))
+    sampled = points.floats(z)[1]
+    intervals = tubes.slopes(region.box)
     assert (intervals.low <= sampled).all()
     assert (sampled <= intervals.high).all()
-    for rows, columns in zip(tubes.affine_slopes(parts, region), sampled, strict=True):
+    for rows, columns in zip(tubes.affine_slopes(region), sampled, strict=True):
         for entry, values in zip(rows, columns, strict=True):
             one = entry.interval() if isinstance(entry, Affine) else Intervals.point([float(entry)])
             assert one.low[0] <= values.min()
             assert values.max() <= one.high[0]
     wide = contractors.product(contractors.inverse(intervals.middle[:, others]), intervals.ends)
-    found = tubes.over(parts, region, tubes.n)
+    found = tubes.over(region)
     spread = max(sum(float((found.taken(row[j]).high - found.taken(row[j]).low)[0]) for j in others) for row in found.rows)
     assert spread < 0.9 * float((wide[0] + wide[1])[:, others].sum(axis=1).max())
 
 
 def test_slopes_by_units_are_those_of_the_forces() -> None:
     """By differences: of a parameter at the units' base values, and of a unit on which several depend."""
-    box, parts, region = region_of(*BOXES[-1])
-    tubes, z, step = box.tubes, region.middle, 1e-5
-    _, slopes = tubes.floats(parts, z)
+    _, tubes, region = region_of(*BOXES[-1])
+    z, step = region.middle, 1e-5
+    _, slopes = tubes.floats(z)
     for k in range(len(tubes.free)):
         sides = []
         for side in (-1, 1):
-            centre = parts.centre.copy()
+            centre = tubes.centre.copy()
             centre[k] += side * step
-            sides.append(tubes.floats(Parts(parts.fixed, centre, parts.half), z)[0])
+            sides.append(replace(tubes, centre=centre).floats(z)[0])
         np.testing.assert_allclose(slopes[:, tubes.n + 1 + k], (sides[1] - sides[0]) / (2 * step), rtol=1e-6, atol=1e-9)

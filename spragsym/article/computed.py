@@ -20,12 +20,12 @@ from ..bifurcation.paths import quasi_static_path
 from ..generated import equilibrium as _equilibrium
 from ..kang_nam.flutter import flutter_boundary
 from ..kang_nam.steady_sliding import linear_critical_friction, linear_sprag
-from ..models.load import USUAL, load
-from ..models.parameters import NAMES, FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
-from ..orbits import cycle, fate_boundary
+from ..orbits import Cycle, cycle, fate_boundary
+from ..orbits.system import System
 from ..results import Equilibria, Jump, Stability
 from ..statics.equilibria import equilibria
 from .ledger import package_text
@@ -39,12 +39,11 @@ MU0_MAX = MU0_RANGE[1]
 FAR_BELOW, WITH_OTHERS = (10.0, 20.0, 30.0, 40.0), 30.0
 #: V and d of other belts, of which the article states neither: between rest and oscillation the motions of these are regular.
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
-#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: one pair for each of these belts.
-FATES_CHANGE = ((41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
+#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: of our belt, and of each of these.
+FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 #: A state on the oscillation at 42°.
 ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
-_MODEL = load(USUAL)
 _article = Parameters.article
 #: θ₀ of grids, degrees, and as it rises; frictions from 0 to the largest, few for a grid.
 _GRID, _RISING = np.linspace(0.1, 179.9, 900), np.radians(np.linspace(0.1, 179.9, 361))
@@ -54,10 +53,6 @@ _deg = np.degrees
 
 def _at(degrees: Any, **changes: Any) -> Parameters:
     return _article(theta0=np.radians(degrees), **changes)
-
-
-def _jumps(p: Parameters, vary: str, values: FloatArray, start: str | int = "small") -> tuple[Jump, ...]:
-    return quasi_static_path(p, vary, values, start=start).jumps
 
 
 def _few_digits(value: Any, digits: int) -> float:
@@ -85,18 +80,21 @@ def _highest(of: Callable[[float], Any], low: float, high: float) -> Any:
     return minimize_scalar(lambda at: -float(of(at)), bounds=(low, high), method="bounded", options={"xatol": 1e-10})
 
 
+def _poles() -> FloatArray:
+    return np.sort(linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
+
+
 def linear_poles() -> Outcome:
-    poles = np.sort(linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
+    poles = _poles()
     outside = linear_sprag(_article(theta0=poles + np.array([-1e-9, 1e-9]), mu0=0.7))
     return (-outside.y > 1e5).all(), {"poles_deg": _deg(poles)}
 
 
 def no_linear_sliding() -> Outcome:
-    low, high = np.sort(linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
-    share = np.linspace(1e-6, 1 - 1e-6, 1001)
-    between = linear_sprag(_article(theta0=low + (high - low) * share, mu0=0.7))
-    outside = linear_sprag(_article(theta0=np.concatenate([low * share, high + (math.pi - high) * share]), mu0=0.7))
-    holds = (between.y > 0).all() and (between.determinant < 0).all() and (outside.y < 0).all()
+    low, high = poles = _poles()
+    angles = np.append(np.radians(_GRID), np.add.outer(poles, [-1e-6, 1e-6]))
+    model, between = linear_sprag(_article(theta0=angles, mu0=0.7)), np.searchsorted(poles, angles) == 1
+    holds = ((model.y > 0) == between).all() and ((model.determinant < 0) == between).all()
     return holds, {"from_deg": _deg(low), "to_deg": _deg(high)}
 
 
@@ -142,7 +140,7 @@ def bounded() -> Outcome:
 
 def base_regions() -> Outcome:
     turns = _deg(folds(_article()).theta0)
-    expected = np.where(np.less(_GRID, turns[0]) | np.greater(_GRID, turns[1]), 3, 1)
+    expected = np.where(np.searchsorted(turns, _GRID) == 1, 1, 3)
     return (equilibria(_at(_GRID)).count == expected).all(), {"folds_deg": turns, "counts": [3, 1, 3]}
 
 
@@ -166,7 +164,7 @@ def lift_off() -> Outcome:
 
 def roots_of_21() -> Outcome:
     """Real roots of the quartic in L, with 40 digits, beside the equilibria."""
-    angles, real, sliding = (30, 49, 90, 160), [], []
+    angles, real = (30, 49, 90, 160), []
     own = mpmath.mp.clone()  # mpmath.mp belongs to all threads
     own.dps = 40
     numbers = [own.mpf(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
@@ -175,16 +173,15 @@ def roots_of_21() -> Outcome:
         coefficients = _equilibrium.contact_quartic(own.cos(theta0), own.sin(theta0), *numbers)
         roots = own.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
         real.append(sum(abs(own.im(root)) < own.mpf(10) ** -20 for root in roots))
-        sliding.append(len(precise.equilibria(theta0_deg=angle, dps=20)))
-    holds = all(one == other + 1 for one, other in zip(real, sliding, strict=True))
-    return holds, {"theta0_deg": angles, "real roots": real, "equilibria": sliding}
+    sliding = equilibria(_at(angles)).count
+    return np.array_equal(real, sliding + 1), {"theta0_deg": angles, "real roots": real, "equilibria": sliding}
 
 
 # ----------------------------------------------------------------------------------------------------- jumps
 
 
 def jump_rising() -> Outcome:
-    (jump,) = _jumps(_article(mu0=0.7), "theta0", _RISING)
+    (jump,) = quasi_static_path(_article(mu0=0.7), "theta0", _RISING).jumps
     before, after = jump.before["x"], jump.after["x"]  # after is taken a little beyond the fold
     holds = after > before and jump.stability_after == Stability.STABLE
     return holds, {"theta0_deg": _deg(jump.value), "x before": before, "x after": _few_digits(after, 9)}
@@ -192,15 +189,14 @@ def jump_rising() -> Outcome:
 
 def no_jump_falling() -> Outcome:
     p = _article(mu0=0.7)
-    back = quasi_static_path(p, "theta0", _RISING[::-1], start="small")
-    other = _jumps(p, "theta0", _RISING[::-1], start="large")
+    back, large = (quasi_static_path(p, "theta0", _RISING[::-1], start=start) for start in ("small", "large"))
     ends = sorted((int(np.argmin(back.x)), int(np.argmax(back.x))))
     rises = (np.diff(back.x[slice(*ends)]) > 0).all() and back.values[ends[1]] < np.radians(2.0)
-    return not back.jumps and rises and len(other) == 1, {
+    return not back.jumps and rises and len(large.jumps) == 1, {
         "jumps on the way back": len(back.jumps),
         "x grows from theta0_deg, to": [_few_digits(_deg(back.values[i]), 3) for i in ends],
         "x there": back.x[ends],
-        "jump of the other state at theta0_deg": _deg(other[0].value),
+        "jump of the other state at theta0_deg": _deg(large.jumps[0].value),
     }
 
 
@@ -212,7 +208,7 @@ def must_jump() -> Outcome:
 
 def _up_and_down() -> list[tuple[Jump, ...]]:
     """Jumps as the friction rises at 60°, and as it falls."""
-    return [_jumps(_at(60.0), "mu0", values) for values in (_FRICTIONS, _FRICTIONS[::-1])]
+    return [quasi_static_path(_at(60.0), "mu0", values).jumps for values in (_FRICTIONS, _FRICTIONS[::-1])]
 
 
 @cache
@@ -223,7 +219,7 @@ def _critical_value(name: str, bracket: tuple[float, float]) -> float:
 def family_row(name: str, value: float, bracket: tuple[float, float], jumps: bool) -> Outcome:
     """The yes or no of Figures 8 to 10 for a sample of a parameter."""
     p = _article(**{name: value})
-    found, lowest = _jumps(p, "theta0", _RISING), float(critical_friction(p))
+    found, lowest = quasi_static_path(p, "theta0", _RISING).jumps, float(critical_friction(p))
     values = {"mu_lowest": lowest, "mu_cusp": cusp_friction(p), f"critical {name}": _critical_value(name, tuple(bracket))}
     jump = {"jump at theta0_deg": _deg(found[0].value)} if found else {}
     return bool(found) == jumps == (lowest < 0.5), values | jump
@@ -245,10 +241,9 @@ def flutter_alpha() -> Outcome:
 
 def flutter_sigma() -> Outcome:
     p = _article(sigma=1.0)
-    low, high = onsets = _deg(flutter_onsets(p, damping=False).theta0)
+    onsets = _deg(flutter_onsets(p, damping=False).theta0)
     eq = equilibria(p.replace(theta0=np.radians(_GRID)))
-    flutters = eq.stability == Stability.FLUTTER
-    expected = np.less(_GRID, low) | np.greater(_GRID, high)
+    flutters, expected = eq.stability == Stability.FLUTTER, np.searchsorted(onsets, _GRID) != 1
     return (flutters.any(axis=-1) == expected).all() and flutters[expected, 2].all(), {"onsets_deg": onsets}
 
 
@@ -316,31 +311,21 @@ def no_return() -> Outcome:
 
 
 def friction_law() -> Outcome:
-    share = float(_working(_article(mu0=1.0), V, D))
+    share = float(_working(_article(mu0=1.0)))
     return 0.99 < share < 1, {"friction at steady sliding over mu0": share}
 
 
 def limit_cycle() -> Outcome:
     p = _at(49.0)
-    late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
-    eq = equilibria(p.replace(mu0=_working(p, V, D)))
+    late = simulate(p, t_end=10000.0).after(8000.0)
+    eq = equilibria(p.replace(mu0=_working(p)))
     outcome, x = late.outcome(0.0), eq.x[0]
-    growth = linearized_growth(p, x, eq.y[0], V, D)
+    growth = np.linalg.eigvals(System.of(p, None).linearization(np.array([x, eq.y[0], 0.0, 0.0]))).real.max()
     alone = eq.count == 1 and eq.stability[0] == Stability.STABLE
     return outcome.regime == Regime.LIMIT_CYCLE and alone and growth > 0, {
         "period": outcome.period, "largest |x|": late.largest(0.0), "x of the only equilibrium": x,
         "its growth rate with the friction law's damping": growth,
     }  # fmt: skip
-
-
-def linearized_growth(p: Parameters, x: float, y: float, V: float, d: float) -> float:
-    """The largest real part of the linearization at an equilibrium, the damping that (27) leaves out included."""
-    theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
-    along, across = _MODEL.algebra.regime_jacobian(
-        x, y, 0.0, 0.0, np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, V, d, pushing=1, side=1, near1=1
-    )
-    jacobian = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], along, across], dtype=float)
-    return float(np.linalg.eigvals(jacobian).real.max())
 
 
 def amplitude_jump() -> Outcome:
@@ -355,21 +340,15 @@ def amplitude_jump() -> Outcome:
 
 def lives_below() -> Outcome:
     """Stable cycles beside stable sliding, far below the fold."""
-    found = cycle(_at(42.0), V=V, d=D, near=ON_CYCLE, patient=False)
-    periods, multipliers, holds, known = [], [], True, {}
-    for degrees in sorted(FAR_BELOW, reverse=True):
-        found = known[degrees] = cycle(_at(degrees), V=V, d=D, near=found)
-        holds &= found.stable and _slides_stably(degrees, V, D)
-        periods.append(found.period)
-        multipliers.append(np.abs(found.multipliers[1]))
-    others = []
-    for speed, creep in OTHER_BELTS:
-        other = cycle(_at(WITH_OTHERS), V=speed, d=creep, near=known[WITH_OTHERS])
-        holds &= other.stable and _slides_stably(WITH_OTHERS, speed, creep)
-        others.append(other.period)
-    return holds, {
-        "theta0_deg": FAR_BELOW, "periods": periods[::-1], "largest multipliers": multipliers[::-1], **_of_others(),
-        "periods with these at 30 degrees": others,
+    near, found = cycle(_at(42.0), near=ON_CYCLE, patient=False), dict[tuple[float, ...], Cycle]()
+    for place in [(degrees, V, D) for degrees in FAR_BELOW[::-1]] + [(WITH_OTHERS, *belt) for belt in OTHER_BELTS]:
+        degrees, speed, creep = place
+        near = found[place] = cycle(_at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near))
+    ours, others = [*found.values()][len(FAR_BELOW) - 1 :: -1], [*found.values()][len(FAR_BELOW) :]
+    return all(one.stable and _slides_stably(*place) for place, one in found.items()), {
+        "theta0_deg": FAR_BELOW, "periods": [one.period for one in ours],
+        "largest multipliers": [np.abs(one.multipliers[1]) for one in ours], **_of_others(),
+        "periods with these at 30 degrees": [one.period for one in others],
     }  # fmt: skip
 
 
@@ -378,33 +357,33 @@ def _of_others() -> dict[str, Any]:
     return {"V of other belts": speeds, "d of other belts": creeps}
 
 
-def _working(p: Parameters, speed: float, creep: float) -> Any:
-    """The friction of steady sliding on a belt."""
-    return _MODEL.friction(p.replace(V=speed, d=creep))
+def _working(p: Parameters) -> Any:
+    """The friction of steady sliding on the belt."""
+    return p.model.friction(p)
 
 
 def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
     """Whether the state of smallest deformation is stable at the friction of this belt."""
-    p = _at(degrees)
-    rest = equilibria(p.replace(mu0=_working(p, speed, creep)))
+    p = _at(degrees, V=speed, d=creep)
+    rest = equilibria(p.replace(mu0=_working(p)))
     return bool(rest.stability[int(np.nanargmin(np.abs(rest.x)))] == Stability.STABLE)
 
 
 def fate_of_rest() -> Outcome:
     """Where the motion from rest changes its fate, and at which saddle it hovers there."""
-    found = fate_boundary(_article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
-    at, fold = _deg(found.value), _deg(folds(_article()).theta0[0])
-    holds, others, apart = found.saddle == "equilibrium" and 1 < fold - at < 5, [], []
-    for (speed, creep), (low, high) in zip(OTHER_BELTS, np.radians(FATES_CHANGE), strict=True):
-        other = fate_boundary(_article(), vary="theta0", bracket=(low, high), V=speed, d=creep)
-        sliding = folds(_article(mu0=float(_working(_article(), speed, creep)))).theta0[0]
-        others.append(_deg(other.value))
-        apart.append(_deg(sliding) - others[-1])
-        holds &= other.saddle == "equilibrium" and 3 < apart[-1] < 4
-    return holds, {
-        "theta0_deg": at, "before the fold by (deg)": fold - at, "x of the saddle": found.state[0],
+    belts = [_article(V=speed, d=creep) for speed, creep in ((V, D), *OTHER_BELTS)]
+    found, *others = [
+        fate_boundary(p, vary="theta0", bracket=(low, high))
+        for p, (low, high) in zip(belts, np.radians(FATES_CHANGE), strict=True)
+    ]
+    at, *changes = _deg([one.value for one in (found, *others)])
+    sliding = (folds(p.replace(mu0=float(_working(p)))).theta0[0] for p in belts[1:])
+    before, apart = _deg(folds(_article()).theta0[0]) - at, _deg([*sliding]) - changes
+    holds = all(one.saddle == "equilibrium" for one in (found, *others)) and 1 < before < 5
+    return holds and (3 < apart).all() and (apart < 4).all(), {
+        "theta0_deg": at, "before the fold by (deg)": before, "x of the saddle": found.state[0],
         "y of the saddle": found.state[1], "its growth rate": found.growth, **_of_others(),
-        "theta0_deg with these": others, "before the fold at their sliding friction by (deg)": apart,
+        "theta0_deg with these": changes, "before the fold at their sliding friction by (deg)": apart,
     }  # fmt: skip
 
 

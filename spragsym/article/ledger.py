@@ -68,10 +68,10 @@ def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
     return rows
 
 
-def recorded() -> list[dict[str, Any]]:
-    """The rows with the committed values: each held when they were written."""
+def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[dict[str, Any]]:
+    """The rows of statements with the committed values: each held when they were written."""
     values = json.loads(package_text("record.json"))
-    return [statement.row(True, values[statement.id]) for statement in STATEMENTS]
+    return [statement.row(True, values[statement.id]) for statement in statements]
 
 
 def drifted(rows: Sequence[dict[str, Any]], record: Sequence[dict[str, Any]]) -> list[str]:
@@ -97,15 +97,12 @@ def _rounded(value: Any, digits: int) -> Value:
 
 
 def _differences(now: dict[str, Any], before: dict[str, Any]) -> list[str]:
-    words = [
-        f"{name} is {now[name]!r}, not {before.get(name)!r}" for name in now if name != "values" and now[name] != before.get(name)
-    ]
-    old = before.get("values", {})
-    names = {**now["values"], **old}
+    words = [f"{name} is {new!r}, not {before[name]!r}" for name, new in now.items() if name != "values" and new != before[name]]
+    new, old = now["values"], before["values"]
     return words + [
-        f"{name} = {now['values'].get(name)}, not {old.get(name)}"
-        for name in names
-        if not _close(now["values"].get(name), old.get(name), now["digits"])
+        f"{name} = {new.get(name)}, not {old.get(name)}"
+        for name in {**new, **old}
+        if not _close(new.get(name), old.get(name), now["digits"])
     ]
 
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import click
 
@@ -21,6 +21,7 @@ from ..progress import advance, show_progress
 from . import options as o
 from .output import print_json, refuse, wrapped, write
 
+T = TypeVar("T")
 #: Arguments of click.style.
 Style: TypeAlias = Mapping[str, Any]
 _GOOD, _OPEN, _BAD, _DIM = {"fg": "green"}, {"fg": "cyan"}, {"fg": "red", "bold": True}, {"dim": True}
@@ -89,7 +90,7 @@ def check(
 _Rows = tuple[list[dict[str, Any]], list[str]]
 
 
-def _chosen(only: tuple[str, ...], known: Sequence[str], what: str) -> list[str]:
+def _chosen(only: tuple[str, ...], known: Mapping[str, T], what: str) -> list[T]:
     """The rows asked for, by name or by how names begin, in the order of the record; all of them if none is asked for."""
     chosen = set() if only else set(known)
     for name in only:
@@ -98,38 +99,36 @@ def _chosen(only: tuple[str, ...], known: Sequence[str], what: str) -> list[str]
             near = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.3)) or "none"
             raise ParameterError(f"--row {name}: no row of {what} has this name or begins with it; names like it: {near}")
         chosen |= found
-    return [row for row in known if row in chosen]
+    return [row for name, row in known.items() if name in chosen]
 
 
 def _claims(only: tuple[str, ...], again: bool) -> _Rows:
     from ..article import STATEMENTS, drifted, recorded, run
 
-    chosen = _chosen(only, [statement.id for statement in STATEMENTS], "the claims")
-    rows = [row for row in recorded() if row["id"] in chosen]
+    statements = _chosen(only, {statement.id: statement for statement in STATEMENTS}, "the claims")
     if not again:
-        return rows, []
+        return recorded(statements), []
     with show_progress("computing what the article states"):
-        anew = run([statement for statement in STATEMENTS if statement.id in chosen])
-    return anew, drifted(anew, rows)
+        anew = run(statements)
+    return anew, drifted(anew, recorded(statements))
 
 
 def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     from ..article.ledger import package_text
 
-    text = package_text("ledger.json", "spragsym.generated")
-    recorded: list[dict[str, Any]] = json.loads(text)["rows"]
-    chosen = _chosen(only, [row["id"] for row in recorded], "the equations (statements of the text: --claims)")
+    before = {row["id"]: row for row in json.loads(package_text("ledger.json", "spragsym.generated"))["rows"]}
+    rows = _chosen(only, before, "the equations (statements of the text: --claims)")
     if not again:
-        return [row for row in recorded if row["id"] in chosen], []
+        return rows, []
     from ..derive.kang_nam import check as derivation
 
     with show_progress("deriving the equations of the article"):
         every = derivation.run()
+    chosen, now = {row["id"] for row in rows}, {row.id: row.recorded() for row in every}
     wrong = [f"{row.id} ({row.where}): {row.note}" for row in derivation.failures(every) if row.id in chosen]
-    before, now = ({row["id"]: row for row in rows} for rows in (recorded, [row.recorded() for row in every]))
     changed = [id for id in sorted(before.keys() | now.keys()) if before.get(id) != now.get(id) and (not only or id in chosen)]
     wrong += [f"{id} is not as recorded in generated/ledger.json" for id in changed]
-    return [row.recorded() for row in every if row.id in chosen], wrong
+    return [row for id, row in now.items() if id in chosen], wrong
 
 
 def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
@@ -140,8 +139,7 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     model = load(name)
     with show_progress(f"deriving the equations of {model.name}"):
         every = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
-    chosen = _chosen(only, [row.id for row in every], "the equations")
-    rows = [row for row in every if row.id in chosen]
+    rows = _chosen(only, {row.id: row for row in every}, "the equations")
     if json_output:
         print_json([asdict(row) for row in rows])
         return

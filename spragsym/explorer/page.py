@@ -118,7 +118,7 @@ def explorer_page(
     beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(units.source)}</p>' if units else ""
     lines = (f"{name} {look}" for name, look in zip(model.coordinates, _LINES, strict=False))
     return _filled(
-        _asset("page.html"),
+        "page.html",
         {
             "TITLE": _escaped(f"{model.name} explorer"),
             "STYLE": _in_a_script(_asset("style.css")),
@@ -191,7 +191,7 @@ def _solver(model: Model) -> dict[str, str]:
     folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
     words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
     parts = {
-        "HEAD": _filled(_asset("head.html"), words),
+        "HEAD": _filled("head.html", words),
         "SURFACE": "",
         "LEGEND": "",
         "BUNDLES": bundle,
@@ -215,7 +215,7 @@ def _asset(name: str) -> str:
 
 def _filled(template: str, parts: Mapping[str, str]) -> str:
     """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at again."""
-    return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]].strip(), template)
+    return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]].strip(), _asset(template))
 
 
 def _in_a_script(text: str) -> str:
@@ -236,7 +236,7 @@ def _words(blocks: Sequence[str]) -> str:
 
 def _onsets(drawing: str, command: str) -> str:
     """The part of a page with the map of stability as SVG, and the command that prints its numbers; nothing without a map."""
-    return _filled(_asset("onsets.html"), {"DRAWING": drawing, "COMMAND": _escaped(command)}) if drawing else ""
+    return _filled("onsets.html", {"DRAWING": drawing, "COMMAND": _escaped(command)}) if drawing else ""
 
 
 def _derived(model: Model) -> tuple[str, str]:

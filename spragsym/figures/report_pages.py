@@ -78,12 +78,14 @@ def _ends(study: Study, name: str) -> str:
 
 def document(
     title: str, about: str, verdict: str, warnings: Iterable[str], drawn: Iterable[tuple[str, str]],
-    headed: Iterable[tuple[str, Iterable[tuple[str, str]]]], mechanism: str = "",
+    headed: Iterable[tuple[str, Iterable[tuple[str, str]]]], mechanism: str,
 ) -> str:  # fmt: skip
     """A page from its title, what it is about, verdict and warnings, pictures as SVG with captions, headings with rows of a name
     and a value, and the mechanism drawn in characters."""
-    values: dict[str, Any] = dict(title=title, about=about, verdict=verdict, warnings=warnings, drawn=drawn, headed=headed)
-    return filled("spragsym.figures", "report.html", "the page of a report", mechanism=mechanism, **values)
+    return filled(
+        "spragsym.figures", "report.html", "the page of a report", title=title, about=about, verdict=verdict, warnings=warnings,
+        drawn=drawn, headed=headed, mechanism=mechanism,
+    )  # fmt: skip
 
 
 def pictures(report: Report) -> Iterator[tuple[str, str]]:

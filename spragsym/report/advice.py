@@ -47,40 +47,34 @@ def cautions(report: Report) -> tuple[str, ...]:
     )
 
 
-def _has(study: Study, *names: str) -> bool:
-    """Whether the brake has some quantities: a caution about others is none of it."""
-    return set(names) <= set(study.quantities)
-
-
-def _data(study: Study, *names: str) -> str:
-    return " and ".join(f"{name} = {study.shown(name)}" for name in names)
+def _data(study: Study, name: str) -> str:
+    return f"{name} = {study.shown(name)}"
 
 
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
-    if not _has(study, "L_0", "F_L", "k_c") or not all("y_mm" in state.places for state in found):
+    if not {"L_0", "F_L", "k_c"} <= set(study.values):
         return
     length = 1e3 * study.values["L_0"]
     for current, where in ((True, ""), (False, " in another state")):
-        deepest = max((-state.y_mm for state in found if state.current == current), default=0.0)
+        deepest = max((-state.places.get("y_mm", 0.0) for state in found if state.current == current), default=0.0)
         if deepest > DEEP * length:
             yield f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of L_0: check F_L and k_c"
 
 
 def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
-    if not _has(study, "L_0") or not all("x_mm" in state.places for state in found):
-        return
-    length = 1e3 * study.values["L_0"]
+    length = 1e3 * study.values.get("L_0", math.inf)
     for state in found:
-        if state.current and abs(state.x_mm) > FAR * length:
-            share = f"{abs(state.x_mm) / length:.0%} of L_0"
-            yield f"the followed state lies at x = {state.x_mm:.3g} mm without a jump, {share}: it is no small deformation"
+        x = state.places.get("x_mm", 0.0)
+        if state.current and abs(x) > FAR * length:
+            share = f"{abs(x) / length:.0%} of L_0"
+            yield f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small deformation"
 
 
 def _stiffness(study: Study) -> Iterator[str]:
-    if not _has(study, "k_c") or not study.kind.about["contact"]["unilateral"]:
+    if "k_c" not in study.values or not study.kind.about["contact"]["unilateral"]:
         return
-    for name in (name for name in ("k", "k_x", "k_y") if _has(study, name)):
-        ratio = study.values[name] / study.values["k_c"]
+    for name in ("k", "k_x", "k_y"):
+        ratio = study.values.get(name, 0.0) / study.values["k_c"]
         if ratio > 0.5:
             yield f"{_data(study, name)} is {ratio:.3g} times k_c, and the contact should be the stiffest part: check both units"
     sigma = study.values.get("k", math.inf) / study.values["k_c"]
@@ -89,15 +83,16 @@ def _stiffness(study: Study) -> Iterator[str]:
 
 
 def _friction_caution(study: Study) -> Iterator[str]:
-    missing = [name for name in study.kind.of_the_law if not _has(study, name)]
+    missing = [name for name in study.kind.of_the_law if name not in study.values]
     if missing:
         yield f"without {' and '.join(missing)} friction is taken at full slip, and no oscillation is looked for"
-    elif study.kind.law["at_rest"] == "other" and _has(study, "mu0"):
+    elif study.kind.law["at_rest"] == "other" and "mu0" in study.values:
         yield "the friction law is not proportional to mu0: friction is taken at rest, not at the belt's speed"
     yield from _fit(study)
-    if _has(study, "mu0") and study.fraction < FULL:
+    if "mu0" in study.values and study.fraction < FULL:
         share = f"{study.fraction:.3g} of mu0, {study.friction[1]:.3g} in place of {study.values['mu0']:.3g}"
-        yield f"the belt is so slow that friction is {share}: check {'d and V' if _has(study, 'd', 'V') else study.belt}"
+        cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
+        yield f"the belt is so slow that friction is {share}: check {cause}"
 
 
 def _fit(study: Study) -> Iterator[str]:
@@ -121,7 +116,7 @@ def of_data(study: Study) -> Iterator[str]:
     friction, angle, belt = study.quantities.get("mu0"), study.quantities.get("theta0"), study.belt
     if friction is not None and friction.high > FRICTION:
         yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
-    if belt is not None and _has(study, belt) and abs(speed := study.values[belt]) > FAST:
+    if belt in study.values and abs(speed := study.values[belt]) > FAST:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
     if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
         number = f"{study.in_file('theta0', angle.value):g}"

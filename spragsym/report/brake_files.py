@@ -107,19 +107,19 @@ class _Reader:
         if missing:
             wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
             raise ParameterError(f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
-        found = {key: found[key] for key in kind.units if key in found}
-        with self.at("correlation"):
-            correlation = _correlation(own["correlation"], found, fit)
-        with self.at("state"):
-            state = _state(own["state"] or {}, kind)
-        with self.at("may_change"):
-            may_change = _may_change(own["may_change"] or {}, kind)
-        with self.at("vary" if own["begin"] is None else "begin"):
-            rise = _rise(own["vary"], own["begin"], kind, {name: one.value for name, one in found.items()})
-        return Study.of(
-            quantities=found, model=model, source=Path(self.path).name, fit=fit, rise=rise, correlation=correlation, state=state,
-            may_change=may_change, title=str(own["title"] or ""), date=str(own["date"] or ""),
+        study = Study.of(
+            quantities={key: found[key] for key in kind.units if key in found}, model=model, source=Path(self.path).name, fit=fit,
+            title=str(own["title"] or ""), date=str(own["date"] or ""),
         )  # fmt: skip
+        with self.at("correlation"):
+            study.correlation = _correlation(own["correlation"], study)
+        with self.at("state"):
+            study.state = _state(own["state"] or {}, kind)
+        with self.at("may_change"):
+            study.may_change = _may_change(own["may_change"] or {}, kind)
+        with self.at("vary" if own["begin"] is None else "begin"):
+            study.rise = _rise(own["vary"], own["begin"], study)
+        return study
 
     def _table(self) -> dict[str, Any]:
         try:
@@ -183,20 +183,19 @@ def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
         raise ParameterError(f"{key} = {error}") from error
 
 
-def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | None) -> Correlation:
+def _correlation(given: Any, study: Study) -> Correlation:
     """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
-    rows = given if isinstance(given, list) else [] if given is None else [given]
+    fit, rows = study.fit, given if isinstance(given, list) else [] if given is None else [given]
     rows = [*rows, ["mu0", "d", fit.correlation]] if fit is not None and fit.mu0_error and fit.d_error else rows
     for row in rows:
         if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
             cure = 'write correlation = [["k", "k_x", 0.9]]'
             raise ParameterError(f"correlation = {given!r} is no list of two names and a number each; {cure}")
-    pairs = [(row[0], row[1]) for row in rows]
-    if len({frozenset(pair) for pair in pairs}) < len(pairs):
+    found = {(one, other): value for one, other, value in rows}
+    if len(set(map(frozenset, found))) < len(rows):
         raise ParameterError(f"correlation = {given!r} has a pair twice, or that of the measured file; keep one of them")
-    result = dict(zip(pairs, (row[2] for row in rows), strict=True))
-    dependence([name for name, one in found.items() if one.varies], result)
-    return result
+    dependence(list(study.tolerances), found)
+    return found
 
 
 def _state(given: Any, kind: Quantities) -> dict[str, float]:
@@ -215,19 +214,19 @@ def _may_change(given: Any, kind: Quantities) -> dict[str, tuple[float, float]]:
     return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
 
 
-def _rise(vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
+def _rise(vary: Any, begin: Any, study: Study) -> Rise | None:
+    units = study.kind.units
     if not isinstance(vary, str | None):
         raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
-    if begin is not None and vary in kind.units:
-        begin = _quantity("begin", begin, kind.units[vary], FINITE).value
-    return rise_of(kind, vary, begin, values)
+    if begin is not None and vary in units:
+        begin = _quantity("begin", begin, units[vary], FINITE).value
+    return rise_of(study.kind, vary, begin, study.values)
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:
     """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0 else."""
-    if value > WITHIN * error:
-        return Measured(value, value - ENDS * error, value + ENDS * error, unit, error, error == 0)
-    return Measured(value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, True)
+    cut = error == 0 or value <= WITHIN * error
+    return Measured(value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, cut)
 
 
 def example(model: Model) -> str:
@@ -333,7 +332,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         reason, line, _ = max((one.args for one in failures), key=lambda one: one[2])
         raise ParameterError(f"{path}{f', line {line}' if line else ''}: {reason}")
     (rows,) = found
-    speed, friction = np.abs([row[0] for row in rows]), np.array([row[1] for row in rows])
+    speed, friction = np.abs([*zip(*rows, strict=True)] or [(), ()])
     if len(set(speed[speed > 0].tolist())) < 2:
         few = f"{path} has {len(rows)} measurements"
         raise ParameterError(f"{few}; at least two at different sliding speeds are needed to fit mu0 and d")

@@ -64,9 +64,11 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     search = _Search(study, target)
     found = search.singles()
     together = search.joint()
-    if together is None or any(one.after.keys() == together.after.keys() for one in found):
-        return tuple(found)
-    if together.outcome != "proved" and any(one.outcome == "proved" for one in found):
+    if (
+        together is None
+        or any(one.after.keys() == together.after.keys() for one in found)
+        or (together.outcome != "proved" and any(one.outcome == "proved" for one in found))
+    ):
         return tuple(found)
     return (*found, together)
 
@@ -82,7 +84,7 @@ def design(study: Study) -> Design:
     kind = study.kind
     works = {"mu0": float(study.at_work.mu0)} if "mu0" in kind.model.parameters else {}
     return Design(
-        {**study.values, **works}, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, study.begins,
+        study.values | works, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, study.begins,
         study.dimensionless.followed, {study.rises.name: study.rises.quantity},
     )  # fmt: skip
 
@@ -97,7 +99,7 @@ class _Search:
         self.scale = {name: self._scale(name) for name in self.names}
         self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
         spans = {name: Range(*ends, closed_high=True) for name, ends in self.span.items()}
-        self.within = replace(design(study), ranges={**self.allowed, **spans})
+        self.within = replace(design(study), ranges=self.allowed | spans)
 
     def _span(self, name: str) -> tuple[float, float]:
         """Between which values it may change: as the data say, else by :data:`FACTOR`, an inclination from 1° to 179°."""
@@ -153,8 +155,8 @@ class _Search:
         """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
         study = self.study
         try:
-            scale, target = {name: self.scale[name] for name in names}, {study.rises.name: self.target}
-            after: Any = redesign(self.within, names, target, scale, begin=study.begins()).parameters
+            target = {study.rises.name: self.target}
+            after: Any = redesign(self.within, names, target, self.scale, begin=study.begins()).parameters
         except SpragsymError:
             return None
         return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None

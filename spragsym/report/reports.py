@@ -232,18 +232,15 @@ class Report(Result):
     def folds(self) -> dict[str, Points]:
         """Folds along the loading parameter and along the inclination, where they are known."""
         study, rise = self.study, self.study.rise
-        sets = {} if rise is None else {rise.name: study.dimensionless if study.of_friction else study.at_work}
-        sets |= {"theta0": study.at_work} if "theta0" in study.at_work.model.parameters else {}
-        asked = ((vary, self._known(f"folds along {vary} are", partial(folds, p, vary))) for vary, p in sets.items())
+        p, names = study.at_work, ["theta0"] if rise is None else [rise.name, "theta0"]
+        axes = dict.fromkeys(vary for vary in names if vary in p.model.parameters)
+        asked = ((vary, self._known(f"folds along {vary} are", partial(folds, p, vary))) for vary in axes)
         found = {vary: points for vary, points in asked if points is not None}
-        if rise is not None and rise.name in found and self._misses(found[rise.name]):
-            self.remarks.append(f"folds along {rise.quantity} may be missing: {self._brief(*found[rise.name].remarks)}")
+        own = None if rise is None else found.get(rise.name)
+        # Beyond a friction that no brake has none is missed.
+        if own is not None and not own.complete and (len(own.undecided) or not study.of_friction or study.top <= FRICTION):
+            self.remarks.append(f"folds along {study.rises.quantity} may be missing: {self._brief(*own.remarks)}")
         return found
-
-    def _misses(self, found: Points) -> bool:
-        """Whether folds that matter may be missing: beyond a friction that no brake has none does."""
-        beyond = self.study.of_friction and self.study.top > FRICTION and not len(found.undecided)
-        return not found.complete and not beyond
 
     @cached_property
     def fold_rows(self) -> tuple[FoldRow, ...]:

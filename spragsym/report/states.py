@@ -164,13 +164,14 @@ def _of_springs(study: Study, values: Sequence[Any]) -> Any:
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
-def _forces(study: Study, ends: Ranges) -> tuple[Any, Any]:
-    told = {name: (low * study.scales.force, high * study.scales.force) for name, (low, high) in ends.items()}
+def _forces(study: Study, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
+    size = known * study.scales.force
+    told = {name: (low * size, high * size) for name, (low, high) in ends.items()}
     contact = told.pop("contact_force", None)
     return _of_springs(study, list(told.values())), contact
 
 
-def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
+def _extremes(p: Any, states: FloatArray) -> Ranges:
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     told = {name: np.asarray(force(states, constants)) for name, force in forces.told_of(p.model).items()}
     return {name: (float(force.min()), float(force.max())) for name, force in told.items()}
@@ -179,8 +180,8 @@ def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
 def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[State, ...]:
     """Every state of ``eq``, in contact at the friction that works, in its order; the one that is ``here`` is ``current``."""
     places = _places(eq)
-    off = [_apart(place, here) for place in places]
-    nearest = int(np.argmin(off)) if off else -1
+    off = [max(abs(value - here[name]) for name, value in place.items()) if here else math.inf for place in places]
+    nearest = min(range(len(off)), key=off.__getitem__, default=-1)
     return tuple(_state(study, eq, slot, place, slot == nearest and off[slot] < SAME) for slot, place in enumerate(places))
 
 
@@ -210,10 +211,6 @@ def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
 
 def _places(eq: Equilibria) -> list[dict[str, float]]:
     return [{name: float(column[slot]) for name, column in eq.coordinates.items()} for slot in range(int(eq.count))]
-
-
-def _apart(place: Mapping[str, float], here: Mapping[str, float] | None) -> float:
-    return math.inf if here is None else max(abs(value - here[name]) for name, value in place.items())
 
 
 def _state(study: Study, eq: Equilibria, slot: int, place: Mapping[str, float], is_here: bool) -> State:
@@ -248,16 +245,11 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Mapping[str, float], 
 def _roots(study: Study, q: list[float]) -> FloatArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope where that is not known."""
     p, belt = study.dimensionless, study.kind.law["belt"]
-    balance, state = Balance(p.model, True, study.law), np.array(q)[:, None]
-
-    def parts(p: Any) -> list[FloatArray]:
-        given = np.array([[value] for value in p.scalars(*p.model.parameters)])
-        return [np.moveaxis(part, -1, 0) for part in linearization(balance, state, given)]
-
-    M, C, K = parts(p)
-    if not study.moves and belt in p.model.parameters:
-        C = parts(p.replace(**{belt: LEVEL}))[1]
-    return np.asarray(roots(M, C, K)[0])
+    damped = p if study.moves or belt not in p.model.parameters else p.replace(**{belt: LEVEL})
+    given = np.array([one.scalars(*p.model.parameters) for one in (p, damped)]).T
+    parts = linearization(Balance(p.model, True, study.law), np.array([q, q]).T, given)
+    M, C, K = (np.moveaxis(part, -1, 0) for part in parts)
+    return np.asarray(roots(M[:1], C[1:], K[:1])[0])
 
 
 def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:
@@ -275,7 +267,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
     rise, at = study.rises, _moving(study, value, jump, speed)
     if at is None:
         return None
-    p = study.dimensionless if study.of_friction else study.at_work
+    p = study.at_work
     path = quasi_static_path(p, rise.name, [study.begins(), value + 1e-6 * abs(value) + 1e-9])
     if not path.jumps:
         return None
@@ -293,7 +285,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
             break
     else:
         return None
-    course = np.asarray(motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS))))
+    course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS)))
     springs, contact = _forces(study, _extremes(at, course))
     ends = (end(course[: start.size], axis=1) for end in (np.min, np.max))
     lowest, highest = (in_units(study, dict(zip(p.model.coordinates, end, strict=True))) for end in ends)
@@ -323,9 +315,9 @@ def _moving(study: Study, value: float, jump: float, speed: float) -> Any:
 def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
     """A place with one coordinate as it is, and the forces on all others balanced: by Newton's method."""
     balance = Balance(p.model, True)
-    values = balance.arguments_of(dict(zip(balance.parameters, p.scalars(*balance.parameters), strict=True)), np)
+    values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(place.size), held), place.copy()
-    for _ in range(_STEPS if free.size else 0):
+    for _ in range(_STEPS):
         at = balance.at(list(q), values, xp=np)
         stiffness = np.array(at.stiffness(), dtype=float)[np.ix_(free, free)]
         q[free] -= np.linalg.solve(stiffness, np.array(at.rows("forces"), dtype=float)[free])
@@ -338,29 +330,25 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
     ``settles`` is of the state that the brake is in, and ``holds`` whether that is stable in the model.
     """
     p, (unit, size) = study.dimensionless, unit_of(study)
-    rates = len(p.model.coordinates)
-    starts = {word: (*place, *[0.0] * (2 * rates - len(place))) for word, place in (("rest", ()), ("far out", _FAR[:rates]))}
-    for word, start in starts.items():
-        try:
+    n = len(p.model.coordinates)
+    rest, far = np.zeros((2, 2 * n))
+    far[:n][: len(_FAR)] = _FAR[:n]
+    for word, start in (("rest", rest), ("far out", far)):
+        with suppress(ConvergenceError):
             found = cycle(p, near=start, patient=False)
-        except ConvergenceError:
-            continue
-        if found.stable:  # no motion comes to one that is not
-            frequency, told = 1 / (found.period * study.scales.time), _forces(study, found.forces)
-            return Oscillation("cycle", frequency, found.amplitude * size, unit, *told, settles, word, found)
+            if found.stable:  # no motion comes to one that is not
+                frequency, told = 1 / (found.period * study.scales.time), _forces(study, found.forces)
+                return Oscillation("cycle", frequency, found.amplitude * size, unit, *told, settles, word, found)
     motion, word = simulate(p, t_end=T_END), "rest"
     if settles is False and not motion.state.any():  # where it rests it is unstable
-        motion, word = simulate(p, start=starts["far out"], t_end=T_END), "far out"
-    late = motion.after(0.75 * T_END)
-    try:
+        motion, word = simulate(p, start=far, t_end=T_END), "far out"
+    late, regime = motion.after(0.75 * T_END), Regime.UNSETTLED
+    with suppress(ConvergenceError):
         regime = motion.outcome(0.75 * T_END).regime
-    except ConvergenceError:
-        regime = Regime.UNSETTLED
     quarters = ((motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75))
     before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
     goes = "falls" if holds and now < _FALLS * before else "grows" if now > _GROWS * before else "motion" if now else "rest"
     kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
-    told = _forces(study, {name: (goes_on * low, goes_on * high) for name, (low, high) in _extremes(p, late.state).items()})
-    lives = settles if kind == "motion" else None
+    told, lives = _forces(study, _extremes(p, late.state), goes_on), settles if kind == "motion" else None
     return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, word, late)

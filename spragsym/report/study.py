@@ -332,7 +332,7 @@ class Study:
     @cached_property
     def ends(self) -> Ends:
         """Where the state ends as something rises, and how far that was looked for."""
-        return first_ends(self.dimensionless if self.of_friction else self.at_work, **self.along())
+        return first_ends(self.at_work, **self.along())
 
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
@@ -350,8 +350,8 @@ class Study:
 
     @property
     def top(self) -> float:
-        """Up to which value a jump is looked for, as it is told: all, or the end of a search; NaN where nothing rises."""
-        return math.nan if self.rise is None else self.told(float(self.ends.until))
+        """Up to which value a jump is looked for, as it is told: all, or the end of a search."""
+        return self.told(float(self.ends.until))
 
     def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
         """A value of a quantity, by default its own, as text in the unit in which it came."""
@@ -377,9 +377,7 @@ class Study:
 
     def amount(self, value: float, digits: int = 4) -> str:
         """A value of the loading parameter: a friction as a number, a quantity with its unit."""
-        if self.rise is None or self.of_friction:
-            return f"{value:.{digits}g}"
-        return self.shown(self.rise.quantity, value, digits)
+        return f"{value:.{digits}g}" if self.of_friction else self.shown(self.rises.quantity, value, digits)
 
     def named(self, value: float, digits: int = 4) -> str:
         """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
@@ -388,8 +386,8 @@ class Study:
     @property
     def looked(self) -> str:
         """Where a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20 N``."""
-        word = "" if self.rise is None else self.rise.word
-        return word if self.rise is None or math.isinf(self.top) else f"{word} up to {self.amount(self.top)}"
+        word = self.rises.word
+        return word if math.isinf(self.top) else f"{word} up to {self.amount(self.top)}"
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
         """The unit of this file for an SI unit, that of a quantity if it is there, and what one of the model's is in it."""
@@ -433,7 +431,7 @@ class Study:
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
-        (self.report() if report is None else report).to_html(path)
+        (report or self.report()).to_html(path)
 
     def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
         """Pairs that vary together, of some of the quantities."""

@@ -415,7 +415,7 @@ def as_json(report: Report) -> dict[str, Any]:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
     study, state, lives, odds, reached = report.study, report.current, report.oscillation, report.probability, report.certificate
     alive = lives if lives is not None and lives.alive else None
-    lengths = [value for key, value in state.places.items() if key.endswith("_mm")] if state else None
+    lengths = state and [value for key, value in state.places.items() if key.endswith("_mm")]
 
     def one(name: str, value: float) -> dict[str, Any]:
         return {"value": study.in_file(name, value), "unit": study.quantities[name].unit}
@@ -442,7 +442,7 @@ def as_json(report: Report) -> dict[str, Any]:
 
     return _some(report, _PLAIN) | {
         "states": [{**_some(each, _STATE), **each.places} for each in report.states],
-        "frequencies_hz": list(state.frequencies_hz) if state else None,
+        "frequencies_hz": state and list(state.frequencies_hz),
         "spring_force_N": both("spring_force_N"),
         "contact_force_N": both("contact_force_N"),
         "displacement_mm": {"rest": lengths or None, "oscillation_amplitude": getattr(alive, "amplitude_mm", None)},

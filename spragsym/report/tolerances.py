@@ -16,9 +16,10 @@ from ..design.tube_certificates import Splitting, certify
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..models.quantities import Unit
-from ..numerics.interval_arrays import Intervals, stacked
+from ..numerics.interval_arrays import Intervals
 from ..results.result import Result
 from ..statics.balance import NOTHING, BalanceInUnits
+from ..statics.forces import as_intervals
 from .study import Study
 from .units import Measured
 
@@ -106,7 +107,7 @@ def corners(study: Study) -> FloatArray:
     if rises in together.titles:  # it depends on no other quantity
         found = found[found[:, names.index(rises)] == 1.0]
     drawn = [1.0 if name == rises else float(study.quantities[name].cdf(study.values[name])) for name in names]
-    return np.concatenate([np.array(drawn).reshape(1, -1), found])
+    return np.vstack([drawn, found])
 
 
 def samples(study: Study, number: int) -> FloatArray:
@@ -164,16 +165,15 @@ def counterexample(study: Study, number: int) -> dict[str, float] | None:
     for shares in (corners(study), samples(study, number)):
         found = np.flatnonzero(jumping(study, shares) == 1)
         if found.size:
-            share = dict(zip(varied(study), shares[found[0]], strict=True))
-            own = {name: float(study.quantities[name].ppf(at)) for name, at in share.items()}
-            return {name: own.get(name, study.values[name]) for name in deciding(study)}
+            values = values_at(study, shares[found[:1]])
+            return {name: float(values[name][0]) for name in deciding(study)}
     return None
 
 
 def chance(study: Study, n: int) -> JumpProbability:
     """How probable a jump is with the distributions of the file, what varies together included."""
     return estimated(
-        {**study.values, **{name: study.quantities[name].whole for name in varied(study)}}, lambda values: ending(study, values),
+        study.values | {name: study.quantities[name].whole for name in varied(study)}, lambda values: ending(study, values),
         correlation=study.pairs(varied(study)), n=n, rng=0, confidence=0.95, sobol=True, replicates=8, workers=1, progress=False,
     )  # fmt: skip
 
@@ -298,8 +298,8 @@ class _Law:
     def between(self, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Bounds of the law over boxes."""
         arguments = self.balance.over(Intervals.between(low, high))
-        found = stacked([self.balance.at((), arguments).friction], low.shape[1:])
-        return found.low[0], found.high[0]
+        found = as_intervals(self.balance.at((), arguments).friction, low.shape[1:])
+        return found.low, found.high
 
     def largest(self, sign: float, most: int = MOST) -> float:
         """A bound of ± the law over the box: parts are halved along the side over which it moves most, until it is close."""
@@ -338,7 +338,8 @@ def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
             continue
         powers, allowed = kind.powers(kind.units[quantity]), kind.model.Parameters.ranges[name]
         for base, power in powers.items():
-            of_units[base] |= {name: -power} if power else {}
+            if power:
+                of_units[base][name] = -power
         off = ROUNDED if any(powers.values()) else 0.0
         ends = outward(study.quantities[quantity], study.scale(kind.units[quantity]), off)
         low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)

@@ -166,10 +166,9 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
     balance = Balance(p.model, contact=True)
     names, shape = list(balance.parameters), found.value.shape
-    others = [name for name in names if name != vary]
-    columns = {**dict(zip(others, p.broadcast(*others), strict=True)), vary: found.value}
+    columns = (found.value if name == vary else getattr(p, name) for name in names)
     with np.errstate(all="ignore"):
-        values = balance.floats(np.stack([np.broadcast_to(columns[name], shape).reshape(-1) for name in names]))
+        values = balance.floats(np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns]))
         at = balance.at(list(found.state.reshape(balance.n, -1)), values, xp=np)
         K, moved = (np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), at.by_parameters(names)))
         along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)

@@ -41,7 +41,8 @@ def test_they_are_those_of_closed_forms(number: int) -> None:
 @pytest.mark.thorough
 def test_gradients_are_those_of_closed_forms() -> None:
     p = random_sets(2, 20)
-    found, theirs = ss.jump_gradient(p, method="search", until=3.0), ss.jump_gradient(p, method="closed")
+    values = p.replace(mu0=[[0.1], [0.2]])  # of what moves they say nothing
+    found, theirs = ss.jump_gradient(p, method="search", until=3.0), ss.jump_gradient(values, method="closed")
     low = theirs.value < 3.0
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
         np.testing.assert_allclose(getattr(found, name)[low], getattr(theirs, name)[low], rtol=1e-7)
@@ -51,8 +52,7 @@ def test_gradients_are_those_of_closed_forms() -> None:
 
 def test_where_nothing_jumps_there_is_no_slope() -> None:
     for vary in ("mu_s", "v_s"):  # 0 is no v_s
-        slopes = ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes
-        assert np.isnan([*slopes.values()]).all()
+        assert np.isnan([*ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes.values()]).all()
 
 
 @pytest.mark.by_hand("cubic_contact", "pad_on_disc", "inclined_belt", "hertz_contact")

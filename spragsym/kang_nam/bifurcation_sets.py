@@ -346,9 +346,9 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
 
     found: list[Polynomial] = []
     for place, degree in enumerate(_DEGREES if exact.alpha else _DEGREES_WITHOUT_ALPHA):
-        in_sine = polynomials.interpolate(partial(one, place), degree, Fraction)
-        if any(in_sine):  # else the same at every θ
-            condition = polynomials.squarefree(of_sine_in_t(polynomials.primitive(in_sine)))
+        in_sine = polynomials.interpolate(partial(one, place), degree)
+        if in_sine:  # else the same at every θ
+            condition = polynomials.squarefree(of_sine_in_t(in_sine))
             for other in [(-1, 1), *found]:
                 condition = polynomials.without(condition, polynomials.common_divisor(condition, other))
             found.append(condition)

@@ -170,7 +170,7 @@ def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margi
     return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
 
 
-def _motion(values: dict[str, FloatArray], theta: FloatArray) -> dict[str, FloatArray]:
+def _motion(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatArray]:
     """How an equilibrium moves with each parameter: dθ/dp by name."""
     c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
     others = [values[name] for name in NAMES[1:]]
@@ -182,8 +182,7 @@ def _motion(values: dict[str, FloatArray], theta: FloatArray) -> dict[str, Float
 def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
     result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
-    none = np.zeros(len(boxes))
-    for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
+    for line, friction, wanted in ((lowest, 0.0, -1), (highest, boxes.high[_MU0], 1)):
         ground = at(boxes, line).with_friction(friction)
         value, inside = ground.balance()[0], ground.pressed()
         known = value.sign() == wanted, inside.sign() > 0
@@ -201,7 +200,7 @@ def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[Bool
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
 
     def test(ground: Ground) -> Verdict:
-        value, slope, change, change_slope = ground.with_friction(np.zeros_like(ground.c.value)).balance()
+        value, slope, change, change_slope = ground.with_friction(0.0).balance()
         rise = slope * change - value * change_slope
         return Verdict(rise.sign() < 0, (rise,))
 
@@ -215,7 +214,7 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[B
     ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no
     other.
     """
-    ground = at(boxes, start).with_friction(np.zeros(len(boxes)))
+    ground = at(boxes, start).with_friction(0.0)
     above, side = ground.balance()[0].sign() > 0, ground.c0.sign()
     ground = at(boxes, lowest.where(side > 0, start))
     reach = 2 * ground.c0 - ground.length() * ground.c
@@ -233,7 +232,7 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> BoolArray:
     """No equilibrium in contact without friction between two directions."""
 
     def test(ground: Ground) -> Verdict:
-        value = ground.with_friction(np.zeros_like(ground.c.value)).balance()[0]
+        value = ground.with_friction(0.0).balance()[0]
         return Verdict((value.sign() != 0) | (ground.pressed().sign() < 0), (value,))
 
     return covered(boxes, low, high, test)[0]
@@ -243,7 +242,7 @@ def _jumps(p: Parameters) -> BoolArray:
     """The first of some points whose state jumps below its friction, by its path too."""
     out = np.zeros(p.shape, dtype=np.bool_)
     for i in np.flatnonzero(first_jumps(p, "mu0", apart_from=p.mu0).value < p.mu0 * (1 - 1e-11))[:1]:
-        point = point_at({name: getattr(p, name) for name in NAMES}, i)
+        point = Parameters(**point_at({name: getattr(p, name) for name in NAMES}, i))
         out[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
     return out
 
@@ -312,9 +311,10 @@ class Ground:
         """The parameters but θ₀, in order."""
         return [self.parameters[name] for name in NAMES[1:]]
 
-    def with_friction(self, mu0: FloatArray) -> Ground:
-        """The same with another friction for each box."""
-        friction = Affine(mu0, np.zeros_like(self.parameters["kappa"].terms), np.zeros_like(mu0))
+    def with_friction(self, mu0: FloatArray | float) -> Ground:
+        """The same with another friction, or one for each box."""
+        none = 0.0 * self.parameters["kappa"].terms
+        friction = Affine(none[0] + mu0, none, none[0])
         return replace(self, parameters=self.parameters | {"mu0": friction})
 
     def balance(self) -> tuple[Affine, Affine, Affine, Affine]:

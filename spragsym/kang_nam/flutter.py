@@ -13,7 +13,6 @@ An onset is never a fold, nor the middle one of three equilibria: in contact the
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -23,13 +22,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..bifurcation.flutter import Onsets
-from ..generated import kernel as solver
 from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, atan2, decided, sign, sign_or_zero, with_enough_bits
 from ..numerics.interval_arrays import IntArray
-from ..numerics.polynomials import Root, in_t, on_circle, real_roots, roots_on_the_line
+from ..numerics.polynomials import Root, eigenvalues, in_t, on_circle, real_roots, roots_on_the_line
 from ..questions import NotInClosedForm, of_article
 from ..results.result import Result
 from . import kernel
@@ -168,11 +166,10 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
     """
     c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(all="ignore"):
-        trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
-        p1, q1, p2, q2 = solver.factors(solver.quartic(*trig), solver.cubic(*trig))
-        pairs = solver.root_pair(p1, q1), solver.root_pair(p2, q2)
-        t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
-        _, _, y = kernel.state_of(*solver.direction(t), c0, s0, *fixed)
+        quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
+        roots = eigenvalues(np.stack(quartic, axis=-1)).T
+        t = np.where(roots.imag == 0, roots.real, np.nan)
+        _, _, y = kernel.state_of(*on_circle(t)[:2], c0, s0, *fixed)
         t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
         return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)
 
@@ -243,14 +240,7 @@ class Elimination:
 
     def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> tuple[int, ...]:
         """A polynomial of that degree in cos θ and sin θ, as one in v."""
-        in_v = in_t(lambda c, s: function(-s, c), degree)  # as in direction()
-        # A multiple of it in integers: values over their common denominator, Lagrange's polynomials times (2 degree)!
-        values = {v: in_v(v) for v in map(Fraction, range(-degree, degree + 1))}
-        common = math.lcm(*(value.denominator for value in values.values()))
-        scale = math.factorial(2 * degree)
-        return polynomials.primitive(
-            polynomials.interpolate(lambda v: int(values[v] * common), 2 * degree, lambda weight: int(weight * scale))
-        )
+        return polynomials.interpolate(in_t(lambda c, s: function(-s, c), degree), 2 * degree)  # as in direction()
 
     def length(self, c: Any, s: Any, values: tuple[Any, ...]) -> tuple[Any, Any]:
         """X and Y of L = X/Y."""

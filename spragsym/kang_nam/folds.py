@@ -140,7 +140,7 @@ class _Direction:
         """The sign of an interval, and 0 where a function of cos θ and sin θ, of the degree of those eliminated, vanishes."""
 
         def vanishes() -> bool:
-            other = polynomials.interpolate(in_t(exactly, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction)
+            other = polynomials.interpolate(in_t(exactly, _HALF_IN_THETA0), _DEGREE_IN_THETA0)
             return self.root is not None and self.root.is_of(polynomials.common_divisor(self.polynomial, other))
 
         return sign_or_zero(value, what, vanishes)
@@ -237,7 +237,7 @@ def _lines_meet(vary: str, others: list[Fraction]) -> bool:
     c0, s0, _ = on_circle(_SAMPLES[0])
 
     def slope(place: int) -> polynomials.Polynomial:
-        return polynomials.interpolate(in_t(lambda c, s: _lines(vary, (c, s, c0, s0), others)[place], _HALF), _DEGREE, Fraction)
+        return polynomials.interpolate(in_t(lambda c, s: _lines(vary, (c, s, c0, s0), others)[place], _HALF), _DEGREE)
 
     common = polynomials.squarefree(polynomials.common_divisor(slope(1), slope(3)))
     return not common or bool(roots_on_the_line(common, 64, positive=True))
@@ -308,7 +308,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
         return Fraction(e0 + mu0 * (e1 + mu0 * e2))
 
-    polynomial = polynomials.primitive(polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction))
+    polynomial = polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0)
     if not polynomial and (mu0 or alpha != 1 + beta):  # for μ₀ = 0 and α = 1 + β tan θ is a number: there is no fold
         raise ConvergenceError("folds along theta0 are not isolated at these parameters: change one of them a little")
     values = tuple(map(balls.exact, given))
@@ -371,7 +371,7 @@ class SineRoot:
         def vanishes() -> bool:
             if self.low == self.high:
                 return numerator(self.low) == 0
-            other = polynomials.interpolate(numerator, degree, Fraction)
+            other = polynomials.interpolate(numerator, degree)
             return polynomials.has_root(polynomials.common_divisor(self.polynomial, other), self.low, self.high)
 
         return sign_or_zero(value, what, vanishes)

@@ -11,7 +11,7 @@ signs between two directions decide, and no fold need be found.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,7 @@ from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import Undecided
-from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array
+from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..questions import NotInClosedForm
 from ..results.equilibria import Equilibria, Stability
 from . import fold_arrays, kernel
@@ -62,43 +62,47 @@ def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) ->
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> Ends:
     """Where the reference state jumps first.
 
-    With ``apart_from``, numbers of which each value has one, a value need only be known well enough to say on which side of its
-    number it lies. Numbers of another shape, of which a value has several, change nothing.
+    With ``apart_from``, numbers of the shape of the points, a value need only be known well enough to say on which side of its
+    number it lies.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
     if vary in FROM_LOWER_END:
         p = p.replace(**{vary: None})
     forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
-    columns = ((name, getattr(p, name)) for name in NAMES)
-    given = {name: np.broadcast_to(column, shape).reshape(-1) for name, column in columns if column is not None}
-    value, theta = np.empty(size), np.empty(size)
-    hopeless: dict[int, str] = {}
-    for begin in range(0, size, BLOCK):
-        part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
-        here = slice(begin, begin + BLOCK)
-        marks = None if apart_from is None or apart_from.shape != shape else apart_from.reshape(-1)[here]
-        value[here], theta[here], reasons = _block(part, vary, forward, marks)
-        hopeless |= {begin + i: reason for i, reason in reasons.items()}
-    at = given | {vary: value}
-    with np.errstate(invalid="ignore"):
-        angles = np.cos(theta), np.sin(theta), np.cos(at["theta0"]), np.sin(at["theta0"])
-        _, x, y = kernel.state_of(*angles, *(at[name] for name in kernel.FIXED))
-    state = np.stack([x, y]).reshape(2, *shape)
+    value, state, hopeless = np.empty(size), np.empty((2, size)), dict[int, str]()
+    for here, given in _blocks(p):
+        marks = None if apart_from is None else apart_from[here]
+        value[here], theta, reasons = _block(given, vary, forward, marks)
+        hopeless |= {here.start + i: reason for i, reason in reasons.items()}
+        at = given | {vary: value[here]}
+        with np.errstate(invalid="ignore"):
+            angles = np.cos(theta), np.sin(theta), np.cos(at["theta0"]), np.sin(at["theta0"])
+            state[:, here] = kernel.state_of(*angles, *(at[name] for name in kernel.FIXED))[1:]
     end = RANGES[vary].high if forward > 0 else RANGES[vary].low
-    return Ends(value.reshape(shape), np.full(shape, _LARGEST_ERROR), state, hopeless, np.full(shape, end))
+    errors, until = np.full(shape, _LARGEST_ERROR), np.full(shape, end)
+    return Ends(value.reshape(shape), errors, state.reshape(2, *shape), hopeless, until)
+
+
+def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
+    """Some of the points at a time: where they stand, and the parameters that are given, an array of each."""
+    columns = ((name, getattr(p, name)) for name in NAMES)
+    given = {name: np.broadcast_to(column, p.shape).reshape(-1) for name, column in columns if column is not None}
+    for begin in range(0, math.prod(p.shape), BLOCK):
+        here = slice(begin, begin + BLOCK)
+        yield here, {name: column[here] for name, column in given.items()}
 
 
 def _block(
-    given: Mapping[str, FloatArray], vary: str, forward: int, marks: FloatArray | None
+    given: dict[str, FloatArray], vary: str, forward: int, marks: FloatArray | None
 ) -> tuple[FloatArray, FloatArray, dict[int, str]]:
     size = next(iter(given.values())).size
     start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
-    eq = equilibria(Parameters(**{**given, vary: start}))
+    eq = equilibria(Parameters(**given | {vary: start}))
     # What all points share is one number, of which the polynomials' coefficients are computed once.
     others = {name: column[0] if (column == column[0]).all() else column for name, column in given.items() if name != vary}
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | ~eq.decided | eq.fold
-    jumped = _walk(found, start, forward, small(eq), eq.count, undecided)
+    jumped = _walk(found, start, forward, small(eq), undecided)
     value, theta = np.full(size, np.nan), np.full(size, np.nan)
     points = np.flatnonzero((jumped >= 0) & ~undecided)
     there = found.rows(jumped[points])
@@ -109,7 +113,7 @@ def _block(
     t, best = fold_arrays.sharpened(vary, {name: column[points] for name, column in given.items()}, there)
     value[points] = best.value
     for k in np.flatnonzero(~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))):
-        point = {name: float(column[points[k]]) for name, column in given.items()}
+        point = point_at(given, points[k])
         try:
             value[points[k]] = fold_arrays.with_more_digits(vary, point, t.rows(k), best.rows(k))
         except Undecided:
@@ -117,7 +121,7 @@ def _block(
     reasons = {}
     for i in np.flatnonzero(undecided):
         try:
-            value[i], theta[i] = exactly(point_at(given, i), vary, forward)
+            value[i], theta[i] = exactly(Parameters(**point_at(given, i)), vary, forward)
         except ConvergenceError as reason:
             value[i] = theta[i] = np.nan
             reasons[int(i)] = str(reason)
@@ -131,10 +135,7 @@ def small(eq: Equilibria) -> IndexArray:
     return np.asarray(np.argmin(np.where(np.isfinite(stable).any(axis=-1, keepdims=True), stable, size), axis=-1))
 
 
-def _walk(
-    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: IndexArray, count: Int8Array,
-    undecided: BoolArray,
-) -> IndexArray:  # fmt: skip
+def _walk(found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: IndexArray, undecided: BoolArray) -> IndexArray:
     """The fold at which each point jumps, −1 for none: ranks are carried over the folds in their order.
 
     Points whose order is not certain are added to ``undecided``.
@@ -149,22 +150,20 @@ def _walk(
     same = row[1:] == row[:-1]
     apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
     undecided[row[1:][same & ~apart]] = True
-    rank, count, jumped = rank.astype(np.int64), count.astype(np.int64), np.full(start.size, -1)
+    rank, jumped = rank.astype(np.int64), np.full(start.size, -1)
     place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
     for k in range(int(place.max(initial=-1)) + 1):
         now = np.flatnonzero(place == k)
         points, grows, upper = row[now], forward * kept.side[now] > 0, kept.upper[now]
-        undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
         jumps = ~grows & (jumped[points] < 0) & np.where(upper, rank[points] >= 1, rank[points] <= 1)
         jumped[points[jumps]] = keep[now[jumps]]
         rank[points] = np.where(grows & ~upper, 2, 0)
-        count[points] = np.where(grows, 3, 1)
     return jumped
 
 
-def point_at(given: Mapping[str, FloatArray], i: Any) -> Parameters:
+def point_at(given: Mapping[str, FloatArray], i: Any) -> dict[str, float]:
     """One of many points."""
-    return Parameters(**{name: float(column[i]) for name, column in given.items()})
+    return {name: float(column[i]) for name, column in given.items()}
 
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
@@ -203,30 +202,23 @@ def have_jumped(
     if vary not in FROM_LOWER_END:
         raise NotInClosedForm
     p.require("theta0", "mu0")
-    if vary == "theta0":
-        limit = np.broadcast_to(p.theta0, p.shape)
-        found = first_jumps(p, vary, apart_from=limit)
-        out = np.where(found.value <= limit, 1.0, 0.0)
-        out.reshape(-1)[list(found.reasons)] = np.nan
-        return out
-    size = math.prod(p.shape)
-    given = {name: np.broadcast_to(getattr(p, name), p.shape).reshape(-1) for name in NAMES}
-    out = np.zeros(size)
-    for begin in range(0, size, BLOCK):
-        part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
-        yes, left = _decided(part)
+    out = np.zeros(math.prod(p.shape))
+    for here, given in _blocks(p):
+        yes = out[here]
+        left = np.arange(yes.size)
+        if vary == "mu0":
+            yes[:], left = _decided(given)
         if left.size:
-            some = {name: column[left] for name, column in part.items()}
-            found = first_jumps(Parameters(**some), "mu0", apart_from=some["mu0"])
-            yes[left] = found.value <= some["mu0"]
+            some = {name: column[left] for name, column in given.items()}
+            found = first_jumps(Parameters(**some), vary, apart_from=some[vary])
+            yes[left] = found.value <= some[vary]
             yes[left[list(found.reasons)]] = np.nan
-        out[begin : begin + BLOCK] = yes
     return out.reshape(p.shape)
 
 
-def _decided(given: Mapping[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
+def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     """1 for points that have jumped, else 0, and those of which the signs do not tell."""
-    bare = equilibria(Parameters(**{**given, "mu0": np.zeros_like(given["mu0"])}))
+    bare = equilibria(Parameters(**given | {"mu0": 0.0 * given["mu0"]}))
     full = equilibria(Parameters(**given))
     slot = small(bare)[:, None]
     first, error = (np.take_along_axis(one, slot, axis=-1) for one in (bare.theta, bare.error))

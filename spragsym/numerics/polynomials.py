@@ -115,26 +115,21 @@ def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]
 
 
 @cache
-def _interpolation(nodes: tuple[int, ...]) -> tuple[tuple[Fraction, ...], ...]:
-    """Coefficients of the Lagrange polynomials of the nodes, exactly."""
-    powers = [[Fraction(node) ** power for power in range(len(nodes))] for node in nodes]
-    return tuple(tuple(solved(powers, [Fraction(node == other) for other in nodes])) for node in nodes)
+def _interpolation(degree: int) -> dict[int, list[int]]:
+    """Integers about 0, and degree! times the coefficients of the Lagrange polynomial of each."""
+    nodes, scale = range(-(degree // 2), degree - degree // 2 + 1), math.factorial(degree)
+    powers = [[Fraction(node) ** power for power in range(degree + 1)] for node in nodes]
+    return {node: [int(scale * value) for value in solved(powers, [Fraction(node == one) for one in nodes])] for node in nodes}
 
 
-def interpolate(
-    function: Callable[[Fraction], Coefficient], degree: int, number: Callable[[Fraction], Coefficient]
-) -> Polynomial:
-    """The polynomial of that degree through the values of ``function`` at integers about 0."""
-    nodes = tuple(range(-(degree // 2), degree - degree // 2 + 1))
-    basis = _interpolation(nodes)
-    values = [function(Fraction(node)) for node in nodes]
-    return tuple(
-        sum(
-            (value * number(row[power]) for value, row in zip(values[1:], basis[1:], strict=True)),
-            values[0] * number(basis[0][power]),
-        )
-        for power in range(degree + 1)
-    )
+def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[int, ...]:
+    """The polynomial of that degree through the values of ``function`` at integers about 0, as :func:`primitive` makes it."""
+    basis = _interpolation(degree)
+    values = [function(Fraction(node)) for node in basis]
+    common = math.lcm(*(value.denominator for value in values))
+    integers = [int(value * common) for value in values]  # nothing but integers is added up
+    columns = zip(*basis.values(), strict=True)
+    return primitive([sum(one * other for one, other in zip(integers, column, strict=True)) for column in columns])
 
 
 @dataclass(frozen=True)

@@ -266,7 +266,7 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
 
     def eliminated(of: Any) -> None:
         def polynomial(_: str, c0: Fraction, s0: Fraction, *__: Any) -> Any:
-            return polynomials.interpolate(lambda t: of(s0 / (1 + c0), t), 6, Fraction)
+            return polynomials.interpolate(lambda t: of(s0 / (1 + c0), t), 6)
 
         monkeypatch.setattr(folds, "_eliminated", polynomial)
 

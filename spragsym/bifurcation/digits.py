@@ -1,9 +1,10 @@
 """Any number of digits of equilibria and cusps: isolated over boxes of floats, narrowed by Krawczyk's operator in balls."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from typing import Any
+from functools import partial
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -24,9 +25,10 @@ from ..statics.precise_balance import once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
-from .defining_systems import Augmented, Family, PreciseAugmented, cusp, endless, ranges
+from .defining_systems import Augmented, Family, PreciseAugmented, cusp
 from .singularities import isolated
 
+T = TypeVar("T")
 #: Bits that may be lost where forces are summed.
 ROOM = 96
 
@@ -47,15 +49,21 @@ def precise_equilibria(
 
     def attempt(bits: int) -> list[PreciseEquilibrium]:
         system = PreciseBalance(balance, np.zeros(len(balance.parameters)), bits, _ends(exact))
-        boxes_of_roots = zip(np.moveaxis(found.ends, 2, 0), np.moveaxis(found.alone, 2, 0), strict=True)
-        states = (_state(balance, system, box, alone, digits) for box, alone in boxes_of_roots)
-        return [state for state in states if state is not None]
+        return _each(found, partial(_state, system, digits))
 
-    states = with_enough_bits(digits, attempt, "equilibria")
-    first = balance.coordinates[0]
-    low, high = -around[0, :, 0], around[1, :, 0]
-    searched = dict(zip(balance.coordinates, zip(low.tolist(), high.tolist(), strict=True), strict=True))
-    return PreciseEquilibria(tuple(sorted(states, key=lambda one: one.numbers[first])), bool(whole.all()), searched)
+    states, first = with_enough_bits(digits, attempt, "equilibria"), balance.coordinates[0]
+    ordered = sorted(states, key=lambda one: one.numbers[first])
+    return PreciseEquilibria(tuple(ordered), bool(whole.all()), _searched(balance.coordinates, around))
+
+
+def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> list[T]:
+    """What is told of the roots, by their boxes and those in which each is alone; of some nothing is."""
+    told = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))
+    return [one for one in told if one is not None]
+
+
+def _searched(names: Sequence[str], region: FloatArray) -> dict[str, tuple[float, float]]:
+    return {name: (-float(low), float(high)) for name, low, high in zip(names, *region[:, :, 0], strict=True)}
 
 
 def _ends(exact: Mapping[str, Any]) -> dict[str, tuple[Fraction, Fraction]]:
@@ -89,15 +97,14 @@ def _beside(value: Fraction, way: float) -> float:
     return float(np.nextafter(near, way)) if beyond else near
 
 
-def _state(
-    balance: Balance, system: PreciseBalance, box: FloatArray, alone: FloatArray, digits: int
-) -> PreciseEquilibrium | None:  # fmt: skip
+def _state(system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray) -> PreciseEquilibrium | None:
     """The equilibrium in a box; None where it lies beyond the border of the contact."""
     q = _narrowed(system, box, alone)
-    if not _on_its_side(balance, system.state(q).gap()):
+    at = system.state(q)
+    if not _on_its_side(at):
         return None
-    numbers, error, _ = as_numbers((*_columns(system.state(q)), *q), digits)
-    named = dict(zip(columns_of(balance.model), numbers, strict=True))
+    numbers, error, _ = as_numbers((*_columns(at), *q), digits)
+    named = dict(zip(columns_of(system.balance.model), numbers, strict=True))
     return PreciseEquilibrium(named, type_at(system, q), as_mpf(error))
 
 
@@ -123,31 +130,23 @@ def precise_cusps(
 
     Each is proved for the exact parameters; that there are no more, only where all of these are floats.
     """
-    model = p.model
-    spans = ranges(model, vary, between or {})
-    balance = Balance(model, contact=True)
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
-    family = Family(p, balance, tuple(vary), given, spans, endless=endless(model, vary, between or {}))
-    found = isolated(family)
-    systems = [Augmented(family, cusp(column)) for column in range(balance.n)]
+    family = Family.of(p.replace(**{name: float(sum(sides) / 2) for name, sides in ends.items()}), vary, between)
+    found, coordinates = isolated(family), family.balance.coordinates
+    systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
 
     def attempt(bits: int) -> list[PreciseCusp]:
-        precise = [PreciseAugmented(system, given[:, 0], bits, _ends(exact)) for system in systems]
-        boxes_of_roots = zip(np.moveaxis(found.roots.ends, 2, 0), np.moveaxis(found.roots.alone, 2, 0), strict=True)
-        told = (_by_any_column(precise, box, alone, digits) for box, alone in boxes_of_roots)
-        return [cusp for cusp in told if cusp is not None]
+        precise = [PreciseAugmented(system, family.given[:, 0], bits, _ends(exact)) for system in systems]
+        return _each(found.roots, partial(_by_any_column, precise, digits))
 
     cusps = with_enough_bits(digits, attempt, "cusps")
-    low, high = -found.region[0, :, 0], found.region[1, :, 0]
-    searched = dict(zip((*balance.coordinates, *vary), zip(low.tolist(), high.tolist(), strict=True), strict=True))
     complete = _held(ends) and bool(found.whole.all()) and not found.roots.left_point.size and not family.endless
     ordered = sorted(cusps, key=lambda one: [one.numbers[name] for name in reversed(vary)])
-    return CuspProof(tuple(ordered), complete, searched)
+    return CuspProof(tuple(ordered), complete, _searched((*coordinates, *vary), found.region))
 
 
-def _by_any_column(systems: Sequence[PreciseAugmented], box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:
+def _by_any_column(systems: Sequence[PreciseAugmented], digits: int, box: FloatArray, alone: FloatArray) -> PreciseCusp | None:
     """The cusp by the first column of the adjugate that decides: none does by one that is 0 there."""
     for column, system in enumerate(systems[:-1]):
         with suppress(Undecided):
@@ -160,17 +159,16 @@ def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatAr
 
     At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the parameters unfold it.
     """
-    augmented, balance = system.system, system.system.balance
+    augmented, n = system.system, system.system.balance.n
     root = _narrowed(system, box, alone)
     at = system.state(root)
-    column = [XP.taken(cofactor(at.slopes(), number, i)) for i in range(balance.n)]
+    column = [XP.taken(cofactor(at.slopes(), number, i)) for i in range(n)]
     if not any(map(balls.sign, column)):
         raise Undecided("a direction that may be 0")
-    if not _on_its_side(balance, at.gap()):
+    if not _on_its_side(at):
         return None
-    q, varied = root[: balance.n], root[balance.n :]
-    numbers, _, radius = as_numbers((*varied, *_columns(at), *q), digits)
-    named = dict(zip((*augmented.family.vary, *columns_of(balance.model)), numbers, strict=True))
+    numbers, _, radius = as_numbers((*root[n:], *_columns(at), *root[:n]), digits)
+    named = dict(zip((*augmented.family.vary, *columns_of(augmented.balance.model)), numbers, strict=True))
     return PreciseCusp(named, as_mpf(radius), versal=True)
 
 
@@ -182,9 +180,11 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
     return root
 
 
-def _on_its_side(balance: Balance, gap: Any) -> bool:
-    """Whether a gap is on the side of the contact's border that is asked for."""
-    side = balls.sign(gap) if balance.opens else 0
-    if balance.opens and not side:
+def _on_its_side(at: State) -> bool:
+    """Whether a state is on the side of the contact's border that is asked for."""
+    if not at.balance.opens:
+        return True
+    side = balls.sign(at.gap())
+    if not side:
         raise Undecided("a gap that is zero")
-    return not balance.opens or (side < 0) == balance.contact
+    return (side < 0) == at.balance.contact

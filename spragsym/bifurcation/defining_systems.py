@@ -286,6 +286,7 @@ class Augmented(StateSystem):
     def __init__(self, family: Family, condition: Condition) -> None:
         self.family, self.balance, self.condition = family, family.balance, condition
         self.n = self.balance.n + len(family.vary)
+        self.limits = np.pad(self.balance.limits, ((0, 0), (0, len(family.vary))), constant_values=np.inf)
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance; an unknown is replaced at each evaluation."""

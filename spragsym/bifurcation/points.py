@@ -80,22 +80,21 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     """All points of a kind; ``budget`` is how many boxes are looked at for one point of the parameters that do not vary."""
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
-        everywhere = _with_sides(family, np.full((2, balance.n, family.given.shape[1]), np.inf))
+        everywhere = with_sides(np.full((2, balance.n, family.given.shape[1]), np.inf), family.spans)
         return Found(Roots.none(balance.n + len(family.vary)), everywhere, np.ones(family.given.shape[1], dtype=np.bool_))
     around, whole = _region(family, balance)
     if condition.touching and not whole.all():
         # On the border the contact's force is 0: these are states in lift-off, too.
         around, whole = _region(family, Balance(balance.model, contact=False, room=balance.room))
-    limits = np.concatenate([balance.limits, np.full((2, len(family.vary)), np.inf)], axis=1)
     system, fixed = Augmented(family, condition), family.begin
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET
     from_least = alone and begins(system, around)
-    wide = np.concatenate([around[:, :-1], [[[-LOW]], around[1:, -1]]], axis=1) if from_least else around
-    roots = certified_roots.search(system, wide, fixed, fixed, limits=limits, budget=budget)
+    wide = _between(around, LOW, around[1, -1, 0]) if from_least else around
+    roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)
     if from_least:
-        roots = _joined(_by_logarithm(system, around, limits), roots)
-        around = np.concatenate([around[:, :-1], [[[-LEAST]], around[1:, -1]]], axis=1)
+        roots = _joined(_by_logarithm(system, around), roots)
+        around = _between(around, LEAST, around[1, -1, 0])
     if alone:
         roots = settled(system, around, roots)
     roots = once_around(balance, on_its_side(system, fixed, roots))
@@ -112,13 +111,18 @@ def nothing(family: Family) -> Found:
 def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
     """Coordinates and the parameters that vary, and whether that holds all equilibria."""
     around, whole = region(balance, family.over, family.asked)
-    return _with_sides(family, around), whole
+    return with_sides(around, family.spans), whole
 
 
-def _with_sides(family: Family, around: FloatArray) -> FloatArray:
-    """With −low and high of the parameters that vary."""
-    sides = np.stack([-family.spans[:, 0], family.spans[:, 1]])[:, :, None]
+def with_sides(around: FloatArray, spans: FloatArray) -> FloatArray:
+    """A region of coordinates with −low and high of the parameters that vary."""
+    sides = np.stack([-spans[:, 0], spans[:, 1]])[:, :, None]
     return np.concatenate([around, np.broadcast_to(sides, (*sides.shape[:2], around.shape[2]))], axis=1)
+
+
+def _between(around: FloatArray, low: float, high: float) -> FloatArray:
+    """A region with another range of its one parameter."""
+    return with_sides(around[:, :-1], np.array([[low, high]]))
 
 
 def is_affine(family: Family) -> bool:
@@ -257,17 +261,17 @@ def begins(system: Augmented, around: FloatArray) -> bool:
 
 def _bounded(system: Augmented, around: FloatArray) -> bool:
     """Whether the condition has bounds in the whole region but for large values of the parameter."""
-    low = np.concatenate([around[:, :-1], np.array([[[0.0]], [[LOW]]])], axis=1)
+    low = _between(around, 0.0, LOW)
     with np.errstate(all="ignore"):
         fixed = system.prepared(Intervals.point(system.family.at(np.array([[LOW]]))))
         return bool(np.isfinite(system.residuals(Intervals(low), fixed).ends[:, -1]).all())
 
 
-def _by_logarithm(system: Augmented, around: FloatArray, limits: FloatArray) -> Roots:
+def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
     """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter itself."""
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
-    ends = np.concatenate([around[:, :-1], [[[-np.log(LEAST)]], [[np.log(HIGH)]]]], axis=1)
-    found = certified_roots.search(by_logarithm, ends, given, given, limits=limits, budget=LOGARITHMIC_BUDGET)
+    ends = _between(around, np.log(LEAST), np.log(HIGH))
+    found = certified_roots.search(by_logarithm, ends, given, given, budget=LOGARITHMIC_BUDGET)
     return replace(found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left))
 
 

@@ -47,7 +47,7 @@ from ..statics.reference_state import nearest_state
 from ..statics.regions import region
 from ..statics.stability import with_a_zero
 from .defining_systems import FOLD, Augmented, Condition, Family, change, cusp
-from .points import Found, arranged, of_ends, search, vanishes
+from .points import Found, arranged, of_ends, search, vanishes, with_sides
 
 #: Undecided boxes beyond which they lie around no points.
 MANY = 500
@@ -142,12 +142,9 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
 
 def pitchforks(family: Family, mirror: _Mirror) -> Roots:
     """All pitchforks on the mirror along one parameter: boxes of coordinates and parameter."""
-    system, fixed, limits = _OnMirror(family, mirror), family.begin, family.balance.limits
+    system, fixed = _OnMirror(family, mirror), family.begin
     around, _ = region(family.balance, family.over)
-    side = np.array([[-family.spans[:, 0]], [family.spans[:, 1]]])
-    around = np.concatenate([around[:, system.even], side], axis=1)
-    limits = np.concatenate([limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
-    found = certified_roots.search(system, around, fixed, fixed, limits=limits)
+    found = certified_roots.search(system, with_sides(around[:, system.even], family.spans), fixed, fixed)
 
     def whole(ends: FloatArray) -> FloatArray:
         parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
@@ -165,6 +162,7 @@ class _OnMirror(boxes.System):
         self.balance, (self.vary,), self.mirror, self.odd = family.balance, family.vary, mirror, mirror.odd
         self.even = [i for i in range(self.balance.n) if i not in self.odd]
         self.n = len(self.even) + 1
+        self.limits = np.pad(self.balance.limits[:, self.even], ((0, 0), (0, 1)), constant_values=np.inf)
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance."""

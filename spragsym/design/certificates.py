@@ -288,7 +288,7 @@ class ClaimOfStates(Claim):
             around[:, :, new], whole[new] = region(balance, bounds[:, new])
         found = once_around(
             balance,
-            certified_roots.search(balance, around, parts.low, parts.high, limits=balance.limits, budget=BUDGET, narrow=NARROW),
+            certified_roots.search(balance, around, parts.low, parts.high, budget=BUDGET, narrow=NARROW),
         )
         ends, point = np.concatenate([found.ends, found.left], axis=2), np.concatenate([found.point, found.left_point])
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)

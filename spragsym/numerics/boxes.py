@@ -48,6 +48,8 @@ class System:
 
     #: How many derivatives the equations themselves are made of.
     order = 0
+    #: Beyond these, −low and high, (2, n), F is not asked for.
+    limits: Any = None
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P, N)."""
@@ -125,19 +127,17 @@ def search(
     low: FloatArray,
     high: FloatArray,
     *,
-    limits: FloatArray | None = None,
     budget: int = BUDGET,
     narrow: float = NARROW,
 ) -> Outcome:
     """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or 1), points (parameters, points).
 
-    Beyond ``limits``, (2, n), F is not asked for; ``budget`` is how many boxes one point may take, and ``narrow`` the relative
-    width of boxes that are not halved any more.
+    ``budget`` is how many boxes one point may take, and ``narrow`` the relative width of boxes that are not halved any more.
     """
     points, n = tree(low, high), region.shape[1]
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with np.errstate(all="ignore"):
-        beyond = np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None]
+        beyond = np.full((2, n, 1), np.inf) if system.limits is None else system.limits[:, :, None]
         regions = points.hulls(region) if region.shape[2] > 1 else None
         here = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), regions, system.prepared(points.bounds))
         here.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)

@@ -95,7 +95,7 @@ def columns(p: Any, names: list[str]) -> FloatArray:
 def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> Roots:
     """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
     around, _ = region(balance, Intervals.point(given), asked)
-    return certified_roots.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
+    return certified_roots.search(balance, around, given, given, budget=SEEN_BUDGET)
 
 
 def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, BoolArray]:
@@ -114,7 +114,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     if not given.shape[1]:
         return Roots.none(balance.n)
-    found = certified_roots.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
+    found = certified_roots.search(balance, around, given, given, narrow=NARROW)
     along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
     parts = [clustered(around, found.of(along, others=True))]
     for point in along.tolist():

@@ -209,7 +209,7 @@ def steps(
     while True:
         try:
             found = ahead(point, length)
-            straight = min(angle(point, found), aligned(point, found))
+            straight = aligned(point, found)
             if straight < STRAIGHT and length > kink:
                 raise ConvergenceError("it bends within the shortest step")
             seen = look(point, found, length)
@@ -270,10 +270,9 @@ def cut_finer(point: Point) -> Point:
     if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES or setting.event is not None:
         return point
     finer = setting.looped(recut(loop, 2 * pieces))
-    # The old tangent by its first state, period and parameter.
-    along = np.zeros(finer.states.size + 1 + len(setting.free))
-    along[:size], along[finer.states.size :] = point.tangent[:size], point.tangent[loop.states.size :]
-    return point_of(setting, finer, along)
+    along = np.zeros(finer.states.shape)
+    along[0] = point.tangent[:size]  # the old tangent by its first state, period and parameter
+    return point_of(setting, finer, np.append(along, point.tangent[loop.states.size :]))
 
 
 def uncertainty(point: Point) -> float:
@@ -284,21 +283,16 @@ def uncertainty(point: Point) -> float:
     return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
 
 
-def angle(one: Point, other: Point) -> float:
-    """Cosine between two tangents."""
-    return float(one.way @ other.way)
-
-
 def between(one: Point, other: Point) -> float:
     """Length of the chord from one point to the other along the first one's tangent."""
     return float((other.place - one.place) @ one.way)
 
 
 def aligned(one: Point, other: Point) -> float:
-    """The smaller cosine between the chord from one point to the other and the tangents at its ends; 1 for the same point."""
-    chord = other.place - one.place
+    """The smallest cosine between two tangents and the chord from one point to the other, if these are apart."""
+    chord, both = other.place - one.place, float(one.way @ other.way)
     length = float(np.linalg.norm(chord))
-    return min(float(chord @ each.way) / length for each in (one, other)) if length > 0 else 1.0
+    return min(both, *(float(chord @ each.way) / length for each in (one, other))) if length > 0 else both
 
 
 def started(setting: Setting, guess: Guess) -> Point:

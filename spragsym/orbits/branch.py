@@ -302,15 +302,15 @@ class _Trace:
             yield Finding("end", loop, moved, how=VERTICAL)
         elif ahead.value in self.to:
             yield Finding("end", loop, 0.0, how="the range ends")
-        elif loop.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
-            yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=_rests(loop))
+        elif loop.period > LONG * start.setting.period and (rest := _rests(loop)):
+            yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=rest)
         elif point is not start and _passes(start, point, ahead):
             yield Finding("closed", loop, 0.0)
 
     def _lost(self, point: Point, error: ConvergenceError) -> Finding:
         loop = point.loop
-        if loop.period > 2 * point.setting.period and stillest(loop)[0] < STILL:
-            return Finding("homoclinic", loop, 1e-6, how=_rests(loop))
+        if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
+            return Finding("homoclinic", loop, 1e-6, how=rest)
         return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
@@ -328,16 +328,16 @@ def _passes(start: Point, point: Point, ahead: Point) -> bool:
         return False
 
 
-def stillest(loop: Loop) -> tuple[float, FloatArray]:
-    """Least size of the field at the turns of an orbit, or all along one that only turns around, and where that is."""
+def _rests(loop: Loop) -> str:
+    """Where an orbit of a very long period hardly moves, without the sign of a zero; nothing where it moves everywhere.
+
+    By the size of the field at its turns, or all along one that only turns around.
+    """
     states = [turn.state for turn in loop.turns()] or list(loop.samples().states.T)
     sizes = [float(np.linalg.norm(rate(loop.field, state, loop.constants))) for state in states]
-    return min(sizes), states[int(np.argmin(sizes))]
-
-
-def _rests(loop: Loop) -> str:
-    """Where an orbit of a very long period hardly moves, without the sign of a zero."""
-    names, place = loop.field.coordinates, np.round(stillest(loop)[1], 6) + 0.0
+    if min(sizes) >= STILL:
+        return ""
+    names, place = loop.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
     told = [At(name, (float(value),), "g", " rad" * loop.field.is_angle(name)) for name, value in zip(names, place, strict=False)]
     return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)
 

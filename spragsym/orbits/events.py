@@ -1,6 +1,7 @@
 """Events of a branch between two of its points: test functions that change sign, and borders that the orbit only touches."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -47,12 +48,8 @@ SCATTER = 10.0
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
 
-#: Turns of two neighbouring points are one where they are as close as this, in shares of a period.
-ALIKE = 0.06
-
-
-class NotLocated(ConvergenceError):
-    """A test function changes its sign in a step, but its zero is not found."""
+#: Turns of two neighbouring points are one where they are as close as this, in shares of a period and in states.
+ALIKE = 0.6
 
 
 @dataclass(frozen=True)
@@ -83,8 +80,19 @@ class Seen:
 
     @cached_property
     def touches(self) -> list[Touch]:
-        """Turns of the borders."""
-        return touches(self.point)
+        """All turns of the borders."""
+        setting, loop, tangent = self.point.setting, self.point.loop, self.point.tangent
+        size, along, found = setting.field.size, tangent[loop.states.size + 1 :], list[Touch]()
+        for turn in loop.turns():
+            if turn.border >= 0:
+                change = turn.by_state @ tangent[:size] + turn.by_parameters[:, : len(along)] @ along
+                way, at = np.append(change, along), np.append(turn.state, [loop.values[i] for i in setting.free])
+                step = 1e-6 / max(1.0, float(np.abs(change).max()))
+                back, level, ahead = (
+                    float(_level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
+                )
+                found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
+        return found
 
 
 def criterion(kind: str, point: Point) -> float:
@@ -121,11 +129,10 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     quiet = [kind for kind in CRITERIA if kind in told and kind not in changed]
     pairs = list(paired(one.touches, other.touches))
     through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
-    kinks = sum(abs(a - b) for a, b in zip(signature(one.point), signature(other.point), strict=True)) // 2
     hidden = (
-        kinks != len(through)
+        unlike(one.point, other.point) // 2 != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or may_have_touched(one.touches, other.touches, pairs, length)
+        or may_have_touched(one, other, pairs, length)
         or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in quiet))
         or len(changed) + len(through) > 1
     )
@@ -133,11 +140,10 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
         try:
             middle = Seen(corrected(one.point, length / 2))
         except ConvergenceError:
-            middle = None
-        if middle is not None:
-            rest = between(middle.point, other.point)
+            pass  # the step is looked at as a whole
+        else:
             yield from findings(one, middle, length / 2, before, depth + 1)
-            yield from findings(middle, other, rest, one, depth + 1)
+            yield from findings(middle, other, between(middle.point, other.point), one, depth + 1)
             return
     for touch, after in through:
         yield from _grazing(one, other, touch, after, length)
@@ -151,23 +157,21 @@ def vertical(one: Seen, other: Seen, length: float) -> bool:
     There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign of the tangent says is
     rounding.
     """
-    span = one.point.setting.spans[0]
-    still = max(abs(float(seen.point.tangent[-1])) for seen in (one, other)) < UPRIGHT * span
-    if length <= FINEST or not still or not abs(one.point.value - other.point.value) < UPRIGHT * length * span:
-        return False
-    return all(float(np.abs(seen.point.loop.multipliers.others - 1).min()) < DOUBLE for seen in (one, other))
+    ends, still = (one.point, other.point), UPRIGHT * one.point.setting.spans[0]
+    return (
+        length > FINEST
+        and abs(one.point.value - other.point.value) < still * length
+        and all(abs(turning(end)) < still and np.abs(end.loop.multipliers.others - 1).min() < DOUBLE for end in ends)
+    )
 
 
 def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
     """Whether the parabola through three values of one sign, equally far apart, comes to 0 between the last two."""
     a, b, c = (each.criteria[kind] for each in (before, one, other))
-    if not (a > 0) == (b > 0) == (c > 0):
-        return False
     slope, bend = (c - a) / 2, (a + c) / 2 - b
-    if bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
+    if not (a > 0) == (b > 0) == (c > 0) or bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
         return False
-    lowest = b - slope**2 / (4 * bend)
-    return lowest * b < 0.05 * b * b
+    return (b - slope**2 / (4 * bend)) * b < 0.05 * b * b
 
 
 def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
@@ -184,8 +188,8 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) 
             yield Finding("grazing", loop, off, border, how=name)
             return
     if length > FINEST:
-        raise NotLocated("grazing")
-    if signature(one.point) == signature(other.point):
+        raise ConvergenceError("grazing")
+    if not unlike(one.point, other.point):
         return  # two different turns were taken for one: the orbit crosses as often as before
     yield Finding("grazing", nearest[0][0].loop, abs(other.point.value - one.point.value), border, how=name)
 
@@ -196,7 +200,7 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
     Where the branch turns back between them it passes more than what lies between their own.
     """
     low, high = sorted((one.value, other.value))
-    ends = [float(each.tangent[-1]) for each in (one, other)]
+    ends = turning(one), turning(other)
     beyond = length * max(map(abs, ends)) if (ends[0] < 0) != (ends[1] < 0) else 0.0
     return low - beyond - off <= value <= high + beyond + off
 
@@ -208,7 +212,7 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         point = zero_of(partial(criterion, kind), one.point, other.point, length)
     except (ConvergenceError, ValueError) as error:
         if length > FINEST:
-            raise NotLocated(kind) from error  # the two points may lie on different branches: shorter steps tell
+            raise ConvergenceError(kind) from error  # the two points may lie on different branches: shorter steps tell
         if kind == "crossing":
             return
         yield Finding(kind, other.point.loop, width)
@@ -217,13 +221,13 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         return
     if kind == "torus" and not is_complex_pair(point.loop):
         return
-    if kind == "crossing" and abs(point.tangent[-1]) * point.setting.spans[0] < FLAT:
+    if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
     off, how = _error(kind, one, other, length, point), ""
     if abs(criterion(kind, point)) > JUMPS * max(abs(each.criteria[kind]) for each in (one, other)):
         # Multipliers jump at a grazing: the sign changes with no zero.
         if length > FINEST:
-            raise NotLocated(kind)
+            raise ConvergenceError(kind)
         off, how = max(off, width), JUMPED
     if kind == "crossing":
         yield Finding("fold", point.loop, off, crossed=point.tangent, how=CROSSES)
@@ -238,36 +242,14 @@ def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> fl
         return own  # the parameter is extremal there
     change = abs(one.criteria[kind] - other.criteria[kind])
     place = LOCATED + unsure(point.loop, kind) * length / change
-    return own + abs(float(point.tangent[-1])) * place + SCATTER * _scatter(kind, one, other, point) / change
-
-
-def _scatter(kind: str, one: Seen, other: Seen, point: Point) -> float:
-    """By how much a test function scatters where orbits at one parameter are found from either side, times the step in that.
-
-    Near a grazing multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
-    """
-    found = []
+    # By how much it scatters where orbits at one parameter are found from either side, times the step in that: near a grazing
+    # multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
+    scatter = [0.0]
     for base in (one.point, other.point):
         with suppress(ConvergenceError, ZeroDivisionError):
-            found.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
-    return abs(other.point.value - one.point.value) * max(found, default=0.0)
-
-
-def touches(point: Point) -> list[Touch]:
-    """All turns of the borders of a point."""
-    setting, loop, found = point.setting, point.loop, []
-    size = setting.field.size
-    along = point.tangent[loop.states.size + 1 :]
-    for turn in loop.turns():
-        if turn.border >= 0:
-            change = turn.by_state @ point.tangent[:size] + turn.by_parameters[:, : len(along)] @ along
-            way, at = np.append(change, along), np.append(turn.state, loop.guess.coordinates(setting.free)[-len(along) :])
-            step = 1e-6 / max(1.0, float(np.abs(change).max()))
-            back, level, ahead = (
-                float(_level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
-            )
-            found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
-    return found
+            scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
+    width = abs(other.point.value - one.point.value)
+    return own + abs(turning(point)) * place + SCATTER * width * max(scatter) / change
 
 
 def _level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArray) -> FloatArray:
@@ -281,10 +263,10 @@ def _level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArr
     return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
 
 
-def signature(point: Point) -> tuple[int, ...]:
-    """Crossings of each border in a round."""
-    crossed = [crossing.border for crossing in point.loop.crossings()]
-    return tuple(crossed.count(i) for i in range(len(point.loop.field.borders)))
+def unlike(one: Point, other: Point) -> int:
+    """By how many crossings of any border rounds differ."""
+    one_way, other_way = (Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other))
+    return ((one_way - other_way) + (other_way - one_way)).total()
 
 
 def paired(one: list[Touch], other: list[Touch]) -> Iterator[tuple[Touch, Touch]]:
@@ -295,7 +277,7 @@ def paired(one: list[Touch], other: list[Touch]) -> Iterator[tuple[Touch, Touch]
             for i, each in enumerate(other)
             if (each.turn.border, each.turn.direction) == (touch.turn.border, touch.turn.direction)
         ]
-        if alike and min(alike)[0] < 10 * ALIKE:
+        if alike and min(alike)[0] < ALIKE:
             yield touch, other[min(alike)[1]]
 
 
@@ -304,17 +286,18 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
     from scipy.interpolate import CubicHermiteSpline
 
     cubic = CubicHermiteSpline([0.0, 1.0], [one.level, other.level], [length * one.slope, length * other.slope])
-    margin = 0.1 * abs(one.level - other.level)
     lowest = float((np.sign(one.level) * cubic(np.linspace(0.0, 1.0, 41))).min())
-    return lowest < margin and lowest < 0.5 * min(abs(one.level), abs(other.level))
+    return lowest < min(0.1 * abs(one.level - other.level), 0.5 * abs(one.level), 0.5 * abs(other.level))
 
 
-def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Touch, Touch]], length: float) -> bool:
+def may_have_touched(one: Seen, other: Seen, pairs: list[tuple[Touch, Touch]], length: float) -> bool:
     """Whether a turn that one of two points has alone may have been at the border between: by its level and slope there."""
     kept = {id(touch) for pair in pairs for touch in pair}
-    alone = [(touch, length) for touch in one if id(touch) not in kept]
-    alone += [(touch, -length) for touch in other if id(touch) not in kept]
-    return any(np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level) for touch, away in alone)
+    return any(
+        id(touch) not in kept and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
+        for seen, away in ((one, length), (other, -length))
+        for touch in seen.touches
+    )
 
 
 def grazing(near: Point, touch: Touch) -> Loop:
@@ -333,7 +316,7 @@ def touching(border: int, setting: Setting, *_: object) -> Conditions:
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         both, begin = partial(_level_and_rate, setting, border, loop.guess), len(loop.guess.coordinates())
-        place = np.append(loop.states[0], loop.guess.coordinates(setting.free)[begin:])
+        place = np.append(loop.states[0], [loop.values[i] for i in setting.free])
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, begin + len(setting.free)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
         return both(place), rows

@@ -10,7 +10,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, across, extent, rate, solved
-from .arclength import SURE, Point, Setting, at_zero, corrected, fixed, point_of
+from .arclength import SURE, Point, Setting, at_zero, corrected, fixed, point_of, turning
 from .events import MERGES
 from .orbit import Cycle, cycle_of
 
@@ -128,4 +128,4 @@ def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
         return None
     there = point_of(setting, loop)
     steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)
-    return loop, unsure(loop, kind) * abs(float(there.tangent[-1]) / steepness) + 1e-15 * (1 + abs(there.value))
+    return loop, unsure(loop, kind) * abs(turning(there) / steepness) + 1e-15 * (1 + abs(there.value))

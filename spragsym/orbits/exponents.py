@@ -140,7 +140,7 @@ def lyapunov(
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
     t_end = as_number("t_end", t_end, POSITIVE)
     whole = rates_along(system, state, t_end)
-    late = whole.part(len(whole.logs) // 2)
+    late = whole.after(len(whole.logs) // 2)
     times = late.stretch * np.arange(1, len(late.logs) + 1)
     order = late.order
     zero = np.abs(late.exponents) <= PROVED * late.error
@@ -181,10 +181,9 @@ class Rates:
     flow: FloatArray
     end: FloatArray
 
-    def part(self, begin: int, end: int | None = None) -> Rates:
-        """Some of the stretches."""
-        flow = self.flow[begin : None if end is None else end + 1]
-        return Rates(self.logs[begin:end], self.volumes[begin:end], self.stretch, flow, self.end)
+    def after(self, begin: int) -> Rates:
+        """Those of the stretches from one on."""
+        return Rates(self.logs[begin:], self.volumes[begin:], self.stretch, self.flow[begin:], self.end)
 
     def joined(self, later: Rates) -> Rates:
         """With what follows, in stretches of the same time."""
@@ -245,8 +244,8 @@ class Rates:
         if before * slowest < SETTLED:
             return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"
         middle = len(self.logs) // 2
-        halves = [half.logs[:, 1:].sum(axis=0) / half.span for half in (self.part(middle), self.part(0, middle))]
-        if (np.abs(halves[0] - halves[1]) > 2 * PROVED * error).any():
+        early, late = (half[:, 1:].mean(axis=0) / self.stretch for half in (self.logs[:middle], self.logs[middle:]))
+        if (np.abs(late - early) > 2 * PROVED * error).any():
             return "exponents of the two halves differ: it has not settled; a longer motion tells"
         return ""
 
@@ -275,7 +274,7 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     field, constants = system.field, system.constants
     m, count = field.size, max(16, math.ceil(span / STRETCH))
     stretch = span / count
-    logs, volumes, speeds = np.empty((count, m)), np.empty(count), np.empty(count + 1)
+    logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
     if not np.isfinite(flow).all():
         raise ParameterError(f"start = {np.asarray(state).tolist()}: the motion is not defined there; start anywhere else")
@@ -298,17 +297,12 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         return end, frame, first + second, shrunk + more
 
     with np.errstate(divide="ignore"):
-        frame, _ = np.linalg.qr(_first(flow))
-        speeds[0] = np.log(np.linalg.norm(flow))
+        frame = np.eye(m)[:, np.argsort(-np.abs(flow))]
+        if np.linalg.norm(flow) > STILL:  # it is the first direction
+            frame[:, 0] = flow
+        frame, _ = np.linalg.qr(frame)
         for i in range(count):
             state, frame, logs[i], volumes[i] = carried(state, frame, stretch)
-            speeds[i + 1] = np.log(np.linalg.norm(rate(field, state, constants)))
+            states.append(state)
+        speeds = np.log([np.linalg.norm(rate(field, each, constants)) for each in states])
     return Rates(logs, volumes, stretch, speeds, np.asarray(state))
-
-
-def _first(flow: FloatArray) -> FloatArray:
-    """A basis with the flow as the first direction, where there is one."""
-    basis = np.eye(len(flow))[:, np.argsort(-np.abs(flow))]
-    if np.linalg.norm(flow) > STILL:
-        basis[:, 0] = flow
-    return basis

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError, ParameterError
 from ..files import storage
 from ..files.journal import Record
+from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
 from ..motion.regimes import Outcome, Regime
@@ -278,9 +279,10 @@ class FateMap(Result):
 
     def _attributes(self) -> dict[str, Any]:
         names = (f"{name}0" for name in self.model.components)
+        settings = {"start": self.start, "t_end": self.t_end, "backend": self.backend}
         return {
             **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
-            "backend": self.backend, "fingerprint": _Asked(self.model, self.start, self.t_end, self.backend).key(self.inputs),
+            "backend": self.backend, "fingerprint": fingerprint(self.model, self.inputs, settings, "orbits"),
         }  # fmt: skip
 
     def _columns(self) -> dict[str, NDArray[Any]]:
@@ -332,43 +334,33 @@ def fate_map(
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
-    state = tuple(state_of(model, start).tolist())
-    t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
+    settings = {
+        "start": tuple(state_of(model, start).tolist()), "t_end": as_number("t_end", t_end, POSITIVE),
+        "backend": integrators.choose(backend, integrators.OF_ANY_MODEL),
+    }  # fmt: skip
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
-    asked = _Asked(model, state, t_end, name)
-    made, key = partial(asked.made, inputs), partial(asked.key, inputs)
-    return made_or_loaded(inputs, asked.records, made, MEASURED, "why", key, workers, progress, store)
+    work, made = partial(_records, model, settings), partial(_made, model, inputs, settings)
+    key = partial(fingerprint, model, inputs, settings, "orbits")
+    return made_or_loaded(inputs, work, made, MEASURED, "why", key, workers, progress, store)
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """What is the same at every point."""
+def _records(model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
+    """What is said of each point, a task of its own; what makes its motion impossible is why it is undecided."""
+    (values,) = points
+    try:
+        found = fate(model.Parameters(**dict(zip(model.parameters, values, strict=True))), **settings)
+    except (ParameterError, ArithmeticError) as error:
+        return [([float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}")]
+    kind = Kind[found.kind.upper().replace("-", "_")]
+    which = 1 if found.trivial == 0 else 0
+    largest, width = float(found.exponents[which]), float(found.error[which])
+    return [([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)]
 
-    model: Any
-    start: tuple[float, ...]
-    t_end: float
-    backend: str
 
-    def records(self, points: Sequence[tuple[float, ...]]) -> list[Record]:
-        """What is said of each point, a task of its own; what makes its motion impossible is why it is undecided."""
-        (values,) = points
-        try:
-            p = self.model.Parameters(**dict(zip(self.model.parameters, values, strict=True)))
-            found = fate(p, start=self.start, t_end=self.t_end, backend=self.backend)
-        except (ParameterError, ArithmeticError) as error:
-            return [([float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}")]
-        kind = Kind[found.kind.upper().replace("-", "_")]
-        which = 1 if found.trivial == 0 else 0
-        largest, width = float(found.exponents[which]), float(found.error[which])
-        return [([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)]
-
-    def key(self, inputs: dict[str, FloatArray]) -> str:
-        """A hash of everything that decides the bits of a map."""
-        settings = {"start": self.start, "t_end": self.t_end, "backend": self.backend}
-        return fingerprint(self.model, inputs, settings, "orbits")
-
-    def made(self, inputs: dict[str, FloatArray], columns: dict[str, Any], _: object) -> FateMap:
-        """The map of these columns."""
-        columns["kind"] = columns["kind"].astype(np.int8)
-        return FateMap(inputs, self.start, self.t_end, self.backend, **columns, model=self.model)
+def _made(
+    model: Model, inputs: dict[str, FloatArray], settings: Mapping[str, Any], columns: dict[str, Any], _: object
+) -> FateMap:  # fmt: skip
+    """The map of these columns."""
+    columns["kind"] = columns["kind"].astype(np.int8)
+    return FateMap(inputs, **settings, **columns, model=model)

@@ -118,12 +118,17 @@ class Point:
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
-    _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
     weights = setting.weights(len(loop.states))
-    _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(len(setting.free)), rows]) / weights)
-    point = Point(setting, loop, vectors[-1] / weights)
+    point = Point(setting, loop, directions(setting, loop)[-1] / weights)
     ahead = point.tangent[-len(setting.free)] if along is None else point.way @ (along * weights)
     return point.turned(-1.0 if ahead < 0 else 1.0)
+
+
+def directions(setting: Setting, loop: Loop) -> FloatArray:
+    """Unit vectors, a row each, in units of the arc: those last along which the equations change least."""
+    _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
+    slopes = np.vstack([loop.slopes(len(setting.free)), rows])
+    return np.linalg.svd(slopes / setting.weights(len(loop.states)))[2]
 
 
 def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:

@@ -40,7 +40,7 @@ def attractor(system: System, verdict: Verdict) -> Attractor:
     orbit = cycle_at(system, np.array(found.cycle), found.period)
     if abs(orbit.period / found.period - 1) > 1e-3:
         raise ConvergenceError(f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}")
-    return _stable(Attractor(verdict.kind, system, orbit.state, orbit))
+    return _of_cycle(system, orbit)
 
 
 def followed(known: Attractor, system: System) -> Attractor:
@@ -48,8 +48,7 @@ def followed(known: Attractor, system: System) -> Attractor:
     if known.kind == Regime.LIFT_OFF or known.system == system:
         return replace(known, system=system)
     if known.orbit is not None:
-        orbit = followed_cycle(known.orbit, system.values)
-        return _stable(Attractor(known.kind, system, orbit.state, orbit))
+        return _of_cycle(system, followed_cycle(known.orbit, system.values))
     index, span = _varied(known.system.values, system.values)
     point = along(Rest(system.field).started(known.system, known.state, index, span), system.values[index])
     return _at_rest(system, point.loop.states[0])
@@ -106,7 +105,7 @@ def _at_rest(system: System, state: FloatArray) -> Attractor:
     return Attractor(Regime.EQUILIBRIUM, system, state)
 
 
-def _stable(found: Attractor) -> Attractor:
-    if found.orbit is None or not found.orbit.stable:
+def _of_cycle(system: System, orbit: Cycle) -> Attractor:
+    if not orbit.stable:
         raise ConvergenceError("the cycle loses its stability on the way")
-    return found
+    return Attractor(Regime.LIMIT_CYCLE, system, orbit.state, orbit)

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import reduce
 from operator import methodcaller
-from typing import Any
+from typing import Any, TypeAlias
 
 from flint import acb, arb, arb_mat, arb_poly, arb_series, ctx
 
@@ -40,6 +40,10 @@ APART = 2
 
 #: Share of a step below which it is not halved any more where a border might be met in it.
 SHORTEST = 2.0**-39.5
+
+
+#: Balls, or power series, such as one for each number of a state.
+Numbers: TypeAlias = list[Any]
 
 
 class NotProved(Exception):
@@ -73,12 +77,12 @@ class Balls:
     smooth: Smooth
     fine: Accuracy
     rough: Accuracy
-    point: list[Any]
+    point: Numbers
     matrix: Any
-    start: list[Any]
+    start: Numbers
 
     @property
-    def box(self) -> list[Any]:
+    def box(self) -> Numbers:
         """All states."""
         return _moved(self.point, self.matrix * arb_mat([[each] for each in self.start]))
 
@@ -121,13 +125,13 @@ class Balls:
                 self._clear(border, passed, arb(0), step)
         return step
 
-    def _disc(self, box: list[Any]) -> tuple[float, list[Any], Any]:
+    def _disc(self, box: Numbers) -> tuple[float, Numbers, Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
 
-        def disc(radii: list[Any]) -> list[Any]:
+        def disc(radii: Numbers) -> Numbers:
             return [acb(value + around(r), around(r)) for value, r in zip(box, radii, strict=True)]
 
-        def sizes(radii: list[Any]) -> list[Any]:
+        def sizes(radii: Numbers) -> Numbers:
             return [abs(acb(rate)).abs_upper() for rate in self.smooth.rates(disc(radii))]
 
         if not all(value.rad() < 1e-2 for value in box):
@@ -170,7 +174,7 @@ class Balls:
 
     # ------------------------------------------------------------------------------------------------ borders
 
-    def keeps_clear(self, states: list[Any], but: int = -1) -> None:
+    def keeps_clear(self, states: Numbers, but: int = -1) -> None:
         """Show that states are inside of all borders of the mode but one."""
         for i, border in enumerate(self.smooth.field.borders):
             if border.kink and i != but and not self.smooth.level(border, states) > 0:
@@ -215,13 +219,13 @@ class Balls:
 class _Piece:
     """All states during a step: series in time, what these leave out, and the states at both ends, which are known better."""
 
-    series: list[Any]
-    tails: list[Any]
+    series: Numbers
+    tails: Numbers
     step: Any
-    first: list[Any]
-    last: list[Any]
+    first: Numbers
+    last: Numbers
 
-    def at(self, t: Any) -> list[Any]:
+    def at(self, t: Any) -> Numbers:
         """The states at a time, or over a ball of times."""
         if t.is_exact() and (t == 0 or t == self.step):
             return self.first if t == 0 else self.last
@@ -233,7 +237,7 @@ def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
     return ratio ** (accuracy.order + 1) / (1 - ratio)
 
 
-def _moved(point: list[Any], off: Any) -> list[Any]:
+def _moved(point: Numbers, off: Any) -> Numbers:
     """A point and a column of deviations."""
     return [value + off[i, 0] for i, value in enumerate(point)]
 
@@ -275,7 +279,7 @@ class Smooth:
     """A smooth piece of a field in balls: the field in one mode. States are of balls, or of power series."""
 
     field: Field
-    constants: list[Any]
+    constants: Numbers
     mode: Mode
 
     def beyond(self, index: int) -> Smooth:
@@ -287,11 +291,11 @@ class Smooth:
         m = self.field.size
         return arb_mat(m, m, [value] * (m * m))
 
-    def rates(self, state: list[Any]) -> list[Any]:
+    def rates(self, state: Numbers) -> Numbers:
         """The rates of all numbers of a state."""
         return [*state[len(self.field.coordinates) :], *self.field.acceleration(state, self.constants, self.mode, XP)]
 
-    def slopes(self, state: list[Any]) -> list[list[Any]]:
+    def slopes(self, state: Numbers) -> list[Numbers]:
         """Derivatives of the accelerations by the state, one operation after the other.
 
         Generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
@@ -299,20 +303,20 @@ class Smooth:
         accelerations = self.field.acceleration(variables(state, 1), self.constants, self.mode, XP)
         return [gradient(acceleration, self.field.size) for acceleration in accelerations]
 
-    def level(self, border: Border, state: list[Any]) -> Any:
+    def level(self, border: Border, state: Numbers) -> Any:
         """A border's level at a state, positive within the piece."""
         return border.sign(self.mode) * border.level(state, self.constants, self.mode)
 
-    def level_rate(self, border: Border, state: list[Any]) -> Any:
+    def level_rate(self, border: Border, state: Numbers) -> Any:
         """The rate of that."""
         accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
         return border.sign(self.mode) * border.rate(state, accelerations, self.constants, self.mode)
 
-    def steepness(self, state: list[Any]) -> Any:
+    def steepness(self, state: Numbers) -> Any:
         """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
         return most([arb(1), *(sum(abs(acb(value)).abs_upper() for value in row) for row in self.slopes(state))])
 
-    def solution(self, state: list[Any], order: int) -> list[Any]:
+    def solution(self, state: Numbers, order: int) -> Numbers:
         """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
 
         What a round adds to the known polynomials satisfies the linearized equation exactly, up to twice the order.
@@ -337,7 +341,7 @@ class Smooth:
                     row.append(value)
         return [arb_series(row, prec=order + 1) for row in rows]
 
-    def fundamental(self, within: list[Any], order: int, step: Any) -> Any:
+    def fundamental(self, within: Numbers, order: int, step: Any) -> Any:
         """The Taylor polynomial of the derivative of the flow at the end of a step."""
         n, m = len(self.field.coordinates), self.field.size
         with _terms(order + 1):
@@ -367,6 +371,6 @@ def around(radius: Any) -> Any:
     return arb(0, arb(radius).abs_upper())
 
 
-def most(values: list[Any]) -> Any:
+def most(values: Numbers) -> Any:
     """A bound on the largest."""
     return reduce(arb.max, values).abs_upper()

@@ -14,7 +14,7 @@ from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
 from ..models.field import Field, exact_field
-from .ball_flow import APART, XP, Accuracy, Balls, NotProved, Smooth, TooWide, around, bits, polynomial
+from .ball_flow import APART, XP, Accuracy, Balls, NotProved, Smooth, Numbers, TooWide, around, bits, polynomial
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
 ROUNDS, GAINED = 14, 6
@@ -106,8 +106,8 @@ def accuracy_for(digits: int) -> Accuracy:
 
 def _refined(
     begun: Smooth, claim: dict[str, Any], inverse: Any, moved: list[int]
-) -> tuple[list[Any], Any, list[tuple[int, Any]]]:  # fmt: skip
-    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
+) -> tuple[Numbers, Any, list[tuple[int, Any]]]:  # fmt: skip
+    """Numbers, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
 
     Each round works with as many digits as it may gain.
     """
@@ -139,8 +139,8 @@ def _size(value: Any) -> float:
 
 
 def _traced(
-    piece: Smooth, state: list[Any], period: Any, crossings: list[Any], digits: int
-) -> tuple[list[Any], list[tuple[int, Any]]]:  # fmt: skip
+    piece: Smooth, state: Numbers, period: Any, crossings: list[Any], digits: int
+) -> tuple[Numbers, list[tuple[int, Any]]]:  # fmt: skip
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
     clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
     least = arb(10) ** -(1.1 * digits + 16)
@@ -186,7 +186,7 @@ def _traced(
 # -------------------------------------------------------------------------------------------------- the theorem
 
 
-def _krawczyk(balls: Balls, state: list[Any], period: Any, radius: float, inverse: Any, moved: list[int]) -> dict[str, Any]:
+def _krawczyk(balls: Balls, state: Numbers, period: Any, radius: float, inverse: Any, moved: list[int]) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
     near = [value + arb(0, 1e-6) for value in balls.box]
     balls.keeps_clear(near)

@@ -212,7 +212,7 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     for place in places:
         with suppress(ConvergenceError):
             known = saddle_near(system, place)
-            if known is not None and not any(np.abs(known.state - other.state).max() < SAME for other in found):
+            if not any(np.abs(known.state - other.state).max() < SAME for other in found):
                 found.append(known)
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)

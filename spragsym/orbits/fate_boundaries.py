@@ -245,14 +245,19 @@ class _Asked:
         for label, each in nearest.items():
             if same_limit(each.verdict.outcome, verdict.outcome, self.system.field.around):
                 return label
-        likely = sorted(nearest, key=lambda label: _unlike(nearest[label].verdict.outcome, verdict.outcome))
-        for label in likely[:1] if len(self.lost) < LOST else ():
-            if _unlike(nearest[label].verdict.outcome, verdict.outcome) < UNLIKE:
-                try:
-                    if same(self.followed(nearest[label], value), attractor(self.at(value), verdict)):
-                        return label
-                except ConvergenceError:
-                    self.lost.append(value)
+
+        def unlike(fate: _Fate) -> float:
+            """How far apart two periods are, as a logarithm; 0 for what has none."""
+            one, other = fate.verdict.outcome.period, verdict.outcome.period
+            return abs(math.log(one / other)) if one > 0 and other > 0 else 0.0
+
+        likeliest = min(nearest.values(), key=unlike, default=None)
+        if likeliest is not None and unlike(likeliest) < UNLIKE and len(self.lost) < LOST:
+            try:
+                if same(self.followed(likeliest, value), attractor(self.at(value), verdict)):
+                    return likeliest.label
+            except ConvergenceError:
+                self.lost.append(value)
         return 1 + max((each.label for each in self.known), default=-1)
 
     def followed(self, fate: _Fate, value: float) -> Attractor:
@@ -280,21 +285,6 @@ class _Asked:
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
 
-    def narrowed(self, low: _Fate, high: _Fate, kept: int, width: float, way: tuple[float, float] = ROUGH) -> tuple[_Fate, _Fate]:
-        """A narrower bracket, as far as motions are decided: one side of it has the fate ``kept``, the other one not."""
-        while high.value - low.value > width:
-            for share in NEXT:
-                middle = low.value + share * (high.value - low.value)
-                if not low.value < middle < high.value:
-                    return low, high
-                found = self.ask(middle, way)
-                if found.label >= 0:
-                    break
-            else:
-                return low, high
-            low, high = (found, high) if (found.label == kept) == (low.label == kept) else (low, found)
-        return low, high
-
     def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
         """Error: both ends of the bracket have one fate."""
         other = next((each for each in self.known if each.label not in (-1, low.label)), None)
@@ -310,35 +300,82 @@ class _Asked:
         """What the start comes to on two sides."""
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
-    def alternating(self, low: _Fate, high: _Fate, value: float, width: float) -> ConvergenceError:
-        """Error: fates alternate, so that no value is the boundary."""
-        return ConvergenceError(
-            f"{self.told(low, high)}, and between the two fates alternate more closely than rounding can tell: within "
-            f"{width:.1g} of {self.vary} = {value:.15g} motions by the tolerances {ROUGH[0]:g} and {FINE[0]:g} do not have one "
-            "and the same change"
-        )
-
-    def resolved(self, value: float, error: float, kept: int, below: bool) -> bool:
-        """Whether next to a value, and somewhat farther off, the fate is ``kept`` below it only, or above it only.
-
-        Farther off it may be another one, but not by one tolerance only. What is undecided says nothing.
-        """
-        for times in RESOLVED:
-            for sign in (-1, 1):
-                asked = [self.ask(place, way) for place in self.inside(value + sign * times * error) for way in (ROUGH, FINE)]
-                found = {each.label == kept for each in asked if each.label >= 0}
-                if len(found) > 1 or (times == RESOLVED[0] and found and found != {below == (sign < 0)}):
-                    return False
-        return True
-
     def inside(self, *values: float) -> list[float]:
         """Values within the bracket."""
         return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
 
 
-def _unlike(one: Outcome, other: Outcome) -> float:
-    """How far apart two periods are, as a logarithm; 0 for what has none."""
-    return abs(math.log(one.period / other.period)) if one.period > 0 and other.period > 0 else 0.0
+@dataclass(frozen=True)
+class _Bracket:
+    """Two values, at one of which alone the start has the fate ``kept``."""
+
+    asked: _Asked
+    low: _Fate
+    high: _Fate
+    kept: int
+
+    @property
+    def width(self) -> float:
+        """How far apart they are."""
+        return self.high.value - self.low.value
+
+    @property
+    def middle(self) -> float:
+        """The value between."""
+        return (self.low.value + self.high.value) / 2
+
+    @property
+    def sides(self) -> list[bool | None]:
+        """Whether the fate is ``kept`` at either value; None where it is undecided."""
+        return [each.label == self.kept if each.label >= 0 else None for each in (self.low, self.high)]
+
+    def narrowed(self, width: float, way: tuple[float, float] = ROUGH) -> _Bracket:
+        """A narrower bracket, as far as motions are decided."""
+        found = self
+        while found.width > width:
+            for share in NEXT:
+                middle = found.low.value + share * found.width
+                if not found.low.value < middle < found.high.value:
+                    return found
+                fate = self.asked.ask(middle, way)
+                if fate.label >= 0:
+                    break
+            else:
+                return found
+            found = replace(found, **{"low" if (fate.label == self.kept) == found.sides[0] else "high": fate})
+        return found
+
+    def anew(self, near: float, way: tuple[float, float], most: float) -> _Bracket:
+        """The bracket near a value, asked for in another way."""
+        half, most = max(self.width, NARROW * (1 + abs(near))), most * (1 + abs(near))
+        while half < most:
+            found = replace(self, low=self.asked.ask(near - half, way), high=self.asked.ask(near + half, way))
+            if found.sides == self.sides:
+                return found.narrowed(1e-15 * (1 + abs(near)), way)
+            half *= 8
+        raise self.alternating(near, most)
+
+    def resolved(self, value: float, error: float) -> bool:
+        """Whether next to a value, and somewhat farther off, the fate is ``kept`` on its own side only.
+
+        Farther off it may be another one, but not by one tolerance only. What is undecided says nothing.
+        """
+        for times in RESOLVED:
+            for sign, own in zip((-1, 1), self.sides, strict=True):
+                places = self.asked.inside(value + sign * times * error)
+                asked = [self.asked.ask(place, way) for place in places for way in (ROUGH, FINE)]
+                found = {each.label == self.kept for each in asked if each.label >= 0}
+                if len(found) > 1 or (times == RESOLVED[0] and not found <= {own}):
+                    return False
+        return True
+
+    def alternating(self, value: float, width: float) -> ConvergenceError:
+        """Error: fates alternate, so that no value is the boundary."""
+        return ConvergenceError(
+            f"{self.asked.told(self.low, self.high)}, and between the two fates alternate more closely than rounding can tell: "
+            f"within {width:.1g} of {self.asked.vary} = {value:.15g} motions by the tolerances {ROUGH[0]:g} and {FINE[0]:g} do "
+            "not have one and the same change"
+        )
 
 
 class _TooLong(ConvergenceError):
@@ -352,7 +389,7 @@ def _first(asked: _Asked) -> FateBoundary | list[str]:
         for side in (0, 1):  # either fate may be the one whose end is looked for
             while (change := asked.change(low, high)) is not None:
                 try:
-                    found = _boundary(asked, *change, change[side].label)
+                    found = _boundary(_Bracket(asked, *change, change[side].label))
                 except ConvergenceError as error:
                     why.append(str(error))
                     if isinstance(error, _TooLong):
@@ -363,13 +400,15 @@ def _first(asked: _Asked) -> FateBoundary | list[str]:
     return why
 
 
-def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary | None:
-    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary.
+def _boundary(bracket: _Bracket) -> FateBoundary | None:
+    """Where the fate that is kept ends between two values; ConvergenceError where that is no boundary.
 
     None where both sides turn out to have one attractor, which is known from then on.
     """
-    low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
-    if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
+    asked, scale = bracket.asked, 1 + abs(bracket.low.value) + abs(bracket.high.value)
+    bracket = bracket.narrowed(NARROW * scale)
+    low, high = bracket.low, bracket.high
+    if bracket.width > TOO_WIDE * (1 + abs(low.value)):
         if _doubles(asked, low, high):
             asked.merge(low.label, high.label)
             return None
@@ -383,43 +422,22 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
         if met:
             asked.merge(low.label, high.label)
             return None
-    value, error = _anew(asked, low, high, kept)
-    if not asked.resolved(value, error, kept, low.label == kept):
-        raise asked.alternating(low, high, value, RESOLVED[-1] * error)
+    # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a margin, is its error.
+    fine = bracket.anew(bracket.middle, FINE, TOO_WIDE)
+    moved, value = bracket.anew(fine.middle, MOVED, FARTHEST), fine.middle
+    error = max(fine.width, moved.width) + 2 * (abs(value - bracket.middle) + abs(moved.middle - value))
+    error += 4 * float(np.spacing(abs(value)))
+    if not bracket.resolved(value, error):
+        raise bracket.alternating(value, RESOLVED[-1] * error)
     for place in asked.inside(*(value + sign * aside for aside in ASIDE for sign in (-1, 1))):
         asked.ask(place)
-    kind, state, growth, distance = _saddle(asked, low.value, high.value)
+    kind, state, growth, distance = _saddle(bracket)
     away = [(a.value, b.value) for a, b in asked.changes() if a.value < b.value]
     others = {(a, b) for a, b in away if b < value - error or a > value + error}  # what the error reaches is this one
     return FateBoundary(
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
         np.array(sorted(others)).reshape(-1, 2), asked.system.field,
     )  # fmt: skip
-
-
-def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, float]:
-    """The middle of the bracket by a finer tolerance; how much that, and a start moved by it, change it, with a margin."""
-    rough = (low.value + high.value) / 2
-    wide, fine = _bracket(asked, low, high, kept, rough, FINE, TOO_WIDE)
-    more, moved = _bracket(asked, low, high, kept, fine, MOVED, FARTHEST)
-    return fine, max(wide, more) + 2 * (abs(fine - rough) + abs(moved - fine)) + 4 * float(np.spacing(abs(fine)))
-
-
-def _bracket(
-    asked: _Asked, low: _Fate, high: _Fate, kept: int, near: float, way: tuple[float, float], most: float
-) -> tuple[float, float]:
-    """Width and middle of a bracket near a value, asked for in another way."""
-    half = max(high.value - low.value, NARROW * (1 + abs(near)))
-    while half < most * (1 + abs(near)):
-        one, other = asked.ask(near - half, way), asked.ask(near + half, way)
-        if min(one.label, other.label) >= 0 and [one.label == kept, other.label == kept] == [
-            low.label == kept,
-            high.label == kept,
-        ]:
-            one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(near)), way)
-            return other.value - one.value, (one.value + other.value) / 2
-        half *= 8
-    raise asked.alternating(low, high, near, most * (1 + abs(near)))
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
@@ -446,23 +464,24 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
     return False
 
 
-def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:
+def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
-    system, around = asked.at((low + high) / 2), asked.system.field.around
-    one, other = (asked.at(value).motion(asked.start, JUDGED[0], rtol=FINE[0]) for value in (low, high))
+    asked = bracket.asked
+    system, around = asked.at(bracket.middle), asked.system.field.around
+    one, other = (asked.at(each.value).motion(asked.start, JUDGED[0], rtol=FINE[0]) for each in (bracket.low, bracket.high))
     times = np.linspace(0.0, JUDGED[0], int(10 * JUDGED[0]) + 1)
-    parted = np.flatnonzero(np.abs(one(times) - other(times)).max(axis=0) > PARTED)
-    until = float(times[parted[0]]) if len(parted) else JUDGED[0]
-    hovering = system.flow.plain(asked.start, system.constants, until)
+    parted = times[np.abs(one(times) - other(times)).max(axis=0) > PARTED]
+    hovering = system.flow.plain(asked.start, system.constants, float(parted.min(initial=JUDGED[0])))
     states = np.array([turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0] or [hovering.state])
     rests: list[tuple[float, Saddle]] = []
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, state)
-            if saddle is not None and saddle.attracts:
-                rests.append((float(np.abs(apart(state, saddle.state, around)).max()), saddle))
-    off, rest = min(rests, key=itemgetter(0), default=(math.inf, None))
-    if rest is not None and off < CLOSE:
+            off = float(np.abs(apart(state, saddle.state, around)).max())
+            if saddle.attracts and off < CLOSE:
+                rests.append((off, saddle))
+    if rests:
+        off, rest = min(rests, key=itemgetter(0))
         return "equilibrium", rest.state, rest.growth, off
     extent = float(np.ptp(states, axis=0).max())
     for begin, end in returns(hovering.turns, around):

@@ -130,20 +130,21 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         near.require(field, "near")
         return _checked(_towards(flow, near.loop.guess, system.values))
     approached = near is None or isinstance(near, Trajectory)
+    looks = None if patient or approached else 1
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
     try:
-        for time in () if approached else LOOKED_AT if patient else LOOKED_AT[:1]:
+        for time in () if approached else LOOKED_AT[:looks]:
             passage = flow.plain(start, system.constants, time, loose=True)
             if (found := _by_returns(system, passage.turns)) is not None:
                 return _checked(found)
             if len(passage.turns) > 2:
                 break
-        verdict = judged(system, start, times=JUDGED if patient or approached else JUDGED[:1])
+        verdict = judged(system, start, times=JUDGED[:looks])
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
-    if verdict.kind == Regime.LIMIT_CYCLE and (patient or approached):
+    if verdict.kind == Regime.LIMIT_CYCLE and not looks:
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
     why = stands_still(system, verdict.end) or (
@@ -320,16 +321,17 @@ def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: N
     start = given.copy()
     start[place] += aside
 
+    # What is asked of the first state: its part along q, as the normal form has it.
+    measure = form.p.conjugate()
+    wanted = float((measure @ (first - rest)).real)
+
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        seen = form.p.conjugate() @ (loop.states[0] - rest)
+        seen = measure @ (loop.states[0] - rest)
         wide = np.zeros((2, loop.states.size + 2))
-        wide[:, : 2 * n] = form.p.conjugate().real, form.p.conjugate().imag
+        wide[:, : 2 * n] = measure.real, measure.imag
         return np.array([seen.real - wanted, seen.imag]), wide
 
-    guess = Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()))
-    # What is asked of the first state: its part along q, as the normal form has it.
-    wanted = float((form.p.conjugate() @ (first - rest)).real)
-    guess = split(flow, guess, (place,)).guess
+    guess = split(flow, Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist())), (place,)).guess
     return cycle_of(solved(flow, guess, conditions, (place,), reach=4 * z))
 
 

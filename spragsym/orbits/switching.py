@@ -9,8 +9,8 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import CLOSED, Guess, Loop, across, extent, rate, solved
-from .arclength import SURE, Point, Setting, at_zero, corrected, fixed, point_of, turning
+from ..motion.shooting import CLOSED, Guess, Loop, extent, rate, solved
+from .arclength import SURE, Point, Setting, at_zero, corrected, directions, fixed, point_of, turning
 from .events import MERGES
 from .orbit import Cycle, cycle_of
 
@@ -69,9 +69,8 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     known, size, weights = point.tangent if crossed is None else crossed, guess.states.size, setting.weights(len(loop.states))
     along = np.concatenate([*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]) * weights
     along = along / np.linalg.norm(along)
-    _, phase = across(loop, parameters=1)(loop)
-    _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(1), phase]) / weights)
-    plane = vectors[-2:] - np.outer(vectors[-2:] @ along, along)
+    plane = directions(setting, loop)[-2:]
+    plane = plane - np.outer(plane @ along, along)
     direction = max(plane, key=lambda vector: float(np.linalg.norm(vector))) / weights
     return Point(setting, loop, direction / np.linalg.norm(direction[: setting.field.size]))
 

@@ -170,13 +170,13 @@ def rounding_of(matrix: FloatArray) -> float:
     return float(ROUNDING * max(1.0, np.abs(matrix).max()))
 
 
-def saddle_near(system: System, state: FloatArray) -> Saddle | None:
-    """The saddle near a state; None where the equilibrium there has no direction of growth, or several."""
+def saddle_near(system: System, state: FloatArray) -> Saddle:
+    """The saddle near a state; ConvergenceError where the equilibrium there has no direction of growth, or several."""
     place = system.equilibrium(state)
     eigenvalues, vectors, error = _spectrum(system.linearization(place))
     growing = np.flatnonzero(eigenvalues.real > error)
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
-        return None
+        raise ConvergenceError("the equilibrium is no saddle")
     which = int(growing[0])
     measure = np.linalg.inv(vectors)[which].real * float(np.linalg.norm(vectors[:, which].real))
     attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())

@@ -14,7 +14,7 @@ from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
 from ..models.field import Field, exact_field
-from .ball_flow import APART, XP, Accuracy, Balls, NotProved, Smooth, Numbers, TooWide, around, bits, polynomial
+from .ball_flow import APART, XP, Accuracy, Balls, NotProved, Numbers, Smooth, TooWide, around, bits, polynomial
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
 ROUNDS, GAINED = 14, 6

@@ -169,7 +169,7 @@ def _kind(system: System, state: FloatArray, t_end: float) -> tuple[str, str, Fl
 
 @dataclass(frozen=True)
 class Rates:
-    """Growth rates over n equal stretches of motion, each of the time ``stretch``, to the state ``end``.
+    """Growth rates over n stretches of motion, all of the time ``span``, to the state ``end``; those of one motion are equal.
 
     ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it, and of volumes; ``flow``
     (n + 1,) those of the flow's speed between the stretches, −∞ at rest.
@@ -177,25 +177,26 @@ class Rates:
 
     logs: FloatArray
     volumes: FloatArray
-    stretch: float
+    span: float
     flow: FloatArray
     end: FloatArray
 
     def after(self, begin: int) -> Rates:
         """Those of the stretches from one on."""
-        return Rates(self.logs[begin:], self.volumes[begin:], self.stretch, self.flow[begin:], self.end)
+        left = self.logs[begin:]
+        return Rates(left, self.volumes[begin:], len(left) * self.stretch, self.flow[begin:], self.end)
 
     def joined(self, later: Rates) -> Rates:
-        """With what follows, in stretches of the same time."""
+        """With what follows."""
         return Rates(
-            np.vstack([self.logs, later.logs]), np.append(self.volumes, later.volumes), self.stretch,
+            np.vstack([self.logs, later.logs]), np.append(self.volumes, later.volumes), self.span + later.span,
             np.append(self.flow, later.flow[1:]), later.end,
         )  # fmt: skip
 
     @property
-    def span(self) -> float:
-        """Time in all."""
-        return len(self.logs) * self.stretch
+    def stretch(self) -> float:
+        """Time of a stretch, on the average."""
+        return self.span / len(self.logs)
 
     @property
     def moves(self) -> bool:
@@ -305,4 +306,4 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
             state, frame, logs[i], volumes[i] = carried(state, frame, stretch)
             states.append(state)
         speeds = np.log([np.linalg.norm(rate(field, each, constants)) for each in states])
-    return Rates(logs, volumes, stretch, speeds, np.asarray(state))
+    return Rates(logs, volumes, span, speeds, np.asarray(state))

@@ -161,15 +161,13 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
         except ConvergenceError as failed:
             return _untold(system, f"{why}, which Newton's method does not find again: {failed}", verdict.t, scale, verdict.end)
     rates = rates_along(system, verdict.end, SHARES[0] * t_end)
-    why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
-    if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
-        more = rates_along(system, end, SHARES[1] * t_end)
-        rates = rates.joined(more)
-        why, end, t = rates.undecided(t_end), more.end, t + more.span
+    if rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
+        rates = rates.joined(rates_along(system, rates.end, SHARES[1] * t_end))
+    why = rates.undecided(t_end)
     if not why:
         why = _transient(system, start, t_end)
-    why = why and (stands_still(system, end) or why)
-    near = _near(system, end) if why else ""
+    why = why and (stands_still(system, rates.end) or why)
+    near = _near(system, rates.end) if why else ""
     if why and scale < np.inf:
         where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, place, strict=False))
         why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
@@ -179,7 +177,8 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
         f"than {lasting:.2g} on the average (95 %)"
     )
     kind, exponents, error = "undecided" if why else "chaotic", rates.exponents[rates.order], rates.error[rates.order]
-    return Fate(kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, end)
+    t = verdict.t + rates.span
+    return Fate(kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end)
 
 
 def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:

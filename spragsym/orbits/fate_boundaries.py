@@ -342,7 +342,8 @@ class _Bracket:
                     break
             else:
                 return found
-            found = replace(found, **{"low" if (fate.label == self.kept) == found.sides[0] else "high": fate})
+            is_low = (fate.label == self.kept) == found.sides[0]
+            found = replace(found, low=fate) if is_low else replace(found, high=fate)
         return found
 
     def anew(self, near: float, way: tuple[float, float], most: float) -> _Bracket:

@@ -27,7 +27,7 @@ from ..numerics import balls
 from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
 from ..numerics.balls import XP, Ball, Undecided, ball
 from ..numerics.interval_arrays import ComplexArray, FloatArray
-from ..numerics.jets import Jet, constant
+from ..numerics.jets import Jet, constant, gradient, variables
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Values
 
@@ -93,11 +93,9 @@ def normal_form(
     omega, q, left = _pair(A)
     along = _solved(A, [-entry for entry in by_parameter])
 
-    one, other = ([getattr(entry, part) for entry in q] for part in ("re", "im"))
     # Σ of second order in a, b and c: along 2 (a Re q − b Im q), and along the equilibrium with c.
     path = [
-        Jet({(): u, (0,): 2 * r, (1,): -2 * i, (2,): slope}, 2)
-        for u, r, i, slope in zip(point.state, one, other, along, strict=True)
+        Jet({(): u, (0,): 2 * z.re, (1,): -2 * z.im, (2,): slope}, 2) for u, z, slope in zip(point.state, q, along, strict=True)
     ]
     rows = point.field(path, Jet({(): point.parameter, (2,): 1}, 2))
 
@@ -115,8 +113,8 @@ def normal_form(
     crossing = (_product(left, [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]) / scale).re
 
     path = [
-        Jet({(): u, (0,): 2 * r, (1,): -2 * i, (0, 0): m + g.re, (0, 1): -2 * g.im, (1, 1): m - g.re}, 3)
-        for u, r, i, g, m in zip(point.state, one, other, square, mean, strict=True)
+        Jet({(): u, (0,): 2 * z.re, (1,): -2 * z.im, (0, 0): m + g.re, (0, 1): -2 * g.im, (1, 1): m - g.re}, 3)
+        for u, z, g, m in zip(point.state, q, square, mean, strict=True)
     ]
     rows = point.field(path, point.parameter)
     aaa, aab, abb, bbb = term(0, 0, 0), term(0, 0, 1), term(0, 1, 1), term(1, 1, 1)
@@ -143,12 +141,11 @@ class _Point:
     ) -> None:  # fmt: skip
         self.model, self.vary, self.balance = model, vary[0], Balance(model, True, law)
         self.n = self.balance.n
+        at = [*state, *(given[self.balance.parameters.index(name)] for name in vary)]
+        ends = [(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(at, radii, strict=True)]
         with balls.precision(BITS):
-            q = [balls.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(state, radii, strict=False)]
-        spans = {}
-        for name, r in zip(vary, radii[self.n :], strict=True):
-            value = Fraction(given[self.balance.parameters.index(name)])
-            spans[name] = (value - Fraction(r), value + Fraction(r))
+            q = [balls.between(*each) for each in ends[: self.n]]
+        spans = dict(zip(vary, ends[self.n :], strict=True))
         self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, spans).arguments
         self.parameter: Ball = self.values[self.vary]
         self.state = [*q, *(_ball(0) for _ in q)]
@@ -175,26 +172,24 @@ class _Point:
 
     def linear(self) -> tuple[list[list[Ball]], list[Ball]]:
         """A, and ∂F/∂parameter."""
-        size = 2 * self.n
-        u = [Jet.variable(value, number, 1) for number, value in enumerate(self.state)]
-        rows = self.field(u, Jet.variable(self.parameter, size, 1))
-        slopes = [[_ball(row.derivative(k) if isinstance(row, Jet) else 0) for k in range(size + 1)] for row in rows]
-        return [row[:size] for row in slopes], [row[size] for row in slopes]
+        *u, parameter = variables([*self.state, self.parameter], 1)
+        slopes = [list(map(_ball, gradient(row, len(u) + 1))) for row in self.field(u, parameter)]
+        return [row[:-1] for row in slopes], [row[-1] for row in slopes]
 
     def require_smooth(self) -> None:
         """:class:`Undecided` where the field has no third derivatives at the state, or is not shown to have them."""
         constants, about = self._constants(self.values), self.model.about
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
-        if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not _sign(gap) < 0:
+        if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not balls.sign(gap) < 0:
             line = about["contact"]["line"]
             raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the model page has a kink")
-        if about["friction"] is not None and not _sign(slip) > 0 and self._asks_for_the_side():
+        if about["friction"] is not None and not balls.sign(slip) > 0 and self._asks_for_the_side():
             line = about["friction"]["line"]
             raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the model page, has a kink")
         ways = self.mode[len(self.mode) - self.motion.ways :]
         if ways:
             levels = undecorated(self.model.algebra.turning_borders)(*self.state, *constants, *ways, xp=XP)
-            if not all(_sign(level) > 0 for level in levels):
+            if not all(balls.sign(level) > 0 for level in levels):
                 raise Undecided("a torsion spring is turned by π, where its torque jumps")
 
     def _asks_for_the_side(self) -> bool:
@@ -221,8 +216,7 @@ class _Point:
         more = at.friction - at.call("friction_at_speed", ())
         with_unit, without = (at.call("forces", [*q, *at.directions], mu, balance.pushing, kind="statics") for mu in (1, 0))
         missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
-        mass = [[_number(entry) for entry in row] for row in at.mass()]
-        return _solved(mass, [_number(value) for value in missing])
+        return _solved([list(map(_ball, row)) for row in at.mass()], list(map(_ball, missing)))
 
 
 def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Complex]]:
@@ -231,14 +225,12 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's discs hold the eigenvalues. Where
     the disc of i ω meets no other, the eigenvector is X z with z = 1 in the place of the disc and less elsewhere.
     """
-    middles = np.array([[float(sum(balls.ends(entry)) / 2) for entry in row] for row in A])
-    roots, columns = np.linalg.eig(middles)
-    X = [[Complex(_ball(float(entry.real)), _ball(float(entry.imag))) for entry in row] for row in columns.astype(complex)]
-    size = range(len(A))
-    AX = [[_product(A[i], [X[k][j] for k in size]) for j in size] for i in size]
-    Z = [list(row) for row in zip(*(_solved(X, [AX[i][j] for i in size]) for j in size), strict=True)]
-    middle = np.array([complex(_float(Z[k][k].re)[0], _float(Z[k][k].im)[0]) for k in size])
-    wide = np.array([_size(Z[k][k] - Complex(_ball(middle[k].real), _ball(middle[k].imag))) for k in size])
+    _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
+    X, size = [[_complex(entry) for entry in row] for row in vectors], range(len(A))
+    columns = [*zip(*X, strict=True)]
+    Z = [*zip(*(_solved(X, [_product(row, column) for row in A]) for column in columns), strict=True)]
+    middle = _floats([Z[k][k] for k in size])
+    wide = np.array([_size(Z[k][k] - _complex(middle[k])) for k in size])
     off = np.array([[0.0 if i == j else _size(Z[i][j]) for j in size] for i in size])
     radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + wide + np.abs(middle) * ROOM) * (1 + ROOM)
 
@@ -264,7 +256,7 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     z = [Complex(_ball(int(j == k)) + _around(spread[j]), _around(spread[j])) for j in size]
     q = [_product(row, z) for row in X]
     length = balls.sqrt(sum((entry.squared() for entry in q), _ball(0)))
-    left = _solved([list(column) for column in zip(*X, strict=True)], z)
+    left = _solved(columns, z)
     return omega, [entry / length for entry in q], left
 
 
@@ -287,10 +279,7 @@ def _about(value: Any) -> float:
 
 
 def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
-    total = Complex(_ball(0), _ball(0))
-    for a, b in zip(row, column, strict=True):
-        total = total + a * b
-    return total
+    return sum((a * b for a, b in zip(row, column, strict=True)), _complex(0))
 
 
 def _size(value: Complex) -> float:
@@ -305,18 +294,13 @@ def _around(radius: float) -> Ball:
         return balls.between(Fraction(-radius), Fraction(radius))
 
 
-def _ball(value: Any) -> Ball:
-    """A number that is exactly a ball."""
-    return value if isinstance(value, Ball) else ball(value, BITS)
+def _ball(value: Any) -> Any:
+    """A number that is exactly a ball; a jet of balls itself."""
+    return value if isinstance(value, Ball | Jet) else ball(value, BITS)
 
 
-def _number(value: Any) -> Any:
-    """A ball or a jet of balls."""
-    return value if isinstance(value, Jet) else _ball(value)
-
-
-def _sign(value: Any) -> int:
-    return balls.sign(_ball(value))
+def _complex(value: complex) -> Complex:
+    return Complex(_ball(float(value.real)), _ball(float(value.imag)))
 
 
 def _floats(values: Sequence[Any]) -> ComplexArray:

@@ -9,6 +9,7 @@ n adds R/l to K, and R, −k r t t′ in its end with the undeformed length r an
 cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -19,11 +20,12 @@ import numpy as np
 from ..errors import ParameterError
 from ..models import Model
 from ..models.parameters import Ranges, as_ranges
+from ..numerics import contractors
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.balls import XP as BALLS
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import Digits
@@ -41,8 +43,8 @@ FLAT = 1e-100
 MANY = 400
 #: Clusters of boxes that are looked at.
 CLUSTERS = 12
-#: Arcs of directions that are looked at one by one.
-ARCS = 32
+#: Arcs of directions of this width that are looked at one by one: one more than of a turn, of which floats may fall short.
+ARC, ARCS = np.pi / 16, 33
 #: Lengths of which nothing is left in K.
 ENDLESS = Intervals.between(np.array([1e290]), np.array([1e308]))
 
@@ -94,28 +96,27 @@ class Family:
 
 def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
-    entries = {entry["name"]: entry for entry in model.about["parameters"]}
     for name in vary:
         model.require_parameter(name)
     given, rows = as_ranges("between", between, vary), []
     for name in vary:
-        entry = entries[name]
-        low, high = (entry[end] for end in ("low", "high"))
-        far = FAR * max(1.0, abs(entry["base"] or 0.0))
-        default = (-far if low is None else low, far if high is None else high)
-        ends = given.get(name, default)
-        if (ends[0] < default[0] and low is not None) or (ends[1] > default[1] and high is not None):
-            raise ParameterError(
-                f"between[{name!r}] = {between[name]} leaves the range of {name}, {entry['domain']}; stay within it"
-            )
+        own, far = _ends(model, name), FAR * max(1.0, abs(model.base.get(name, 0.0)))
+        ends = given.get(name, [end if math.isfinite(end) else math.copysign(far, end) for end in own])
+        if ends[0] < own[0] or ends[1] > own[1]:
+            (domain,) = (entry["domain"] for entry in model.about["parameters"] if entry["name"] == name)
+            raise ParameterError(f"between[{name!r}] = {between[name]} leaves the range of {name}, {domain}; stay within it")
         rows.append(ends)
     return np.array(rows, dtype=float).reshape(-1, 2)
 
 
 def endless(model: Model, vary: Sequence[str], between: Ranges) -> tuple[str, ...]:
     """Parameters without an end, of which nobody has said how far they are searched."""
-    entries = {entry["name"]: entry for entry in model.about["parameters"]}
-    return tuple(name for name in vary if name not in between and None in (entries[name]["low"], entries[name]["high"]))
+    return tuple(name for name in vary if name not in between and math.inf in map(abs, _ends(model, name)))
+
+
+def _ends(model: Model, name: str) -> tuple[float, float]:
+    allowed = model.Parameters.ranges[name]
+    return allowed.low, allowed.high
 
 
 def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
@@ -174,7 +175,7 @@ def _turns(at: State) -> Sequence[Any]:
     """
     K, rows = at.slopes(), at.forces()
     pushed = [_slope(row, len(K)) * cofactor(K, i, 0) for i, row in enumerate(rows)]
-    return determinant(K), sum(pushed[1:], pushed[0])
+    return determinant(K), sum(pushed)
 
 
 #: The curve of folds turns back in the second parameter.
@@ -219,26 +220,6 @@ def _characteristic(along: int | None, at: State) -> list[Any]:
     return characteristic(K, C, at.mass())
 
 
-def bogdanov_takens(along: int | None) -> Condition:
-    """Two roots λ are 0: the two lowest coefficients are; ``along`` as of :func:`_characteristic`."""
-    return Condition(lambda at: tuple(_characteristic(along, at)[:2]))
-
-
-def zero_hopf(along: int | None) -> Condition:
-    """One root λ is 0, and two others have the sum 0: the lowest coefficient is 0, and Hurwitz's determinant of the others."""
-
-    def equations(at: State) -> Sequence[Any]:
-        a = _characteristic(along, at)
-        return a[0], hurwitz(a[1:])
-
-    return Condition(equations)
-
-
-def double_hopf(along: int | None) -> Condition:
-    """All four roots λ of two coordinates come in pairs with the sum 0: the odd coefficients are 0."""
-    return Condition(lambda at: tuple(_characteristic(along, at)[1::2]))
-
-
 def undamped_mode(along: int) -> Condition:
     """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it does not move.
 
@@ -264,15 +245,23 @@ def no_damping(along: int, on_fold: bool = False) -> Condition:
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however
 #: small it is, has no root.
 NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_a_sign())
-#: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
-KINDS = {"BT": bogdanov_takens, "ZH": zero_hopf, "HH": double_hopf}
+#: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the coefficients, the lowest first. BT: two
+#: roots λ are 0. ZH: one is, and two others have the sum 0. HH: all four of two coordinates come in pairs with the sum 0.
+KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
+    "BT": lambda a: a[:2], "ZH": lambda a: (a[0], hurwitz(a[1:])), "HH": lambda a: a[1::2],
+}  # fmt: skip
+
+
+def of_kind(kind: str, along: int | None) -> Condition:
+    """Points of one of the :data:`KINDS`; ``along`` as of :func:`_characteristic`."""
+    return Condition(lambda at: KINDS[kind](_characteristic(along, at)))
 
 
 def change(K: Matrix, column: int) -> Any:
     """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
     value = determinant(K)
     moved = [_slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
-    return sum(moved[1:], moved[0])
+    return sum(moved)
 
 
 def _slope(value: Any, variable: int) -> Any:
@@ -409,10 +398,10 @@ def regular_at_anchors(at: State, among: BoolArray) -> BoolArray:
 
 def _regular(at: State, spring: int) -> BoolArray:
     count, place = at.shape[0], 3 * spring
-    every = np.tile(np.arange(count), ARCS)
+    every, turn = np.tile(np.arange(count), ARCS), np.repeat(ARC * np.arange(ARCS + 1), count)
     at = at.some(every)
-    known, length = at.directions[place : place + 2], at.directions[place + 2]
-    arcs = [part[np.repeat(np.arange(ARCS), count)] for part in _arcs()]
+    arc, (*known, length) = Intervals.between(turn[:-count], turn[count:]), at.directions[place : place + 3]
+    arcs = [XP.cos(arc), XP.sin(arc)]
 
     def slopes(length: Any) -> list[Any]:
         fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
@@ -420,22 +409,8 @@ def _regular(at: State, spring: int) -> BoolArray:
 
     K = slopes(ENDLESS[np.zeros_like(every)])
     R = slopes(Jet.variable(Intervals.point(np.ones(every.shape)), 0, 1))
-    pushed = stacked(
-        [-sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K)))], every.shape
-    )[0]
-    whole = stacked([determinant(K)], every.shape)[0]
-    ends = [pushed + whole * Intervals.point(end) for end in (length.low, length.high)]
-    nonzero = np.logical_and.reduce([end.low > 0 for end in ends]) | np.logical_and.reduce([end.high < 0 for end in ends])
-    elsewhere = np.logical_or.reduce(
-        [(arc.low > part.high) | (arc.high < part.low) for arc, part in zip(arcs, known, strict=True)]
-    )
+    pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K)))
+    pushed, whole = stacked([pushed, determinant(K)], every.shape)
+    nonzero = ~(pushed + whole * length).holds_zero()
+    elsewhere = contractors.apart(*(stacked(part, every.shape).ends for part in (arcs, known)))
     return np.logical_and.reduce((nonzero | elsewhere).reshape(ARCS, -1))
-
-
-def _arcs() -> list[Intervals]:
-    """Cosines and sines over arcs that cover the circle."""
-    angles = np.linspace(0.0, 2 * np.pi, ARCS + 1)
-    return [
-        Intervals(raised(np.stack([-np.minimum(a[:-1], a[1:]), np.maximum(a[:-1], a[1:])]), 8))
-        for a in (np.cos(angles), np.sin(angles))
-    ]

@@ -21,7 +21,7 @@ from ..results.result import Result
 from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
-from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, undamped_mode
+from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, of_kind, undamped_mode
 from .flutter import crossing, every, form_or_why, frequencies, meeting, of_forms, told
 from .normal_forms import NormalForm
 from .points import arranged, matrices, nothing, search
@@ -208,7 +208,7 @@ class _Plane(Family):
     def points(self, only: int | None) -> Points:
         """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
         kinds, parts = list[str](), []
-        sought: list[tuple[str, Condition]] = [(kind, condition(only)) for kind, condition in KINDS.items()]
+        sought = [(kind, of_kind(kind, only)) for kind in KINDS]
         if only is not None and self.balance.model.about["dampers"]:
             sought.insert(1, ("BT", no_damping(only, on_fold=True)))
         for kind, condition in sought:

@@ -253,8 +253,8 @@ class Logarithmic(Augmented):
 def begins(system: Augmented, around: FloatArray) -> bool:
     """Whether the range of the parameter in the region ``around`` begins at 0, which it never is, and nothing is known there."""
     (vary,) = system.family.vary
-    (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == vary]
-    if entry["low"] != 0 or not entry["low_open"] or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
+    allowed = system.balance.model.Parameters.ranges[vary]
+    if allowed.low != 0 or not allowed.open_low or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
         return False
     return vary not in system.balance.angles and (bool(vanishes(system, 0.0, around)[0]) or not _bounded(system, around))
 
@@ -369,8 +369,8 @@ class _Chart(boxes.System):
 def _of_chart(chart: _Chart, family: Family) -> list[tuple[FloatArray, float, int]]:
     """Roots in one chart, bounds on their errors, and sides."""
     balance = chart.balance
-    sides = [[TURN, TURN] if i in balance.around else [BESIDE, BESIDE] for i in chart.others]
-    around, fixed = np.array([*sides, *([-low, high] for low, high in family.spans)]).T[:, :, None], family.begin
+    sides = [TURN if i in balance.around else BESIDE for i in chart.others]
+    around, fixed = with_sides(np.array([sides, sides])[:, :, None], family.spans), family.begin
     try:
         with np.errstate(all="ignore"):
             roots = certified_roots.search(chart, around, fixed, fixed, budget=CHART_BUDGET)

@@ -160,12 +160,9 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     columns = ("criticality", *names, *coordinates, "omega", "lyapunov", "lyapunov_error")
     curves = [case.row({name: getattr(curve, name) for name in columns}) for curve in found.curves]
     # Points at which two conditions hold, and those at which the kind of the onset changes.
-    of_two = {name: getattr(found.points, name) for name in (*names, *coordinates, "error")}
-    points = [
-        row
-        for kinds, at in ((found.points.kind, of_two), (["GH"] * len(found.changes["error"]), found.changes))
-        for row in case.rows({"kind": kinds, **{name: at[name] for name in (*names, *coordinates)}}, error=at["error"].tolist())
-    ]
+    special = {name: [*getattr(found.points, name), *found.changes[name]] for name in (*names, *coordinates, "error")}
+    kinds, errors = [*found.points.kind, *["GH"] * len(found.changes["error"])], special.pop("error")
+    points = case.rows({"kind": kinds, **special}, error=errors)
     told = {
         "curves": curves, "points": points, "complete": found.complete,
         "undecided": case.boxes(found.undecided, (*coordinates, *names)), "remarks": case.said(found.remarks),

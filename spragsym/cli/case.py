@@ -34,12 +34,11 @@ COUNT, LARGEST = 11, 1e6
 
 @dataclass(frozen=True)
 class Typed:
-    """A range as it was typed; numbers that were left out are None."""
+    """A range as it was typed; what was left out is None."""
 
     text: str
     name: str
-    low: float | None = None
-    high: float | None = None
+    ends: tuple[float, float] | None = None
     count: int | None = None
 
 
@@ -119,7 +118,7 @@ class Case:
 
     def parameter(self, name: str) -> tuple[str, float]:
         """What a parameter is called, and what one of it is there."""
-        return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)
+        return self._titled(name, "rad" if name in self.model.about["angles"] else "1")
 
     def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
         """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
@@ -145,15 +144,15 @@ class Case:
         Where it stands ``alone`` a range has no value besides.
         """
         name, unit, title = self.varied(typed.name)
-        asked = typed.low is not None and alone
+        asked = typed.ends is not None and alone
         if asked and click.get_current_context().get_parameter_source(name) == ParameterSource.COMMANDLINE:
             flag = options_of(self.model.about, name)[0]
             raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
         allowed, count = self.model.Parameters.ranges[name], typed.count or COUNT
-        if typed.low is None or typed.high is None:
+        if typed.ends is None:
             return Span(typed.name, name, unit, title, None, count)
         angle = name in self.model.about["angles"]
-        for end in (typed.low, typed.high):
+        for end in typed.ends:
             value = end / unit
             if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
                 raise ParameterError(
@@ -163,16 +162,18 @@ class Case:
                 own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"
                 limits = in_degrees(allowed) if angle else allowed
                 raise ParameterError(f"--vary {typed.text}: {title} = {end:g}{own} is not in {limits}")
-        return Span(typed.name, name, unit, title, (typed.low / unit, typed.high / unit), count)
+        low, high = typed.ends
+        return Span(typed.name, name, unit, title, (low / unit, high / unit), count)
 
     def box(self, texts: Sequence[Typed]) -> dict[str, tuple[float, float]]:
         """Ranges of coordinates by name."""
         found = {}
         for typed in texts:
-            if typed.low is None or typed.high is None:
+            if typed.ends is None:
                 raise ParameterError(f"--within {typed.text} is no range; give it as {self.model.coordinates[0]}=0:1")
             unit = self.of(typed.name)[1] if typed.name in self.model.coordinates else 1.0
-            found[typed.name] = (typed.low / unit, typed.high / unit)
+            low, high = typed.ends
+            found[typed.name] = (low / unit, high / unit)
         return found
 
     @property
@@ -207,9 +208,9 @@ class Case:
         titles = ((self.of(name, end), value) for name, value in values.items())
         return {title: _scaled(value, size) for (title, size), value in titles}
 
-    def rows(self, columns: Mapping[str, Any], end: str = "", **more: Sequence[Any]) -> list[dict[str, Any]]:
+    def rows(self, columns: Mapping[str, Any], **more: Sequence[Any]) -> list[dict[str, Any]]:
         """Rows of columns of one length, and of those that have no unit."""
-        told = {**self.row(columns, end), **more}
+        told = {**self.row(columns), **more}
         return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
 
     def varied(self, name: str) -> tuple[str, float, str]:
@@ -275,12 +276,10 @@ class Case:
 
 def _scaled(value: Any, size: float) -> Any:
     """A value, or all of several, in a unit; a complex number as its two parts."""
-    if isinstance(value, np.ndarray | list | tuple):
-        return [_scaled(one, size) for one in value]
-    if isinstance(value, complex):
-        return [size * float(value.real), size * float(value.imag)]
-    value = value.item() if isinstance(value, np.generic) else value
-    return size * value if isinstance(value, float) else value
+    array = np.asarray(value)
+    if array.dtype.kind == "c":
+        array = np.stack([array.real, array.imag], axis=-1)
+    return (size * array if array.dtype.kind == "f" else array).tolist()
 
 
 def in_degrees(allowed: Range, remedy: str = "") -> Range:

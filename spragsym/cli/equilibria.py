@@ -16,13 +16,12 @@ from ..bifurcation.defining_systems import ranges
 from ..design.jumps import first_ends, told
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.parameters import INSIDE
-from ..numerics.decimals import upward
 from ..progress import show_progress
 from ..remarks import At, Remark
 from . import options as o
 from .bifurcation import lengths, summed
 from .case import Case, Span
-from .output import drawn, print_rows, print_table
+from .output import drawn, print_rows
 
 #: Points of a table.
 MOST = 10_000
@@ -73,10 +72,7 @@ def equilibria(case: Case, plot: Path | None) -> Any:
 def _print(case: Case, points: list[dict[str, Any]], many: list[str]) -> None:
     rows = [
         {title: point["parameters"][title] for title in many}
-        | {
-            name: f"{value:.1e}" if name.startswith("growth") else upward(value) if name == "error" else value
-            for name, value in row.items() if "eigenvalues" not in name and name != "marginal"
-        }
+        | {name: value for name, value in row.items() if "eigenvalues" not in name and name != "marginal"}
         for point in points for row in point["equilibria"]
     ]  # fmt: skip
     if rows:
@@ -107,35 +103,31 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
 
 
 def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str, Any]]:
-    """States of all points in one call; points that it does not answer completely are asked one by one."""
+    """A row for each equilibrium of every point, whether these are all, and what is not known.
+
+    All points are asked in one call, and one by one where that does not answer completely; of one alone an error is the answer.
+    """
     p = case.model.Parameters(**{name: np.array([point[name] for point in points]) for name in points[0]})
-    several = len(points) > 1  # of one alone an error is the answer
-    every = [ss.equilibria(p, contact=contact, **case.ask) for contact in case.model.regimes if several]
+    every = {contact: ss.equilibria(p, contact=contact, **case.ask) for contact in case.model.regimes if len(points) > 1}
     for at, point in enumerate(points):
-        if several and all((eq.decided & eq.whole)[at] for eq in every):
-            rows = [row for eq in every for row in _rows(case, eq, (at,))]
-            yield {"equilibria": rows, "complete": True, "undecided": [], "remarks": []}
-        else:
-            yield _states(case, point)
-
-
-def _states(case: Case, point: dict[str, float]) -> dict[str, Any]:
-    """A row for each equilibrium of a point, whether these are all, and what is not known."""
-    p, names = case.model.Parameters(**point), case.model.coordinates
-    told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
-    for contact, state in case.model.regimes.items():
-        try:
-            eq = ss.equilibria(p, contact=contact, **case.ask)
-        except ConvergenceError as reason:  # the other regime may be known
-            told["undecided"].append({"state": state, "reason": str(reason)})
-            told["complete"] = False
-            continue
-        told["equilibria"] += _rows(case, eq)
-        told["complete"] &= eq.complete
-        for one in eq.undecided:
-            told["undecided"] += case.boxes([zip(one.low, one.high, strict=True)], names, state=state, reason=one.reason)
-        told["remarks"] += [f"{state}: {text}" for text in case.said(eq.remarks)]
-    return told
+        told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
+        for contact, state in case.model.regimes.items():
+            if every and (every[contact].decided & every[contact].whole)[at]:
+                told["equilibria"] += _rows(case, every[contact], (at,))
+                continue
+            try:
+                eq = ss.equilibria(case.model.Parameters(**point), contact=contact, **case.ask)
+            except ConvergenceError as reason:  # the other regime may be known
+                told["undecided"].append({"state": state, "reason": str(reason)})
+                told["complete"] = False
+                continue
+            told["equilibria"] += _rows(case, eq)
+            told["complete"] &= eq.complete
+            for one in eq.undecided:
+                box = zip(one.low, one.high, strict=True)
+                told["undecided"] += case.boxes([box], case.model.coordinates, state=state, reason=one.reason)
+            told["remarks"] += [f"{state}: {text}" for text in case.said(eq.remarks)]
+        yield told
 
 
 def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[dict[str, Any]]:
@@ -175,16 +167,14 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     states = case.rows({along.name: found.values, **words, "growth": found.growth, **found.places})
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})
-        | case.row({name: jump.before[name] for name in found.columns}, "_before")
-        | case.row({name: jump.after[name] for name in found.columns}, "_after")
+        | case.row(jump.before, "_before")
+        | case.row(jump.after, "_after")
         | {"error": jump.error}
         for jump in found.jumps
     ]
 
     def tables() -> None:
-        growth = case.of("growth")[0]
         for title, rows in (("States", states), ("Jumps", jumps)):
-            rows = [{key: f"{one:.1e}" if key == growth else one for key, one in row.items()} for row in rows]
             if rows:
                 angles = [name for name in rows[0] if name.startswith("theta") and name.endswith(("_before_deg", "_after_deg"))]
                 print_rows(title, rows, [name for name in (*lengths(rows[0]), "error", *angles) if name != along.title])
@@ -222,15 +212,16 @@ def critical(case: Case, near: tuple[str, ...]) -> Any:
         jumps = [{"way": way, **_first(case, p, along, way, jumped)} for way in ways]
 
     def tables() -> None:
-        rows: list[tuple[str, Any]] = []
+        rows: list[dict[str, Any]] = []
         for jump in jumps:
             low, high = jump["searched"]
             where = f"from {low:g} to {high:g}" if math.isfinite(high - low) else jump["way"]
             never = "it has jumped already" if jumped else "never"
-            rows.append((f"{along.title} at the first jump, {where}", _or(jump[along.title], never)))
+            rows.append({"": f"{along.title} at the first jump, {where}", "value": _or(jump[along.title], never)})
         shown = _meanings(case, frictions, along.name)
-        rows += [(text, _or(frictions[name], "unknown" if frictions[name] is None else "none")) for name, text in shown.items()]
-        print_table("", ("", "value"), rows)
+        for name, text in shown.items():
+            rows.append({"": text, "value": _or(frictions[name], "unknown" if frictions[name] is None else "none")})
+        print_rows("", rows)
         for remark in remarks:
             if remark.partition(":")[0] not in {*frictions} - {*shown}:
                 click.echo(remark)
@@ -257,7 +248,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
         for end in found.others.values():
             kind, before = end.kind, {name: float(end.before[name]) for name in before}
     row = {"searched": [0.0 if abs(end) <= INSIDE else along.unit * end for end in searched]}
-    return row | {along.title: None if kind is None else along.unit * at, "kind": kind, **case.row(before), "error": error}
+    return row | {along.title: along.unit * at, "kind": kind, **case.row(before), "error": error}
 
 
 def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:

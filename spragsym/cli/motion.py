@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +16,7 @@ from ..models.parameters import FloatArray
 from ..progress import show_progress
 from . import options as o
 from .case import Case
-from .output import drawn, print_rows, print_table, refuse, resumed
+from .output import drawn, print_rows, refuse, resumed
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
@@ -64,12 +64,8 @@ def simulate(
         tr.save(output)
 
     def figure() -> Any:
-        from ..figures import motion_figure
-        from ..figures.motions import Units
-
-        return motion_figure(
-            tr, transient, None if case.study is None else Units(1e3 * case.study.scales.length, case.time, "mm")
-        )
+        of_file = ss.figures.motions.Units(1e3 * case.study.scales.length, case.time, "mm") if case.study else None
+        return ss.figures.motion_figure(tr, transient, of_file)
 
     drawn(plot, "drawing the motion", figure)
 
@@ -220,7 +216,7 @@ def cycles(
         raise click.UsageError("--diagram goes with --vary, and without --prove")
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
-    names = (*case.model.coordinates, *case.model.rates)
+    names = case.model.components
     ones = np.array([case.state(name) for name in names])  # as a state is typed, and printed to be typed again
     start = None if near is None else _state(near, names) / ones
     p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
@@ -240,10 +236,9 @@ def cycles(
     branch = {} if along is None else _branch(case, found, points, plot)
 
     def tables() -> None:
-        print_table("", ("", ""), [(name, _shown(value)) for name, value in {"model": case.model.name, **summary}.items()])
-        for key, title in (("branch", "Branch"), ("branch_events", "Events")):
-            if along is not None:
-                print_rows(title, branch[key])
+        print_rows("", [{"": name, " ": _shown(value)} for name, value in {"model": case.model.name, **summary}.items()])
+        for title, rows in zip(("Branch", "Events"), branch.values(), strict=False):
+            print_rows(title, rows)
 
     return {**summary, **branch}, tables
 
@@ -264,7 +259,7 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
     ]
     ends = [branch.mode for branch in found.equilibria]
     ends += ["; ".join(case.said(end.how for end in branch.of("end", "homoclinic"))) for branch in found.cycles]
-    every: Mapping[str, Sequence[Any]] = {"equilibria": found.equilibria, "cycles": found.cycles}
+    every: dict[str, Sequence[Any]] = {"equilibria": found.equilibria, "cycles": found.cycles}
     kinds = [(of, i, one) for of, those in every.items() for i, one in enumerate(those)]
     branches = [
         {"of": of, "branch": i, "points": len(one.values), "from": unit * one.values[0], "to": unit * one.values[-1],

@@ -99,18 +99,17 @@ class Numbers(Number):
         if re.fullmatch(r"\s*[+-]?(0,\d+|\d+,0\d+)\s*", text):
             one, two = text.replace(",", "."), text.replace(",", ".0,")
             self.fail(f"{value!r} may be one number or two; write {one}, or {two}", param, ctx)
-        numbers = None
         try:
             if ":" not in text:
                 numbers = np.array([float(number) for number in text.split(",")])
             else:
                 start, stop, count = text.split(":")
+                if not 1 < int(count) <= MOST:
+                    self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone", param, ctx)
                 with np.errstate(all="ignore"):  # an infinite end, which the range refuses
-                    numbers = np.linspace(float(start), float(stop), int(count)) if 1 < int(count) <= MOST else None
+                    numbers = np.linspace(float(start), float(stop), int(count))
         except ValueError:
             self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx)
-        if numbers is None:
-            self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone", param, ctx)
         as_numbers(_flag(param), numbers, self.allowed)
         return numbers
 
@@ -121,22 +120,20 @@ class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
     name = "range"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Typed:
-        if isinstance(value, Typed):
-            return value
         name, sign, rest = value.partition("=")
         numbers = rest.split(":")
         try:
             if sign and len(numbers) not in (2, 3):
                 raise ValueError
-            low, high = map(float, numbers[:2]) if sign else (None, None)
+            ends = (float(numbers[0]), float(numbers[1])) if sign else None
             count = int(numbers[2]) if len(numbers) == 3 else None
         except ValueError:
             self.fail(f"{value!r} is neither a name nor a range; give it as mu0=0:1, or with values as mu0=0:1:11", param, ctx)
         if count is not None and not 2 <= count <= 100_000:
             self.fail(f"{value!r}: values with both ends are 2 to 100000", param, ctx)
-        if low is not None and low == high:
-            self.fail(f"{value!r}: both ends are {shown(low)}; give two values", param, ctx)
-        return Typed(value, name, low, high, count)
+        if ends and ends[0] == ends[1]:
+            self.fail(f"{value!r}: both ends are {shown(ends[0])}; give two values", param, ctx)
+        return Typed(value, name, ends, count)
 
 
 def _flag(param: click.Parameter | None) -> str:
@@ -250,6 +247,9 @@ class OfModel(Command):
             "last": "".join(model.axes[-1:]),
             "coordinate": model.coordinates[0], "state": ",".join(model.components).upper(),
         }  # fmt: skip
+        # What varies unless told otherwise.
+        usual, texts = {"{axes}": model.axes, "{last}": model.axes[-1:]}, str([getattr(one, "help", "") for one in self.own])
+        self.varied = [name for word, names in usual.items() if word in texts for name in names]
         self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *ABOUT]
         of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
         self.help, self.callback = f"{self.text}{of}", self._work
@@ -280,9 +280,9 @@ class OfModel(Command):
             elif ctx.obj and name == entry["quantity"] and ctx.get_parameter_source(name) == ParameterSource.COMMANDLINE:
                 # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
                 values[name] = values[name] / units.varied(name)[1]
-        start = {f"{name}0": given.pop(f"{name}0") / units.state(name) for name in self._state()}
+        start = {f"{name}0": given.pop(f"{name}0") / units.state(name) for name in self.model.components if self.start}
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
-        asked = given.pop("vary", None) or [Typed(name, name) for name in self._varies()]
+        asked = given.pop("vary", None) or [Typed(name, name) for name in self.varied]
         typed = [asked] if isinstance(asked, Typed) else asked
         spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(typed))
         ask, force = {name: one for name, one in ask.items() if one}, given.pop("force", False)
@@ -298,11 +298,6 @@ class OfModel(Command):
                 print_json({"model": self.model.name, **told})
             else:
                 tables()
-
-    def _varies(self) -> tuple[str, ...]:
-        """What varies unless told otherwise, as the help of ``--vary`` says."""
-        text = next((str(getattr(option, "help", "")) for option in self.own if option.name == "vary"), "")
-        return self.model.axes if "{axes}" in text else self.model.axes[-1:] if "{last}" in text else ()
 
     def _parameters(self) -> list[click.Option]:
         options = []
@@ -321,13 +316,12 @@ class OfModel(Command):
             )
         return options
 
-    def _state(self) -> tuple[str, ...]:
-        return self.model.components if self.start else ()
-
     def _start(self) -> list[click.Option]:
         kind, si = self.kind(Range(-math.inf)), Case(self.model).si
-        texts = ((name, f"Initial {name}{', degrees' if si[name] == 'rad' else ''}.") for name in self._state())
-        return [click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, help=text) for name, text in texts]
+        texts = {
+            name: f"Initial {name}{', degrees' if si[name] == 'rad' else ''}." for name in self.model.components if self.start
+        }
+        return [click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, help=text) for name, text in texts.items()]
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them: of statics with the friction that works."""

@@ -44,23 +44,17 @@ def wrapped(text: str, indent: int = 0) -> str:
 
 
 def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence[str] = ()) -> None:
-    """Print a table of rows that have the same columns."""
-    print_table(title, tuple(rows[0]) if rows else (), [tuple(row.values()) for row in rows], optional)
-
-
-def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]], optional: Sequence[str] = ()) -> None:
-    """Print a table under a title; without rows, the title and ``none``.
+    """Print a table of rows that have the same columns under a title; without rows, the title and ``none``.
 
     Floats get as many digits as the line has room for, up to twelve; columns that are ``optional`` are left out, the first of
     them first, while it has none. ``--json`` gives all.
     """
     if title:
         click.echo(click.style(title, bold=True) if rows else f"{title}: none")
-    if not rows:
-        return
-    head, *lines = aligned(_fitted(list(zip(header, zip(*rows, strict=True), strict=True)), optional))
-    click.secho(head, bold=True)
-    click.echo("\n".join(lines))
+    if rows:
+        head, *lines = aligned(_fitted([(name, [row[name] for row in rows]) for name in rows[0]], optional))
+        click.secho(head, bold=True)
+        click.echo("\n".join(lines))
 
 
 def _fitted(columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str]) -> list[list[str]]:
@@ -77,7 +71,7 @@ def _fitted(columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[
 def _written(name: str, cell: object, digits: int) -> str:
     if not isinstance(cell, float):
         return str(cell)
-    return upward(cell) if name == "error" else f"{cell:.{digits}g}"
+    return upward(cell) if name == "error" else f"{cell:.1e}" if name.startswith("growth") else f"{cell:.{digits}g}"
 
 
 def print_json(thing: Any) -> None:

@@ -59,7 +59,6 @@ def report(
       spragsym report brake.toml --html report.html
     """
     if example:
-        from ..models.load import USUAL, load
         from ..report.brake_files import example as text_of
 
         click.echo(text_of(load(model or USUAL)), nl=False)
@@ -68,7 +67,7 @@ def report(
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
-    refuse([] if html is None else [html], force)
+    refuse([html], force)
     from ..report.brake_files import read_brake
     from ..report.reports import Asked, Report
 

@@ -190,19 +190,15 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
 
 def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
     """Axes in three dimensions, for print."""
-    ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False)
+    ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False, proj_type="ortho", elev=_ELEVATION, azim=_AZIMUTH)
     for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
         axis._axinfo["grid"].update(linewidth=0.3, color="#cccccc")  # there is no public way to thin the grid
     ax.tick_params(pad=-2)
     ax.zaxis.set_rotate_label(False)
-    ax.set_proj_type("ortho")
     ax.set_box_aspect(_ASPECT, zoom=zoom)
-    ax.view_init(elev=_ELEVATION, azim=_AZIMUTH)
-    ax.set(xlabel=r"$\theta_0$ (deg)", ylabel=r"$\mu_0$", xlim=(0, 180), ylim=MU0_RANGE, zlim=(-2, 2))
+    angle_axis(ax, step=45, ylabel=r"$\mu_0$", ylim=MU0_RANGE, zlim=(-2, 2), zticks=np.arange(-2, 3, 1))
     ax.set_zlabel(LABELS["x"], rotation=90)
-    ax.set_xticks(np.arange(0, 181, 45))
-    ax.set_zticks(np.arange(-2, 3, 1))
     return ax
 
 

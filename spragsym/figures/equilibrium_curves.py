@@ -152,9 +152,9 @@ def figure_9() -> Sheet:
     figure, ax = _family(9, "alpha", values, labels)
     onsets = np.degrees(ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0)
     low, high = float(onsets.min()), float(onsets.max())
-    _bracket(ax, "flutter", low, high, -0.14)
+    _flutter(ax, low, high, -0.14, 8)
     inset = _magnified(ax, "alpha", values)
-    _bracket(inset, "flutter", low, high, -0.002, fontsize=7)
+    _flutter(inset, low, high, -0.002, 7)
     for text, place, color in zip(("0.007", "0.07", "0.7"), ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
         write_along(inset, rf"$\alpha = {text}$", *place, color=color, fontsize=7)
     figure.caption += (
@@ -214,12 +214,12 @@ def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
     return inset
 
 
-def _bracket(ax: Axes, text: str, low: float, high: float, level: float, **options: Any) -> None:
-    """A bracket below a curve from one θ₀ in degrees to another, with a word beneath."""
+def _flutter(ax: Axes, low: float, high: float, level: float, fontsize: int) -> None:
+    """A bracket below a curve from one θ₀ in degrees to another, between which it flutters."""
     ax.annotate("", (low, level), (high, level), arrowprops={"arrowstyle": "|-|, widthA=0.2, widthB=0.2", "linewidth": 0.7,
                                                              "shrinkA": 0, "shrinkB": 0})  # fmt: skip
-    ax.annotate(text, ((low + high) / 2, level), (0, -3), textcoords="offset points", ha="center", va="top",
-                **({"fontsize": 8} | options))  # fmt: skip
+    ax.annotate("flutter", ((low + high) / 2, level), (0, -3), textcoords="offset points", ha="center", va="top",
+                fontsize=fontsize)  # fmt: skip
 
 
 @styled

@@ -13,10 +13,10 @@ from scipy import ndimage
 import spragsym as ss
 
 from ..assumed import MU0_RANGE, D, V
-from ..errors import ParameterError
 from ..generated import laws
 from ..models.parameters import FloatArray, Parameters
 from ..motion import Trajectory, simulate
+from ..motion.simulation import row_of
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
 from ..numerics.interval_arrays import BoolArray
 from .curves import first_fold
@@ -65,7 +65,7 @@ def figure_3() -> Sheet:
     _, contact = MODEL.algebra.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
     contact = contact + 0.0  # a table shows 0 as 0, not as -0
     right.plot(y, contact, color=BLACK)
-    write_along(right, "contact", -0.048, 0.06, ha="left")
+    write_along(right, "contact", -0.048, 0.06)
     write_along(right, "lift-off", 0.05, 0.009, ha="center")
     right.set(xlabel=r"$y$", ylabel=r"$n$", xlim=(-0.1, 0.1), ylim=(-0.008, 0.105), xticks=np.arange(-0.1, 0.11, 0.05))
     return figure.describe(
@@ -120,12 +120,11 @@ def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = Non
     labels : (str, str), optional
         Of the axes.
     """
-    of = motion.components[0] if of is None else of
-    if of not in motion.components:
-        raise ParameterError(f"of = {of!r} is not one of {', '.join(motion.components)}")
-    ax, t = own_axes(ax), np.linspace(motion.t[0], motion.t[-1], 4000)
-    (line,) = ax.plot(time * t, length * motion(t)[motion.components.index(of)], color=BLUE, linewidth=0.8)
-    across, up = labels or (axis_label(motion.model, "t"), axis_label(motion.model, of))
+    names = motion.components
+    place, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
+    ax = own_axes(ax)
+    (line,) = ax.plot(time * t, length * motion(t)[place], color=BLUE, linewidth=0.8)
+    across, up = labels or (axis_label(motion.model, "t"), axis_label(motion.model, names[place]))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -134,13 +133,9 @@ def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = N
                labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
     """x′ over x, the first coordinate or another, and the speed of the belt along it as a line; returns the curve."""
     ax, names = own_axes(ax), motion.model.coordinates
-    name = names[0] if of is None else of
-    if name not in names:
-        raise ParameterError(f"of = {of!r} is not one of {', '.join(names)}")
-    place = names.index(name)
-    rate, states = motion.model.rates[place], motion(np.linspace(motion.t[0], motion.t[-1], 6000))
-    x, vx = states[place], states[len(names) + place]
-    (line,) = ax.plot(length * x, speed * vx, color=BLUE, linewidth=0.8)
+    place, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
+    name, rate = names[place], motion.model.rates[place]
+    (line,) = ax.plot(length * states[place], speed * states[len(names) + place], color=BLUE, linewidth=0.8)
     friction = motion.model.about["friction"]
     if friction is not None and friction["along"] == name and friction["belt"] is not None:
         ax.axhline(speed * float(getattr(motion.p, friction["belt"])), color=GREY, linewidth=0.6, linestyle=":")
@@ -155,12 +150,12 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     ax = own_axes(ax)
     found = motion.spectrum(0.0, of=of)
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
-    large = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max())
-    last = large[-1] if large.size else 0  # of a motion that stays at rest there is none
-    ax.set(xlim=(0, frequency * found.frequency[min(2 * int(last) + 8, found.frequency.size - 1)]), ylim=(0, None))
+    # Of a motion that stays at rest none is large.
+    last = int(np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0))
     unit = in_letters(motion.model.quantities["t"][0])
     across, up = labels or (rf"frequency $\times\ {unit}$", f"amplitude of {axis_label(motion.model, of)}")
-    ax.set(xlabel=across, ylabel=up)
+    end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
+    ax.set(xlim=(0, end), ylim=(0, None), xlabel=across, ylabel=up)
     return line
 
 

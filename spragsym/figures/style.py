@@ -255,8 +255,7 @@ def with_unit(model: Model, name: str) -> str:
     """Axis label with the unit of the model."""
     if model.is_angle(name):
         return label(model, name)
-    scales = {entry["name"]: entry["scale"] for entry in model.about["coordinates"]}
-    scale = scales.get(name, "1" if name in model.parameters else model.about["scales"]["length"])
+    scale = "1" if name in model.parameters else model.quantities.get(name, (model.about["scales"]["length"],))[0]
     return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
 
 

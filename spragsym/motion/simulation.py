@@ -245,7 +245,7 @@ class Trajectory(Named):
 
     def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
-        late, row = self.after(transient), self._row(of, self.components)
+        late, row = self.after(transient), row_of(of, self.components)
         extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
         return float(np.abs(extrema - late._centre(of, about)).max())
 
@@ -306,14 +306,14 @@ class Trajectory(Named):
 
     def spectrum(self, transient: float | None = None, *, of: str | None = None, points: int = 4096) -> Spectrum:
         """Amplitudes over frequency, in cycles per unit of time, of the motion after ``transient``."""
-        return spectrum_of(self.after(transient).samples, self._row(of, self.components), points)
+        return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
 
     def decay_rate(self, transient: float = 0.0, *, of: str | None = None) -> float:
         """The rate at which the swings of a coordinate shrink after ``transient``; negative where they grow.
 
         NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle see :meth:`outcome`.
         """
-        row, late = self._row(of, self.model.coordinates), self.after(transient)
+        row, late = row_of(of, self.model.coordinates), self.after(transient)
         turns = late._turns(row)
         return decay_rate_of(turns, late.samples(turns)[row])
 
@@ -335,13 +335,8 @@ class Trajectory(Named):
 
     # -------------------------------------------------------------------------------------------- inner parts
 
-    def _row(self, of: str | None, offered: tuple[str, ...]) -> int:
-        if of is not None and of not in offered:
-            raise ParameterError(f"of = {of!r} is not one of {', '.join(offered)}")
-        return 0 if of is None else offered.index(of)
-
     def _values(self, of: str | None) -> FloatArray:
-        return self.state[self._row(of, self.components)]
+        return self.state[row_of(of, self.components)]
 
     def _centre(self, of: str | None, about: str) -> float:
         if about not in ("zero", "mean"):
@@ -376,6 +371,13 @@ class Trajectory(Named):
         angles = {f"{name}_deg": degrees(values[name]) for name in self.model.about["angles"]}
         settings = {"rtol": self.rtol, "backend": self.backend}
         return {**storage.provenance(), "model": self.model.name, **values, **angles, **settings}
+
+
+def row_of(of: str | None, offered: tuple[str, ...]) -> int:
+    """Which of some components is asked for; the first unless told otherwise."""
+    if of is not None and of not in offered:
+        raise ParameterError(f"of = {of!r} is not one of {', '.join(offered)}")
+    return 0 if of is None else offered.index(of)
 
 
 def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:

@@ -266,7 +266,10 @@ def fate_map_figure(found: FateMap) -> Sheet:
     place = np.lexsort([*every.values()]).reshape(up.size, across.size)
     kind, period = found.kind.ravel()[place], found.period.ravel()[place]
     figure, ax = single(DOUBLE, 3.2)
-    for code, (colour, _) in PLAIN.items():
+    patches = []
+    for code, (colour, word) in PLAIN.items():
+        if (kind == code).any():
+            patches.append(Patch(facecolor=colour, edgecolor=GREY, label=word))
         ax.pcolormesh(across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
     image = ax.pcolormesh(across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
     undecided, irregular = found.kind == Kind.UNDECIDED, found.exponent > found.exponent_error
@@ -274,8 +277,6 @@ def fate_map_figure(found: FateMap) -> Sheet:
         ax.plot(*(values[here.ravel()] for values in every.values()), marker, color=colour, markersize=size, linestyle="none")
     if (kind == Kind.CYCLE).any():
         figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
-    shown = [code for code in PLAIN if (kind == code).any()]
-    patches = [Patch(facecolor=PLAIN[code][0], edgecolor=GREY, label=PLAIN[code][1]) for code in shown]
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches), frameon=False)
     ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)

@@ -19,7 +19,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullFormatter
+from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
 from ..files.storage import put
@@ -172,7 +172,7 @@ def plain_ticks(axis: Any, values: tuple[float, ...]) -> None:
     """Ticks of a logarithmic axis at the given values, written as plain numbers."""
     axis.set_major_locator(FixedLocator(values))
     axis.set_major_formatter("{x:g}")
-    axis.set_minor_formatter(NullFormatter())
+    axis.set_minor_formatter("")
 
 
 #: The article's model.
@@ -263,12 +263,10 @@ def with_unit(model: Model, name: str) -> str:
 Shown = tuple[str, float]
 
 
-class _Round(MaxNLocator):
+class _Round(AutoLocator):
     """Ticks at round numbers in the unit of an axis."""
 
-    def __init__(self, one: float) -> None:
-        super().__init__("auto", steps=[1, 2, 2.5, 5, 10])
-        self.one = one
+    one: float
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
         return [tick / self.one for tick in super().tick_values(self.one * vmin, self.one * vmax)]
@@ -280,8 +278,10 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
         title, one = shown
         axis.set_label_text(title)
         if one != 1.0:
-            axis.set_major_locator(_Round(one))
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{one * value:.6g}"))
+            ticks = _Round()
+            ticks.one = one
+            axis.set_major_locator(ticks)
+            axis.set_major_formatter(lambda value, _: f"{one * value:.6g}")
 
 
 def window(model: Model, vary: Sequence[str], between: Between, cusps: Callable[[], Points] | None = None) -> Between:

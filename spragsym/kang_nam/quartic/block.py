@@ -7,7 +7,7 @@ parameters, are made when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...generated import kernel
-from ...generated._where import where
 from ...numerics.double_double import DoubleDouble, cosine_and_sine
 from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray
 
@@ -36,48 +35,31 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
 
     Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
-    number is odd. One root of every point comes first, then all of those that have more. ``values`` are θ₀, μ₀, κ, α, σ and β,
-    arrays of length ``size`` or 1.
+    number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β, arrays of length ``size`` or 1.
     """
-    point, u = _point(values, contact), np.float64(2.0**-53)
+    point = _point(values, contact)
     line = kernel.Balance(*np.broadcast_arrays(*kernel.balance(point), np.empty(size))[:-1])
-    trig = line.a, line.b, line.d, line.m
-    quartic, cubic = kernel.quartic(*trig), kernel.cubic(*trig)
-    D = kernel.discriminant(line, cubic, u)
-    halves = kernel.factors(quartic, cubic)
-    large, small, _ = kernel.root_pair(halves.p1, halves.q1)
-    upper: NDArray[Any] = where(large > 0.0, large, small)
-
-    # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
-    # where these may be positive, since no equilibrium in contact has sin θ < 0.
-    paired = ~(D.value > D.error)
-    if contact:
-        paired &= ~kernel.one_positive(line, quartic, u)
-    first = upper[None] if contact else np.stack([np.where(large > 0.0, small, large), upper])
-    settled = _some(first, point, line, out, begin + np.arange(size), u)
-    pairs = np.flatnonzero(paired)
-    if pairs.size:
-        t = [upper] if contact else [large, small]
-        one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
-        roots = np.sort([*(value[pairs] for value in t), one, other], axis=0)
-        settled[pairs] = _some(roots, rows_of(point, pairs), rows_of(line, pairs), out, begin + pairs, u)
-    return np.flatnonzero(~settled)
+    return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
 
 
 def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
-    u = np.float64(kernel.WIDE_ROUNDOFF)
     point = kernel.Point(*cosine_and_sine(theta0), *[*map(DoubleDouble, others), int(contact)])
     line = kernel.balance(point)
-    found = kernel.guesses(point, line, u)
-    apart_from_all = kernel.moderate(point) & kernel.representable(line) & found.certain
-    settled = np.zeros(size, dtype=np.bool_)
-    for roots in range(1, 5):
-        rows = np.flatnonzero(apart_from_all & (found.count == roots))
-        if rows.size:
-            t = _stacked([value[rows] for value in found[:roots]])
-            settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
+    safe = kernel.moderate(point) & kernel.representable(line)
+    return _solved(point, line, np.float64(kernel.WIDE_ROUNDOFF), out, begin, safe)
+
+
+def _solved(point: kernel.Point, line: kernel.Balance, u: np.floating[Any], out: Slots, begin: int, safe: Any) -> IntArray:
+    """As many roots as every point has come first, then all of those that have two more."""
+    found, least = kernel.guesses(point, line, u), 1 if point.nbar else 2
+    safe = safe & found.certain
+    settled = safe & _some(_stacked(found[:least]), point, line, out, begin + np.arange(safe.size), u)
+    rows = np.flatnonzero(safe & (found.count > least))
+    if rows.size:
+        t = _stacked([value[rows] for value in found[: least + 2]])
+        settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
     return np.flatnonzero(~settled)
 
 
@@ -92,8 +74,10 @@ def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
     return kernel.Point(*kernel.cosine_and_sine(theta0), *[*others, int(contact)])
 
 
-def _stacked(values: list[DoubleDouble]) -> DoubleDouble:
-    return DoubleDouble(np.stack([value.high for value in values]), np.stack([value.low for value in values]))
+def _stacked(values: Sequence[Any]) -> Any:
+    if isinstance(values[0], DoubleDouble):
+        return DoubleDouble(np.array([value.high for value in values]), np.array([value.low for value in values]))
+    return np.array(values)
 
 
 def rows_of(record: Any, rows: IntArray) -> Any:

@@ -144,6 +144,5 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         if end == 0:
             (by_angle, slope), (by_friction, other), *_ = _catastrophe.unfolding(*angles, mu0, *values)
             end = -decided(by_friction * slope - by_angle * other, "how a cusp at θ₀ = 0 opens")
-        L, x, y = kernel.state_of(*angles, *values)
-        if end < 0 and decided(mu0, "μ₀ = 0 on a fold at θ₀ = 0") > 0 and decided(y, "y = 0") < 0:
-            yield Point((balls.exact(Fraction(0)), mu0, *values), balls.atan(root.interval()) * 2, L, x, y)
+        if end < 0 and decided(mu0, "μ₀ = 0 on a fold at θ₀ = 0") > 0:
+            yield from in_contact(angles, mu0, values)

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from ..generated import laws
 from ..generated.models.kang_nam import algebra
 from ..models.field import SETTLED
 from ..models.parameters import FloatArray, Parameters
@@ -116,19 +115,16 @@ def open_ends(_p: Parameters, _vary: str, _span: tuple[float, float], _turns: Po
 def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
     """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1 where there is none."""
     from .quartic.solver import equilibria
+    from .steady_sliding import sliding_friction
 
-    x, y = places
-    index = np.full(x.shape, -1, dtype=np.int8)
-    rows = np.isfinite(x)
-    if rows.any():
-        given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in p.ranges}
-        given["mu0"] = laws.friction(np.zeros_like(given["V"]), given["mu0"], given["V"], given["d"])
-        found = equilibria(Parameters(**given))
-        away = np.hypot(found.x - x[rows][:, None], found.y - y[rows][:, None])
-        away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
-        there = away.min(axis=-1) <= SETTLED * (1 + np.hypot(x[rows], y[rows]))
-        index[rows] = np.where(there, np.argmin(away, axis=-1), -1)
-    return index
+    x, y = places[..., None]  # one point that is undecided is none, too
+    given = {name: np.broadcast_to(getattr(p, name)[..., None], x.shape) for name in p.ranges}
+    given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
+    found = equilibria(Parameters(**given))
+    away = np.hypot(found.x - x[..., None], found.y - y[..., None])
+    away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
+    there = away.min(axis=-1) <= SETTLED * (1 + np.hypot(x, y))
+    return np.where(there, away.argmin(axis=-1), -1).astype(np.int8)[..., 0]
 
 
 #: Name, θ₀ in degrees, and what differs from the base values.

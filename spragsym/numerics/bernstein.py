@@ -59,7 +59,9 @@ def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
             undecided[pending.row] = True
             break
         pending = _halved(pending)
-        undecided[pending.row[_open_at_the_cut(pending)]] = True
+        half = pending.row.size // 2
+        # Lower halves whose value at the cut has no sign: more halvings would not give it one.
+        undecided[pending.row[:half][np.abs(pending.value[-1, :half]) <= pending.error[-1, :half]]] = True
     parts = _joined(found)
     parts = _select(parts, ~undecided[parts.row])
     return _refined(parts, undecided)
@@ -87,7 +89,7 @@ def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray
     # Two cuts round as often as two evaluations. A place off by ε moves a value by 2 · degree · ε times the largest coefficient.
     largest = np.abs(whole.value).max(axis=0)
     noise = whole.error.max(axis=0) + (len(value) - 1) * (16 * UNIT + 2 * off) * largest
-    at_low = np.asarray(value[0] > noise, dtype=np.int8) - np.asarray(value[0] < -noise, dtype=np.int8)
+    at_low = Rounded(value[0], noise).sign()
     negative, positive = np.isfinite(noise), np.zeros(size, dtype=np.bool_)
     row = np.flatnonzero(negative)
     value = value[:, row]
@@ -98,18 +100,18 @@ def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray
         row = row[pending]
         if halving == HALVINGS or not row.size:
             break
-        value = np.concatenate(_de_casteljau(value[:, pending]), axis=1)
+        value = np.concatenate(_cut(value[:, pending]), axis=1)
         row = np.tile(row, 2)
     negative[row] = False
     return Signs(at_low, negative & ~positive, positive)
 
 
-def _cut(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule."""
+def _cut(value: FloatArray, place: FloatArray | float = 0.5) -> tuple[FloatArray, FloatArray]:
+    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule; each average of two is rounded once."""
     upper, lower = value.copy(), np.empty_like(value)
     lower[0] = upper[0]
     for step in range(1, len(value)):
-        upper[:-step] += (upper[1 : len(value) - step + 1] - upper[:-step]) * place
+        upper[:-step] = upper[:-step] * (1 - place) + upper[1 : len(value) - step + 1] * place
         lower[step] = upper[0]
     return lower, upper
 
@@ -138,14 +140,9 @@ def _joined(parts: list[Parts]) -> Parts:
     return Parts(rows, *others)
 
 
-def _signs(parts: Parts) -> Int8Array:
-    above, below = parts.value > parts.error, parts.value < -parts.error
-    return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
-
-
 def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
     """Where a part holds no root, and where exactly one, a simple one. An open sign between two that differ changes nothing."""
-    signs = _signs(parts)
+    signs = Rounded(parts.value, parts.error).sign()
     unknown = signs == 0
     number = unknown.sum(axis=0, dtype=np.int8)
     # An open sign repeats the one before it, so that it is no change; the first one has none before it and counts as a change.
@@ -159,32 +156,16 @@ def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
 
 def _halved(parts: Parts) -> Parts:
     """Both halves of each part, the lower ones first. A halving rounds ``degree`` times, at most by the largest value there."""
-    low_value, high_value = _de_casteljau(parts.value)
+    low_value, high_value = _cut(parts.value)
     degree = len(parts.value) - 1
     # Each average is rounded relative to itself; the averages of the sizes bound those of the values.
     spread = (parts.error + 1.01 * degree * UNIT * np.abs(parts.value)) * (1 + 2 * degree * UNIT)
-    low_error, high_error = _de_casteljau(spread)
+    low_error, high_error = _cut(spread)
     half = 0.5 * parts.width
     return Parts(
         np.concatenate([parts.row, parts.row]), np.concatenate([parts.low, parts.low + half]), np.concatenate([half, half]),
         np.concatenate([low_value, high_value], axis=1), np.concatenate([low_error, high_error], axis=1),
     )  # fmt: skip
-
-
-def _de_casteljau(value: FloatArray) -> tuple[FloatArray, FloatArray]:
-    upper, lower = value.copy(), np.empty_like(value)
-    lower[0] = upper[0]
-    for step in range(1, len(value)):
-        upper[:-step] += upper[1 : len(value) - step + 1]
-        upper[:-step] *= 0.5
-        lower[step] = upper[0]
-    return lower, upper
-
-
-def _open_at_the_cut(parts: Parts) -> IndexArray:
-    """Lower halves whose value at the cut has no sign: more halvings would not give it one."""
-    half = parts.row.size // 2
-    return np.flatnonzero(np.abs(parts.value[-1, :half]) <= parts.error[-1, :half])
 
 
 def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -220,14 +201,6 @@ def _refined(parts: Parts, undecided: BoolArray) -> Roots:
         active = active[~done]
         if not active.size:
             break
-    return _bracketed(parts, place, slope, noise, rising, undecided)
-
-
-def _bracketed(
-    parts: Parts, place: FloatArray, slope: FloatArray, noise: FloatArray, rising: Int8Array,
-    undecided: BoolArray,
-) -> Roots:  # fmt: skip
-    """The bracket of each root, proved by two signs."""
     radius = 4 * noise / np.abs(slope) + 8 * UNIT
     for _ in range(5):
         left, right = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)

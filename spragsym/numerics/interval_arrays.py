@@ -352,8 +352,7 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
 
 def length(dx: Intervals, dy: Intervals) -> Intervals:
     """√(dx² + dy²)."""
-    square = (dx.squared() + dy.squared()).ends
-    return Intervals(np.stack([np.minimum(square[0], 0.0), square[1]])).sqrt()
+    return Intervals(_not_negative((dx.squared() + dy.squared()).ends)).sqrt()
 
 
 def unit_vector(dx: Intervals, dy: Intervals) -> tuple[Intervals, Intervals]:

@@ -43,9 +43,7 @@ def common_divisor(one: Polynomial, other: Polynomial) -> tuple[int, ...]:
     dividend, divisor = primitive(one), primitive(other)
     if _coprime(dividend, divisor):
         return (1,)
-    while divisor:
-        dividend, divisor = divisor, primitive(_remainder(dividend, divisor))
-    return dividend
+    return _euclid(dividend, divisor, primitive)
 
 
 #: A prime; residues of it tell quickly that two polynomials have no common factor.
@@ -54,19 +52,21 @@ _PRIME = 2**61 - 1
 
 def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
     """Whether residues prove that there is no common factor: it would be one of the residues as well, of the same degree."""
-    dividend, divisor = ([value % _PRIME for value in polynomial] for polynomial in (one, other))
-    if not (divisor and divisor[-1]):
-        return False
-    while len(divisor) > 1:
-        inverse = pow(divisor[-1], -1, _PRIME)
-        while len(dividend) >= len(divisor):
-            factor = dividend.pop() * inverse % _PRIME
-            for power, value in enumerate(divisor[:-1], start=1 - len(divisor)):  # from the end
-                dividend[power] = (dividend[power] - factor * value) % _PRIME
-        while dividend and not dividend[-1]:
-            dividend.pop()
-        dividend, divisor = divisor, dividend
-    return bool(divisor)
+    dividend, divisor = _residues(one), _residues(other)
+    return len(other) == len(divisor) > 0 and len(_euclid(dividend, divisor, _residues)) == 1
+
+
+def _residues(polynomial: Sequence[int]) -> tuple[int, ...]:
+    return primitive([value % _PRIME for value in polynomial])
+
+
+def _euclid(
+    dividend: tuple[int, ...], divisor: tuple[int, ...], reduced: Callable[[list[int]], tuple[int, ...]]
+) -> tuple[int, ...]:  # fmt: skip
+    """Euclid's algorithm, with remainders as multiples that are ``reduced``."""
+    while divisor:
+        dividend, divisor = divisor, reduced(_remainder(dividend, divisor))
+    return dividend
 
 
 def squarefree(polynomial: Polynomial) -> tuple[int, ...]:

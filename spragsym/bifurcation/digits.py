@@ -87,7 +87,7 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
     if (low == high).all():
         return solved(balance, low)
     around, whole = region(balance, Intervals(np.stack([-low, high])))
-    return once_around(balance, certified_roots.search(balance, around, low, high)), around, whole
+    return once_around(balance.around, certified_roots.search(balance, around, low, high)), around, whole
 
 
 def _beside(value: Fraction, way: float) -> float:

@@ -97,7 +97,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         around = _between(around, LEAST, around[1, -1, 0])
     if alone:
         roots = settled(system, around, roots)
-    roots = once_around(balance, on_its_side(system, fixed, roots))
+    roots = once_around(balance.around, on_its_side(system, fixed, roots))
     if alone:
         roots = roots.kept(left=~shared(system, roots.left))
     return Found(roots, around, whole)

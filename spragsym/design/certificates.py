@@ -287,7 +287,7 @@ class ClaimOfStates(Claim):
             around = around.copy()
             around[:, :, new], whole[new] = region(balance, bounds[:, new])
         found = once_around(
-            balance,
+            balance.around,
             certified_roots.search(balance, around, parts.low, parts.high, budget=BUDGET, narrow=NARROW),
         )
         ends, point = np.concatenate([found.ends, found.left], axis=2), np.concatenate([found.point, found.left_point])

@@ -46,26 +46,21 @@ from ..numerics import certified_roots, contractors, jets
 from ..numerics.balls import ball
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, stacked
-from ..numerics.interval_arrays import length as interval_length
 from ..numerics.precise_roots import Digits
 from .balance import Balance, PreciseBalance, StateSystem
 from .forces import State, as_intervals
 from .namespaces import XP
-from .precise_balance import refined, settled_by_digits
+from .precise_balance import once_around, refined, settled_by_digits
 
-#: Bound, in units of 2⁻⁵² relative, on the error of NumPy's arctangent.
-ARCTAN_ULPS = 8.0
 #: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
 WIDE = 2.0**-10
 #: Stiffness over that of the contact from which on a point is looked at in polar coordinates first. In lift-off, where nothing
 #: else may hold the mass across, the line of a single spring is the better guide however soft it is.
 STIFF = 3e3
-#: What is searched beyond φ = ±π, and beyond l = 0 in parts of the largest length.
+#: What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in parts of the largest length.
 BEYOND = 2.0**-6
 #: Upper bound of π.
 HALF_TURN = 3.1415926535897936
-#: Once around, and what it is known by.
-TURN, TURN_ERROR = 2 * np.pi, 1e-14
 #: By what the tension may be larger than it can be, so that none lies on the border of the region.
 ROOM = 1.0 + 2.0**-10
 
@@ -165,37 +160,6 @@ class Polar(StateSystem):
         """Boxes beyond the contact's border."""
         return self.state(unknowns, parameters).beside_border()[1]
 
-    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """Smaller boxes: the coordinates that balance the forces with these directions, and the directions towards these.
-
-        A stiff straight guide is thin in the coordinates, and bent in angle and length.
-        """
-        at, elongation = self._placed(list(unknowns), parameters)
-        places = Intervals(self.balance.with_directions(at))
-        at = replace(at, q=list(places))
-        rows = stacked(self.rows(at, elongation), at.shape)
-        empty = ~np.logical_and.reduce(rows.holds_zero()) | np.logical_or.reduce(places.ends[0] + places.ends[1] < 0)
-        ends = self._towards(at, unknowns, parameters[-1])
-        ends[:, :, empty] = -1.0
-        return ends
-
-    def _towards(self, at: State, unknowns: Intervals, scale: Intervals) -> FloatArray:
-        """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
-        dx, dy, rest = at.geometry[self.spring]
-        c, s = self._direction(Intervals.point(unknowns[0].middle), at)
-        along, across = dx * c + dy * s, dy * c - dx * s
-        lengths = interval_length(dx, dy)
-        part = ((lengths - rest) if self.tight else lengths) / scale
-        # What the tangent is known of turns by less than a quarter from the middle of the box.
-        slope = (across / along).ends
-        turned = raised(np.arctan(slope), ARCTAN_ULPS) + np.stack([-unknowns[0].middle, unknowns[0].middle])
-        length = unknowns[1] * scale + rest if self.tight else unknowns[1] * scale
-        ahead = (length.low > 0) & (along.low > 0) & (unknowns[0].width < 3)
-        ends = unknowns.ends.copy()
-        ends[:, 0] = np.where(ahead, np.fmin(raised(turned), ends[:, 0]), ends[:, 0])
-        ends[:, 1] = np.where(ahead, np.fmin(part.ends, ends[:, 1]), ends[:, 1])
-        return ends
-
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
         return stacked(self.state(Intervals(ends), parameters).q, ends.shape[2:]).ends
@@ -262,7 +226,7 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
     """
     wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > wider
     again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point[wide]))
-    return certified_roots.concatenated([found.of(np.flatnonzero(done), others=True), again], balance.n) if done.any() else found
+    return certified_roots.concatenated([found.of(np.flatnonzero(done), others=True), again], balance.n)
 
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
@@ -345,7 +309,7 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         found = certified_roots.search(system, sides, given, given)
         found = refined(system, given, found)
         found = settled_by_digits(system, given, sides, found)
-        found = found if system.turns else _once_around(found)
+        found = found if system.turns else once_around([0], found)
         prepared = system.prepared(Intervals.point(given))
         possible, sure = _are_equilibria(system, found.ends)
         open_ = possible & ~sure
@@ -357,18 +321,6 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         roots = refined(balance, given[:-1], roots, on_border)
         left = system.cartesian(found.left, prepared[:, left_point])
     return _apart(roots.besides(left, left_point), around)
-
-
-def _once_around(found: Roots) -> Roots:
-    """Roots once each, where angles that differ by a turn are the same; what is left beyond ±π is left on the other side, too."""
-    back = found.ends[1, 0] < 2 * BEYOND - np.pi
-    ends, alone = found.ends.copy(), found.alone.copy()
-    turn = np.array([[-TURN], [TURN]])
-    ends[:, 0, back] += turn + TURN_ERROR
-    alone[:, 0, back] += turn - TURN_ERROR
-    turned = replace(found, ends=ends, alone=alone)
-    inside = Intervals(found.left[:, 0]).mignitude <= HALF_TURN
-    return certified_roots.distinct(turned.kept(left=inside))
 
 
 def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArray]:

@@ -21,7 +21,7 @@ from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ..numerics.precise_roots import Reduced, as_intervals, narrowed, outward, reduced_roots
-from .balance import Balance, StateSystem
+from .balance import StateSystem
 
 #: Bits of the forces where roots are looked for, and of a root that is known.
 BITS, ROOT_BITS = (160, 320), 256
@@ -170,20 +170,20 @@ def _at(system: StateSystem, given: FloatArray, point: IntArray) -> Intervals:
         return system.prepared(Intervals.point(given[:, point]))
 
 
-def once_around(balance: Balance, found: Roots) -> Roots:
+def once_around(around: Sequence[int], found: Roots) -> Roots:
     """Roots and boxes that are left, without those whose image after a turn is there too.
 
     What meets an end of the turn itself, of which this can't be said, is among the boxes that are left.
     """
-    if not balance.around:
+    if not around:
         return found
-    beyond, across = _parted(found.ends, balance.around)
-    hidden, _ = _parted(found.left, balance.around)
+    beyond, across = _parted(found.ends, around)
+    hidden, _ = _parted(found.left, around)
     open_ = across & ~beyond
     return found.kept(~beyond & ~across, ~hidden).besides(found.ends[:, :, open_], found.point[open_])
 
 
-def _parted(ends: FloatArray, around: list[int]) -> tuple[BoolArray, BoolArray]:
+def _parted(ends: FloatArray, around: Sequence[int]) -> tuple[BoolArray, BoolArray]:
     """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
     low, high = -ends[0, around], ends[1, around]
     beyond = np.logical_or.reduce((low > END) | (high < BEGIN))

@@ -102,12 +102,11 @@ def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None)
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
     around, whole = region(balance, Intervals.point(given), asked)
     turned, turning = turned_points(balance, given, around)
-    others = np.flatnonzero(~turning)
-    stiff, done = stiff_points(balance, given[:, others], around[:, :, others])
-    rest = others[~done]
-    parts = [turned, stiff.numbered(others), _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)]
+    stiff, done = stiff_points(balance, given, around)
+    rest = np.flatnonzero(~(turning | done))
+    parts = [turned, stiff, _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)]
     found = refined(balance, given, certified_roots.concatenated(parts, balance.n))
-    return once_around(balance, on_its_side(balance, given, found)), around, whole
+    return once_around(balance.around, on_its_side(balance, given, found)), around, whole
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:

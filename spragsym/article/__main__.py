@@ -16,10 +16,6 @@ from . import STATEMENTS, record_text, run
 _COMMANDS: tuple[tuple[str, ...], ...] = (("check", "--again"), ("check", "--claims", "--again"), ("figures", "--out", "figures"))
 
 
-def _write(name: str, text: str) -> None:
-    Path(__file__).with_name(name).write_text(text, encoding="utf-8", newline="\n")
-
-
 def _measurements() -> str:
     """The content of measured.json: of the machine where this runs."""
     rows = [_measured(arguments) for arguments in _COMMANDS]
@@ -46,9 +42,7 @@ def _measured(arguments: tuple[str, ...]) -> dict[str, Any]:
     }
 
 
-if sys.argv[1:] == ["measure"]:
-    _write("measured.json", _measurements())
-elif not sys.argv[1:]:
-    _write("record.json", record_text(run(STATEMENTS)))
-else:
+if sys.argv[1:] not in ([], ["measure"]):
     sys.exit("usage: python -m spragsym.article [measure]")
+name, text = ("measured.json", _measurements()) if sys.argv[1:] else ("record.json", record_text(run(STATEMENTS)))
+Path(__file__).with_name(name).write_text(text, encoding="utf-8", newline="\n")

@@ -3,7 +3,6 @@
 import json
 import math
 from collections.abc import Callable
-from functools import cache
 from typing import Any, TypeAlias
 
 import mpmath
@@ -211,16 +210,12 @@ def _up_and_down() -> list[tuple[Jump, ...]]:
     return [quasi_static_path(_at(60.0), "mu0", values).jumps for values in (_FRICTIONS, _FRICTIONS[::-1])]
 
 
-@cache
-def _critical_value(name: str, bracket: tuple[float, float]) -> float:
-    return float(critical_value(_article(), name, bracket))
-
-
-def family_row(name: str, value: float, bracket: tuple[float, float], jumps: bool) -> Outcome:
+def family_row(name: str, value: float, bracket: list[float], jumps: bool) -> Outcome:
     """The yes or no of Figures 8 to 10 for a sample of a parameter."""
     p = _article(**{name: value})
     found, lowest = quasi_static_path(p, "theta0", _RISING).jumps, float(critical_friction(p))
-    values = {"mu_lowest": lowest, "mu_cusp": cusp_friction(p), f"critical {name}": _critical_value(name, tuple(bracket))}
+    critical = critical_value(_article(), name, (bracket[0], bracket[1]))
+    values = {"mu_lowest": lowest, "mu_cusp": cusp_friction(p), f"critical {name}": critical}
     jump = {"jump at theta0_deg": _deg(found[0].value)} if found else {}
     return bool(found) == jumps == (lowest < 0.5), values | jump
 
@@ -247,19 +242,15 @@ def flutter_sigma() -> Outcome:
     return (flutters.any(axis=-1) == expected).all() and flutters[expected, 2].all(), {"onsets_deg": onsets}
 
 
-def _lowest_flutter(p: Parameters) -> Any:
-    return flutter_boundary(p).mu0.min()
-
-
 def sheets() -> Outcome:
     eq = equilibria(_at(_GRID, mu0=_FRICTIONS[::2, None]))
-    lowest = _lowest_flutter(_article())
+    lowest = flutter_boundary(_article()).mu0.min()
     return _middle_diverges(eq) and lowest > MU0_MAX, {"lowest mu0 with flutter": _few_digits(lowest, 4)}
 
 
 def hopf() -> Outcome:
     p = _article(sigma=1.0)
-    lowest, onset = _lowest_flutter(p), flutter_onsets(p, damping=False)
+    lowest, onset = flutter_boundary(p).mu0.min(), flutter_onsets(p, damping=False)
     at = equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
     return (np.ptp(frequencies, axis=-1) < 2e-3).all() and lowest < 0.5, {

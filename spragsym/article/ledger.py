@@ -18,6 +18,8 @@ from ..progress import doing
 
 #: What a row may hold: numbers, words, or lists of them.
 Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]
+#: A row of the ledger of claims.
+Row: TypeAlias = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -36,15 +38,14 @@ class Statement:
     tolerance: str = "none: a yes or no"
     consequence: str = ""  #: for those who use the article, where a statement does not hold as it stands
 
-    def row(self, holds: bool, values: dict[str, Value]) -> dict[str, Any]:
+    def row(self, holds: bool, values: dict[str, Value]) -> Row:
         """A row of the ledger of claims: what is stated and what was found."""
-        return {
-            "id": self.id, "where": self.where, "stated": self.stated,
-            "outcome": self.outcome if holds else f"does not hold: {self.outcome}",
-            "status": self.status if holds else "not reproduced", "digits": self.digits, "tolerance": self.tolerance,
-            "command": self.command, "test": f"tests/article/test_claims.py::{self.test}", "consequence": self.consequence,
-            "values": values,
-        }  # fmt: skip
+        told = ("id", "where", "stated", "outcome", "status", "digits", "tolerance", "command", "test", "consequence")
+        row = {name: getattr(self, name) for name in told}
+        row |= {"test": f"tests/article/test_claims.py::{self.test}", "values": values}
+        if not holds:
+            row |= {"outcome": f"does not hold: {self.outcome}", "status": "not reproduced"}
+        return row
 
 
 def package_text(name: str, package: str = "spragsym.article") -> str:
@@ -55,7 +56,7 @@ def package_text(name: str, package: str = "spragsym.article") -> str:
 STATEMENTS = tuple(Statement(id, **entry) for id, entry in tomllib.loads(package_text("statements.toml")).items())
 
 
-def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
+def run(statements: Sequence[Statement]) -> list[Row]:
     """Compute the row of every statement; nothing is read from the record."""
     from . import computed
 
@@ -68,19 +69,19 @@ def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
     return rows
 
 
-def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[dict[str, Any]]:
+def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[Row]:
     """The rows of statements with the committed values: each held when they were written."""
     values = json.loads(package_text("record.json"))
     return [statement.row(True, values[statement.id]) for statement in statements]
 
 
-def drifted(rows: Sequence[dict[str, Any]], record: Sequence[dict[str, Any]]) -> list[str]:
+def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
     """What differs from the record, one line each: statuses, words, and numbers beyond their digits."""
     before = {row["id"]: row for row in record}
     return sorted(f"{row['id']}: {line}" for row in rows for line in _differences(row, before[row["id"]]))
 
 
-def record_text(rows: Sequence[dict[str, Any]]) -> str:
+def record_text(rows: Sequence[Row]) -> str:
     """The record as JSON, numbers rounded to their digits; rows that do not hold can't be recorded."""
     if lost := [row["id"] for row in rows if row["status"] == "not reproduced"]:
         raise ConvergenceError(f"{', '.join(lost)}: not reproduced; mend the statement in statements.toml, or what computes it")
@@ -96,7 +97,7 @@ def _rounded(value: Any, digits: int) -> Value:
     return int(value) if isinstance(value, np.integer | int) and not isinstance(value, bool) else str(value)
 
 
-def _differences(now: dict[str, Any], before: dict[str, Any]) -> list[str]:
+def _differences(now: Row, before: Row) -> list[str]:
     words = [f"{name} is {new!r}, not {before[name]!r}" for name, new in now.items() if name != "values" and new != before[name]]
     new, old = now["values"], before["values"]
     return words + [

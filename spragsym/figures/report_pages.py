@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -21,6 +21,7 @@ from ..bifurcation.defining_systems import ranges
 from ..errors import ConvergenceError, SpragsymError
 from ..files.text import filled
 from ..models.parameters import ParameterSet
+from ..report.advice import Rows
 from ..report.states import unit_of
 from ..report.texts import sections
 from .curves import curves_between, draw_branches, draw_path, mark_folds
@@ -88,7 +89,7 @@ def document(
     )  # fmt: skip
 
 
-def pictures(report: Report) -> Iterator[tuple[str, str]]:
+def pictures(report: Report) -> Rows:
     """Each picture as SVG, with its caption; none of a plane that the model does not have."""
     study, odds = report.study, report.probability
     if study.rise is not None:
@@ -104,7 +105,7 @@ def pictures(report: Report) -> Iterator[tuple[str, str]]:
         yield from _of_motion(report, report.oscillation)
 
 
-def _planes(report: Report) -> Iterator[tuple[str, str]]:
+def _planes(report: Report) -> Rows:
     """The brake in the plane of angle and friction, where there is an angle, and its states over the loading parameter."""
     study, jump = report.study, report.mu_jump
     (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
@@ -135,7 +136,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
     )
 
 
-def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
+def _stability_map(report: Report) -> Rows:
     """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not known."""
     study, p = report.study, report.study.at_work
     if "theta0" not in p.model.parameters or not study.moves:
@@ -160,7 +161,7 @@ def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
         )
 
 
-def _of_motion(report: Report, lives: Any) -> Iterator[tuple[str, str]]:
+def _of_motion(report: Report, lives: Any) -> Rows:
     (unit, size), time, name = unit_of(report.study), report.study.scales.time, report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
     up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)

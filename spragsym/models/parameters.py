@@ -19,8 +19,10 @@ from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray
 
-#: Lower and upper ends by name, of parameters or coordinates.
-Ranges: TypeAlias = Mapping[str, tuple[float, float]]
+#: Lower and upper end.
+Span: TypeAlias = tuple[float, float]
+#: Those by name, of parameters or coordinates.
+Ranges: TypeAlias = Mapping[str, Span]
 
 #: How far inside an end that a range does not hold a value is taken, over its length.
 INSIDE = 2.0**-40

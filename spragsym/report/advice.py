@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import shlex
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from .brake_files import example_of
 from .states import State
@@ -14,6 +14,9 @@ from .tolerances import deciding
 
 if TYPE_CHECKING:
     from .reports import Report
+
+#: A name and a value each.
+Rows: TypeAlias = Iterator[tuple[str, str]]
 
 #: A friction coefficient that no brake has.
 FRICTION = 2.0
@@ -143,7 +146,7 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
 MOST, NAMED = 5, 4
 
 
-def next_steps(report: Report) -> Iterator[tuple[str, str]]:
+def next_steps(report: Report) -> Rows:
     """Verb and object of each step, the most useful first, the command to go on with last."""
     study, steps = report.study, [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)]
     command = f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it move"
@@ -151,7 +154,7 @@ def next_steps(report: Report) -> Iterator[tuple[str, str]]:
     yield from (*steps[: MOST - len(run)], *run)
 
 
-def _changes(report: Report) -> Iterator[tuple[str, str]]:
+def _changes(report: Report) -> Rows:
     study = report.study
     if study.rise is None and study.kind.rises:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
@@ -167,7 +170,7 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
         )
 
 
-def _ranges(report: Report) -> Iterator[tuple[str, str]]:
+def _ranges(report: Report) -> Rows:
     study, jump, odds = report.study, report.jump_at, report.probability
     low, _, high = study.working
     if jump is not None and low < jump <= high and low < high:
@@ -182,7 +185,7 @@ def _ranges(report: Report) -> Iterator[tuple[str, str]]:
         )
 
 
-def _measurements(report: Report) -> Iterator[tuple[str, str]]:
+def _measurements(report: Report) -> Rows:
     study, here = report.study, report.current
     missing = [name for name in study.kind.of_the_law if name not in study.quantities]
     if missing:
@@ -200,7 +203,7 @@ def _measurements(report: Report) -> Iterator[tuple[str, str]]:
         yield "measure", f"how far {', '.join(exact[:NAMED])}{more} may be off: without a tolerance they are taken as exact"
 
 
-def _other_state(report: Report) -> Iterator[tuple[str, str]]:
+def _other_state(report: Report) -> Rows:
     for place, _ in report.others[:1]:
         name, _, unit = next(iter(place)).rpartition("_")
         text = f'state = {{ {name} = "{place[f"{name}_{unit}"]:.3g} {unit}" }}'

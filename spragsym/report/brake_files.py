@@ -27,11 +27,11 @@ from ..files.text import MEASURED, text_of
 from ..generated import laws
 from ..models import Model
 from ..models.load import USUAL, shipped
-from ..models.parameters import FINITE, FloatArray, Range
+from ..models.parameters import FINITE, FloatArray, Range, Ranges, Span
 from ..models.quantities import Quantities, factor, quantities
 from ..results.result import Result
 from .study import PLAIN_UNITS, Rise, Study, rise_of, spanned
-from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
+from .units import ENDS, EXAMPLES, WITHIN, Measured, Numbers, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
@@ -198,7 +198,7 @@ def _correlation(given: Any, study: Study) -> Correlation:
     return found
 
 
-def _state(given: Any, kind: Quantities) -> dict[str, float]:
+def _state(given: Any, kind: Quantities) -> Numbers:
     units = kind.coordinates
     if not isinstance(given, dict) or not set(given) <= set(units):
         example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
@@ -206,7 +206,7 @@ def _state(given: Any, kind: Quantities) -> dict[str, float]:
     return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
 
 
-def _may_change(given: Any, kind: Quantities) -> dict[str, tuple[float, float]]:
+def _may_change(given: Any, kind: Quantities) -> Ranges:
     if not isinstance(given, dict) or not set(given) <= set(kind.units):
         cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
         raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
@@ -319,7 +319,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     lines = [(number, line) for number, line in stripped if line.strip() and not line.strip().startswith(_COMMENT)]
     if len(lines) > _LINES:
         raise ParameterError(f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so")
-    found, failures = set[tuple[tuple[float, float], ...]](), list[_RefusedError]()
+    found, failures = set[tuple[Span, ...]](), list[_RefusedError]()
     said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
     for between in (said[1],) if said else _BETWEEN:
         try:
@@ -344,7 +344,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     return speed, friction
 
 
-def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[float, float]]:
+def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
     """Speed in m/s and coefficient of every line, if columns stand between these characters."""
     if not lines:
         raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0)
@@ -420,7 +420,7 @@ def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], s
         raise _RefusedError(f"{what} {several}; name one column {write}, as in {EXAMPLE}", line, 1)
     (i,), name, below = found, names[found[0]], units[found[0]]
     parts = _HEAD.fullmatch(" ".join(name.split()))
-    given = next((part for part in parts.group("a", "b", "c", "d", "e") if part is not None), "") if parts else ""
+    given = parts[parts.lastindex or 0] if parts and parts.lastgroup != "name" else ""
     if given and below:
         raise _RefusedError(f"{name!r} has a unit, and the line below gives {below!r}; give one of them", line, 2)
     unit = (given or below).strip()
@@ -469,7 +469,7 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     def shape(d: float) -> FloatArray:
         return np.asarray(laws.friction(0.0, 1.0, speed, d))
 
-    def best(log_d: float) -> tuple[float, float]:
+    def best(log_d: float) -> Span:
         """μ₀, and the sum of squares that it leaves."""
         rise = shape(math.exp(log_d))
         mu0 = float(rise @ friction / (rise @ rise))

@@ -6,7 +6,7 @@ within its tolerances refutes is not given: it goes on until the proof is found,
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,12 +15,13 @@ import numpy as np
 from ..design.design_space import Border, Design, space
 from ..design.margins import jump_margin, redesign
 from ..errors import SpragsymError
-from ..models.parameters import Range
+from ..models.parameters import Range, Span
 from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results.result import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
+from .units import Numbers
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
@@ -44,8 +45,8 @@ class Change(Result):
     that is proved, else what a sample gives; NaN where nothing has a tolerance.
     """
 
-    before: Mapping[str, float]
-    after: Mapping[str, float]
+    before: Numbers
+    after: Numbers
     jump_at: float
     distance: float
     probability: float
@@ -98,15 +99,15 @@ class _Search:
         self.names = tuple(name for name, (low, high) in self.span.items() if low < high)
         self.scale = {name: self._scale(name) for name in self.names}
         self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
-        spans = {name: Range(*ends, closed_high=True) for name, ends in self.span.items()}
-        self.within = replace(design(study), ranges=self.allowed | spans)
+        within = {name: Range(*ends, closed_high=True) for name, ends in self.span.items()}
+        self.within = replace(design(study), ranges=self.allowed | within)
 
-    def _span(self, name: str) -> tuple[float, float]:
+    def _span(self, name: str) -> Span:
         """Between which values it may change: as the data say, else by :data:`FACTOR`, an inclination from 1° to 179°."""
         start = self.study.values[name]
         if self.study.may_change:
             return self.study.may_change.get(name, (start, start))
-        low, high = min(start / FACTOR, start * FACTOR), max(start / FACTOR, start * FACTOR)
+        low, high = sorted((start / FACTOR, start * FACTOR))
         return (max(low, _ANGLE), min(high, math.pi - _ANGLE)) if self.study.kind.units[name] == "rad" else (low, high)
 
     def _scale(self, name: str) -> float:
@@ -118,7 +119,7 @@ class _Search:
         alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
-    def _keep(self, designs: Sequence[Mapping[str, float]]) -> BoolArray:
+    def _keep(self, designs: Sequence[Numbers]) -> BoolArray:
         """Whether each of some designs may be, jumps at the target at the earliest, and at no corner of its tolerances."""
         new = {i: self.study.changed(one) for i, one in enumerate(designs) if all(self._may_be(*item) for item in one.items())}
         for shares, target in (None, self.target), (self.corners, None):
@@ -135,7 +136,7 @@ class _Search:
         found = [self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]]
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
-    def _distance(self, after: Mapping[str, float]) -> float:
+    def _distance(self, after: Numbers) -> float:
         return math.hypot(*((value - self.study.values[name]) / self.scale[name] for name, value in after.items()))
 
     def joint(self) -> Change | None:
@@ -151,7 +152,7 @@ class _Search:
             return None
         return self._first_proved(self._least(names))
 
-    def _least(self, names: tuple[str, ...]) -> dict[str, float] | None:
+    def _least(self, names: tuple[str, ...]) -> Numbers | None:
         """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
         study = self.study
         try:
@@ -161,13 +162,13 @@ class _Search:
             return None
         return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
 
-    def _further(self, after: Mapping[str, float]) -> Iterator[dict[str, float]]:
+    def _further(self, after: Numbers) -> Iterator[Numbers]:
         """A change where no corner of its tolerances jumps, and further ones, up to the end of what a quantity may be."""
         before, way = self.study.values, {name: value - self.study.values[name] for name, value in after.items()}
         left = min([(self.span[name][step > 0] - after[name]) / step for name, step in way.items() if step], default=0.0)
         left = left if len(way) == 1 else min(left, _STRETCH)
 
-        def at(share: float) -> dict[str, float]:
+        def at(share: float) -> Numbers:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
 
         tried, high = np.array(_SHARES), 0.0
@@ -182,10 +183,10 @@ class _Search:
             tried = np.linspace(tried[first - 1], high, _PARTS + 1)
         yield from (at(high + share * (1 - high)) for share in self.effort.further)
 
-    def _first_proved(self, least: Mapping[str, float] | None) -> Change | None:
+    def _first_proved(self, least: Numbers | None) -> Change | None:
         """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""
         open_one: Change | None = None
-        tried: list[Mapping[str, float]] = []
+        tried: list[Numbers] = []
         for after in self._further(least) if least else ():
             printed = self._printed(after)
             if printed is None or printed in tried:
@@ -197,7 +198,7 @@ class _Search:
             open_one = open_one or change
         return open_one
 
-    def _printed(self, after: Mapping[str, float]) -> dict[str, float] | None:
+    def _printed(self, after: Numbers) -> Numbers | None:
         """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
         for further in range(4):
             rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
@@ -212,7 +213,7 @@ class _Search:
         (low, high), rounding = self.span[name], 1e-12 * abs(value)
         return self.allowed[name].contains(value) and low - rounding <= value <= high + rounding
 
-    def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
+    def _verified(self, after: Numbers, proof_only: bool) -> Change | None:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
         study, new = self.study, self.study.changed(after)
         try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -27,6 +27,7 @@ from .redesigns import Change, changes, distance
 from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
 from .study import Study
 from .tolerances import BoxCertificate, bracket, certificate, chance, effort, speed_for, varied
+from .units import Numbers
 
 T = TypeVar("T")
 
@@ -57,8 +58,8 @@ class FoldRow:
     value: float | None
     ends: str
     when: str
-    before: Mapping[str, float]
-    after: Mapping[str, float]
+    before: Numbers
+    after: Numbers
 
 
 class Report(Result):
@@ -123,8 +124,7 @@ class Report(Result):
         study, at = self.study, self.study.at_work
         if "theta0" not in at.model.parameters or (study.rise is not None and study.rise.name == "theta0"):
             return None
-        found = self._known("the jump along theta0 is", lambda: jump_value(at, "theta0"))
-        return None if found is None else math.degrees(found)
+        return self._known("the jump along theta0 is", lambda: math.degrees(jump_value(at, "theta0")))
 
     @property
     def _has_plane(self) -> bool:
@@ -205,7 +205,7 @@ class Report(Result):
         return equilibria(self.study.at_work)
 
     @cached_property
-    def _here(self) -> dict[str, float] | None:
+    def _here(self) -> Numbers | None:
         return self._known("the state that the brake is in is", lambda: current(self.study, self._equilibria))
 
     @cached_property
@@ -214,7 +214,7 @@ class Report(Result):
         return states(self.study, self._equilibria, self._here)
 
     @cached_property
-    def others(self) -> tuple[tuple[dict[str, float], float | None], ...]:
+    def others(self) -> tuple[tuple[Numbers, float | None], ...]:
         """Other stable states, by coordinate and unit, and where each ends as the loading parameter goes on; NaN if nowhere."""
         found = () if self._here is None else others(self.study, self._equilibria, self.states)
         if self._here is None and self.study.rise is None:

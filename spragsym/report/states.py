@@ -1,7 +1,7 @@
 """States and motions of a brake in newtons, millimetres and hertz: those of sliding, the jump, and the oscillation."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
@@ -20,6 +20,7 @@ from ..results import Equilibria, Named, Result, Stability
 from ..statics.balance import Balance
 from ..statics.stability import NEUTRAL, linearization, roots
 from .study import Study
+from .units import Numbers
 
 #: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
 ROUNDING = 1e-14
@@ -46,7 +47,7 @@ _COMES_TO = {
 }  # fmt: skip
 
 #: Of the only inclined spring a number, of several their numbers by name, and of none None.
-OfSprings: TypeAlias = float | Mapping[str, float] | None
+OfSprings: TypeAlias = float | Numbers | None
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class State(Named):
     stable: bool
     statics: str
     direction_deg: OfSprings
-    places: Mapping[str, float]
+    places: Numbers
     spring_length_mm: OfSprings
     spring_force_N: OfSprings
     contact_force_N: float | None
@@ -97,8 +98,8 @@ class JumpPeak(Named):
     held_in = "ranges"
 
     at: float
-    before: Mapping[str, float]
-    after: Mapping[str, float]
+    before: Numbers
+    after: Numbers
     ranges: Ranges
     spring_force_N: Any
     contact_force_N: tuple[float, float] | None
@@ -152,7 +153,7 @@ def unit_of(study: Study, name: str = "") -> tuple[str, float]:
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
 
-def in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]:
+def in_units(study: Study, place: Numbers) -> Numbers:
     """The coordinates of a place by name and unit."""
     units = {name: unit_of(study, name) for name in study.kind.coordinates if name in place}
     return {f"{name}_{unit}": size * float(place[name]) for name, (unit, size) in units.items()}
@@ -177,7 +178,7 @@ def _extremes(p: Any, states: FloatArray) -> Ranges:
     return {name: (float(force.min()), float(force.max())) for name, force in told.items()}
 
 
-def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[State, ...]:
+def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
     """Every state of ``eq``, in contact at the friction that works, in its order; the one that is ``here`` is ``current``."""
     places = _places(eq)
     off = [max(abs(value - here[name]) for name, value in place.items()) if here else math.inf for place in places]
@@ -185,7 +186,7 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
     return tuple(_state(study, eq, slot, place, slot == nearest and off[slot] < SAME) for slot, place in enumerate(places))
 
 
-def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[dict[str, float], float | None], ...]:
+def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[Numbers, float | None], ...]:
     """Other stable states of ``eq``, as they are known, than the current one: each place in units, and the loading parameter
     where it ends, NaN where it does not, None where that is not known."""
     at, rise, found = study.at_work, study.rise, []
@@ -196,11 +197,11 @@ def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[
         if rise is not None:
             with suppress(SpragsymError):
                 end = study.told(float(jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
-        found.append((dict(state.places), end))
+        found.append((state.places, end))
     return tuple(found)
 
 
-def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
+def current(study: Study, eq: Equilibria) -> Numbers | None:
     """The coordinates of the state that is reached as the loading parameter rises; where nothing does, of the only one."""
     if study.rise is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
@@ -209,11 +210,11 @@ def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
-def _places(eq: Equilibria) -> list[dict[str, float]]:
+def _places(eq: Equilibria) -> list[Numbers]:
     return [{name: float(column[slot]) for name, column in eq.coordinates.items()} for slot in range(int(eq.count))]
 
 
-def _state(study: Study, eq: Equilibria, slot: int, place: Mapping[str, float], is_here: bool) -> State:
+def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: bool) -> State:
     scales, model = study.scales, study.kind.model
 
     def of(names: Iterable[str], scale: float) -> Any:

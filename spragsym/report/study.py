@@ -10,7 +10,7 @@ from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -18,15 +18,17 @@ from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..errors import ParameterError, hint
 from ..models.load import USUAL
-from ..models.parameters import POSITIVE, Range, Ranges, as_number, as_range
+from ..models.parameters import POSITIVE, Range, Ranges, Span, as_number, as_range
 from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share
 from ..progress import doing, show_progress
-from .units import Measured, read, shown_in
+from .units import Measured, Numbers, read, shown_in
 
 if TYPE_CHECKING:
     from .brake_files import FrictionFit
     from .reports import Report
 
+#: Least, as drawn, and largest within the tolerances.
+Spread: TypeAlias = tuple[float, float, float]
 #: Units of the report where the data came as plain numbers in SI.
 PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "N/m^3": "N/mm^3", "m": "mm", "rad": "deg", "1": ""}
 
@@ -46,7 +48,7 @@ class Rise:
         """What it is called in a sentence."""
         return "friction" if self.is_friction else self.quantity
 
-    def check(self, values: Mapping[str, float]) -> Rise:
+    def check(self, values: Numbers) -> Rise:
         """Itself; an error for a brake in which it is below where it begins."""
         if self.begin > values[self.quantity]:
             above = f"begin = {self.begin:g} is above {self.quantity} = {values[self.quantity]:g}"
@@ -54,7 +56,7 @@ class Rise:
         return self
 
 
-def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Mapping[str, float]) -> Rise | None:
+def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Numbers) -> Rise | None:
     """The loading parameter: the quantity that is named, else the friction at full slip; None for a model without it.
 
     ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
@@ -76,7 +78,7 @@ def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Map
     return Rise(vary, kind.parameters[vary], start, of_friction).check(values)
 
 
-def spanned(kind: Quantities, name: str, ends: tuple[float, float]) -> tuple[float, float]:
+def spanned(kind: Quantities, name: str, ends: Span) -> Span:
     """The range in which a quantity may change, in SI; refused if it is none, or empty."""
     if name not in kind.balanced:
         cure = hint(name, kind.balanced) or f"; give some of {', '.join(kind.balanced)}"
@@ -134,15 +136,15 @@ class Study:
     fit: FrictionFit | None = None
     correlation: Correlation = MappingProxyType({})
     rise: Rise | None = None
-    state: Mapping[str, float] = MappingProxyType({})
+    state: Numbers = MappingProxyType({})
     may_change: Ranges = MappingProxyType({})
     title: str = ""
     date: str = ""
 
     def __init__(
-        self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
+        self, parameters: PhysicalParameters | Numbers, tolerance: Mapping[str, Any] | None = None,
         correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
-        state: Mapping[str, float] | None = None, may_change: Ranges | None = None,
+        state: Numbers | None = None, may_change: Ranges | None = None,
     ) -> None:  # fmt: skip
         kind, off = quantities(model), dict(tolerance or {})
         given, allowed = _given(parameters, kind, model), kind.ranges()
@@ -188,7 +190,7 @@ class Study:
             study.rise.check(study.values)
         return study
 
-    def changed(self, after: Mapping[str, float]) -> Study:
+    def changed(self, after: Numbers) -> Study:
         """The study of another design: a quantity that changes keeps its tolerance as a share of its value, an angle as it is."""
         new = {name: self.quantities[name].scaled(value, self.kind.units[name] != "rad") for name, value in after.items()}
         return self.with_quantities({**self.quantities, **new})
@@ -208,7 +210,7 @@ class Study:
         return {name: one.value for name, one in self.quantities.items()}
 
     @property
-    def tolerances(self) -> dict[str, float]:
+    def tolerances(self) -> Numbers:
         """Half of the width of every quantity that has one, in SI."""
         return {name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies}
 
@@ -236,7 +238,7 @@ class Study:
         return p.following(**self.near) if self.near else p
 
     @property
-    def near(self) -> dict[str, float]:
+    def near(self) -> Numbers:
         """Coordinates near which that lies, as the model has them."""
         return {name: value / self.scale(self.kind.coordinates.get(name, "1")) for name, value in self.state.items()}
 
@@ -270,7 +272,7 @@ class Study:
         return float(share(p.model, p)) if self.law == "friction_at_speed" else 1.0
 
     @cached_property
-    def friction(self) -> tuple[float, float, float]:
+    def friction(self) -> Spread:
         """The friction that works: least, at the operating point, and largest within the tolerances; by the model's law."""
         from .tolerances import working_friction
 
@@ -293,7 +295,7 @@ class Study:
         return self.rise is not None and self.rise.is_friction
 
     @property
-    def working(self) -> tuple[float, float, float]:
+    def working(self) -> Spread:
         """The loading parameter, where the brake works: least, as drawn, and largest within the tolerances."""
         if self.rise is None or self.of_friction:
             return self.friction
@@ -301,7 +303,7 @@ class Study:
         return one.low, one.value, one.high
 
     @property
-    def full(self) -> tuple[float, float, float]:
+    def full(self) -> Spread:
         """The friction at full slip."""
         if not self.of_friction:
             return self.working
@@ -445,7 +447,7 @@ class Study:
         return f"Study({', '.join(f'{name}={self.shown(name)}' for name in self.quantities)})"
 
 
-def _given(parameters: Any, kind: Quantities, model: str) -> dict[str, float]:
+def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:
     allowed = kind.ranges()
     if isinstance(parameters, PhysicalParameters) and model == USUAL:
         parameters = parameters.known

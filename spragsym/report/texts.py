@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 from ..design.probability import JumpProbability
 from ..models.load import USUAL
 from ..progress import doing
-from .advice import next_steps
+from .advice import Rows, next_steps
 from .redesigns import FACTOR
 from .states import AWAY, State, in_units
 from .study import Study
-from .units import ENDS
+from .units import ENDS, Numbers
 
 if TYPE_CHECKING:
     from .reports import Report
@@ -24,9 +24,6 @@ RESOLVED = 0.2
 WIDTH, SHORT = 32, 8
 #: Digits of a sentence at most.
 MOST_DIGITS = 8
-
-#: A name and a value each.
-Rows: TypeAlias = Iterator[tuple[str, str]]
 
 
 def percent_beyond(value: float, other: float) -> float:
@@ -172,7 +169,7 @@ def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
 
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
-    parts: Mapping[str, Callable[[Report], Rows]] = {
+    parts = {
         "State": _state, "Folds": _folds, "Jump": _jump, "The jump as a motion": _peak, "Oscillation": _oscillation,
         "Tolerances": _tolerances, "Changes": _changes, "Warnings": _warnings, "What to do next": next_steps,
     }  # fmt: skip
@@ -242,7 +239,7 @@ def _pulling(force: float) -> str:
     return f"{force:.5g} N" + (", it pushes" if force < 0 else ", it pulls" if force > 0 else "")
 
 
-def _places(places: Mapping[str, float]) -> str:
+def _places(places: Numbers) -> str:
     named = ((*key.rpartition("_"), value) for key, value in places.items())
     return ", ".join(f"{name} = {value:.4g} {unit}" for name, _, unit, value in named)
 
@@ -302,9 +299,10 @@ def _folds(report: Report) -> Rows:
     study = report.study
     nothing = "nothing is left in contact" if study.kind.about["contact"]["unilateral"] else "nothing is left"
     for row in report.fold_rows:
-        kinds = (("friction", row.friction, ""), ("inclination", row.inclination_deg, " deg"))
-        name = next((f"{what} {at:.5g}{unit}" for what, at, unit in kinds if at is not None), "")
-        name = name or f"{report.vary} {study.amount(row.value or 0.0, 5)}"
+        if row.inclination_deg is None:
+            name = f"{study.rises.word} {study.amount(row.friction or row.value or 0.0, 5)}"
+        else:
+            name = f"inclination {row.inclination_deg:.5g} deg"
         if row.kind != "fold":
             yield name, f"a {row.kind}"
         elif not row.ends:
@@ -414,13 +412,15 @@ _PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_
 def as_json(report: Report) -> dict[str, Any]:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
     study, state, lives, odds, reached = report.study, report.current, report.oscillation, report.probability, report.certificate
-    alive = lives if lives is not None and lives.alive else None
+    alive, jump = lives if lives is not None and lives.alive else None, report.peak
+    first = next(iter(jump.before)) if jump else ""
+    unit = first.rpartition("_")[2]
     lengths = state and [value for key, value in state.places.items() if key.endswith("_mm")]
 
     def one(name: str, value: float) -> dict[str, Any]:
         return {"value": study.in_file(name, value), "unit": study.quantities[name].unit}
 
-    def all_of(values: Mapping[str, float]) -> dict[str, Any]:
+    def all_of(values: Numbers) -> dict[str, Any]:
         return {name: one(name, value) for name, value in values.items()}
 
     def told(value: float | None) -> Any:
@@ -430,15 +430,6 @@ def as_json(report: Report) -> dict[str, Any]:
 
     def both(name: str) -> dict[str, Any]:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
-
-    def peak() -> dict[str, Any] | None:
-        found = report.peak
-        if found is None:
-            return None
-        first = next(iter(found.before))
-        unit = first.rpartition("_")[2]
-        at = {"friction": found.at if study.of_friction else None, "at": told(found.at)}
-        return at | {f"from_{unit}": found.before[first], f"to_{unit}": found.after[first], **found.ranges, **_some(found, _PEAK)}
 
     return _some(report, _PLAIN) | {
         "states": [{**_some(each, _STATE), **each.places} for each in report.states],
@@ -472,7 +463,10 @@ def as_json(report: Report) -> dict[str, Any]:
         "warnings": list(report.warnings),
         "reach": report.reach or None,
         "speed_jump": None if study.belt is None or math.isnan(report.speed) else one(study.belt, report.speed),
-        "jump": peak(),
+        "jump": jump and {
+            "friction": jump.at if study.of_friction else None, "at": told(jump.at), f"from_{unit}": jump.before[first],
+            f"to_{unit}": jump.after[first], **jump.ranges, **_some(jump, _PEAK),
+        },
         "verdict": report.verdict,
         "folds": [
             {**vars(row), "value": told(row.value), "ends": row.ends or None, "when": row.when or None}
@@ -480,7 +474,7 @@ def as_json(report: Report) -> dict[str, Any]:
         ],
         "vary": report.vary,
         "jump_at": told(report.jump_at),
-        "other_states": [place | {"ends_at": told(end)} for place, end in report.others],
+        "other_states": [{**place, "ends_at": told(end)} for place, end in report.others],
         "next_steps": list(report.next_steps),
         "about": report.about,
     }  # fmt: skip

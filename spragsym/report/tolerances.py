@@ -14,14 +14,14 @@ from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
 from ..errors import ConvergenceError
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Intervals
 from ..results.result import Result
 from ..statics.balance import NOTHING, BalanceInUnits
 from ..statics.forces import as_intervals
-from .study import Study
-from .units import Measured
+from .study import Spread, Study
+from .units import Measured, Numbers
 
 #: Quantities with tolerances up to which their probability is bracketed by proof, and parts of them.
 _MOST_SIDES, _PARTS = 4, 200
@@ -72,7 +72,7 @@ class BoxCertificate(Result):
 
     claim: str
     outcome: str
-    counterexample: Mapping[str, float] | None
+    counterexample: Numbers | None
     undecided: float
     boxes: int
 
@@ -160,7 +160,7 @@ def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
 
 
-def counterexample(study: Study, number: int) -> dict[str, float] | None:
+def counterexample(study: Study, number: int) -> Numbers | None:
     """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some points."""
     for shares in (corners(study), samples(study, number)):
         found = np.flatnonzero(jumping(study, shares) == 1)
@@ -178,7 +178,7 @@ def chance(study: Study, n: int) -> JumpProbability:
     )  # fmt: skip
 
 
-def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
+def begins_alike(study: Study, after: Numbers) -> bool:
     """Whether the state that is followed in a changed brake is the one of the brake as drawn, not one behind its end."""
     if study.of_friction:
         return True
@@ -189,13 +189,13 @@ def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
     try:
         way = Splitting(low, high, study.rises.name, study.begins(), units)
         least, most = way.whole.low[:-1, 0], way.whole.high[:-1, 0]
-        upward = np.array([after.get(of[side][0], 0.0) > study.values[of[side][0]] for side in way.free], dtype=bool)
+        upward = [after.get(name, 0.0) > study.values[name] for name, _ in (of[side] for side in way.free)]
         return way.begins_alike(np.where(upward, least, most), np.where(upward, most, least))
     except ConvergenceError:
         return False
 
 
-def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
+def bracket(study: Study, parts: int = _PARTS) -> Span:
     """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is proved not to.
 
     (0, 1) where quantities vary together, or too many vary, and where friction that works less than fully is not what rises.
@@ -221,7 +221,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     return max(0.0, below - off), min(1.0, above + off)
 
 
-def _shares_that_work(study: Study) -> tuple[float, float]:
+def _shares_that_work(study: Study) -> Span:
     """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
     if _all_works(study):
         return 1.0, 1.0
@@ -235,7 +235,7 @@ CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
 OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
 
 
-def working_friction(study: Study) -> tuple[float, float, float]:
+def working_friction(study: Study) -> Spread:
     """The friction that works: least, as drawn, and largest within the tolerances, by bounds; 0 for a model without friction."""
     p = study.dimensionless
     if not study.kind.about["friction"]:
@@ -253,10 +253,10 @@ def friction_depends_on(study: Study) -> tuple[str, ...]:
     return ("mu0",) if law["at_rest"] == "mu0" and study.law == "friction_at_rest" else tuple(law["quantities"])
 
 
-def friction_bounds(study: Study) -> tuple[float, float]:
+def friction_bounds(study: Study) -> Span:
     """Bounds of the friction that works for everything within the tolerances, by intervals."""
     law = _Law(study)
-    least, most = -law.largest(-1.0), law.largest(1.0)
+    least, most = -law.largest(-1), law.largest()
     # A law that is proportional to μ₀ does not drive.
     return max(0.0, least) if study.kind.law["at_rest"] == "mu0" else least, most
 
@@ -276,7 +276,7 @@ def speed_for(study: Study, friction: float) -> float:
             return math.nan
         slow, fast = parts.pop()
         law.low[place], law.high[place] = slow, fast
-        if law.largest(1.0, FEW) < friction:
+        if law.largest(1, FEW) < friction:
             continue
         middle = 0.5 * (slow + fast)
         if fast - slow <= SHARP * fast:
@@ -295,19 +295,18 @@ class _Law:
         self.low, self.high = (end[:, None] for end in corner_values(low.model.parameters, low, high, units))
         self.balance = BalanceInUnits(low.model, True, units, study.law)
 
-    def between(self, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Bounds of the law over boxes."""
+    def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
+        """± the law over boxes."""
         arguments = self.balance.over(Intervals.between(low, high))
         found = as_intervals(self.balance.at((), arguments).friction, low.shape[1:])
-        return found.low, found.high
+        return found if sign > 0 else -found
 
-    def largest(self, sign: float, most: int = MOST) -> float:
+    def largest(self, sign: int = 1, most: int = MOST) -> float:
         """A bound of ± the law over the box: parts are halved along the side over which it moves most, until it is close."""
-        low, high = self.low, self.high
-        above, done, near, far = np.full(1, np.inf), -np.inf, *((0, 1) if sign > 0 else (1, 0))
+        low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
         for _ in range(HALVINGS):
-            above = sign * self.between(low, high)[far]
-            best = max(float((sign * self.between(end, end)[near]).max()) for end in (low, high))
+            above = self.over(low, high, sign).high
+            best = max(float(self.over(end, end, sign).low.max()) for end in (low, high))
             open_ = np.flatnonzero(above > best + CLOSE * abs(best))
             if not open_.size or 2 * open_.size > most:
                 break
@@ -321,8 +320,8 @@ class _Law:
         """By how much the law moves over one side, all others in their middles."""
         one, other = 0.5 * (low + high), 0.5 * (low + high)
         one[side], other[side] = low[side], high[side]
-        least, most = self.between(one, other)
-        return np.where(low[side] < high[side], most - least, -1.0)
+        found = self.over(one, other)
+        return np.where(low[side] < high[side], found.high - found.low, -1.0)
 
 
 #: Some roundings of half a unit each.
@@ -350,7 +349,7 @@ def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     return study.placed(kind.model.Parameters(**low)), kind.model.Parameters(**high), units
 
 
-def outward(one: Measured, scale: float, off: float) -> tuple[float, float]:
+def outward(one: Measured, scale: float, off: float) -> Span:
     """Ends over a scale, the lower one no higher and the upper one no lower than they are."""
     return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (1 + math.copysign(off, one.high))
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from scipy.special import ndtr, ndtri
@@ -16,6 +16,8 @@ from ..errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
 
+#: Numbers by name: quantities in SI, or coordinates.
+Numbers: TypeAlias = Mapping[str, float]
 #: SI unit of a quantity → how an engineer would write one, alone and between two ends.
 EXAMPLES: Mapping[str, tuple[str, str]] = {
     "kg": ("0.35 kg", "[0.3, 0.4] kg"), "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"), "m": ("38 mm", "[37, 39] mm"),

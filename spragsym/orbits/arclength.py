@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ from ..motion.shooting import (
     rounding,
     solved,
 )
+from ..motion.solution import Turn
 
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6
@@ -79,6 +81,16 @@ class Setting:
 
 
 @dataclass(frozen=True)
+class Touch:
+    """A turn at which a border's level is extremal: the level there, and how it changes along the branch."""
+
+    turn: Turn
+    share: float
+    level: float
+    slope: float
+
+
+@dataclass(frozen=True)
 class Point:
     """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units."""
 
@@ -114,6 +126,33 @@ class Point:
     def turned(self, sign: float) -> Point:
         """The point, with the branch going on the other way for −1."""
         return replace(self, tangent=sign * self.tangent)
+
+    @cached_property
+    def touches(self) -> list[Touch]:
+        """All turns of the borders."""
+        setting, loop, tangent = self.setting, self.loop, self.tangent
+        size, along, found = setting.field.size, tangent[loop.states.size + 1 :], list[Touch]()
+        for turn in loop.turns():
+            if turn.border >= 0:
+                change = turn.by_state @ tangent[:size] + turn.by_parameters[:, : len(along)] @ along
+                way, at = np.append(change, along), np.append(turn.state, [loop.values[i] for i in setting.free])
+                step = 1e-6 / max(1.0, float(np.abs(change).max()))
+                back, level, ahead = (
+                    float(level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
+                )
+                found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
+        return found
+
+
+def level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArray) -> FloatArray:
+    """Level and rate of a border at a state, followed by the free parameters."""
+    field, size = setting.field, setting.field.size
+    for index, value in zip(setting.free, place[size:].tolist(), strict=True):
+        guess = guess.at(index, value)
+    constants, state = field.constants(guess.values), place[:size].tolist()
+    mode, that = field.initial_mode(state, constants), field.borders[border]
+    accelerations = field.acceleration(state, constants, mode, math)
+    return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
 
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:

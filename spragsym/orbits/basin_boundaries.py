@@ -145,41 +145,21 @@ def basin_boundary(
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
     if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
-    axes = (names.index(plane[0]), names.index(plane[1]))
+    axes = [names.index(name) for name in plane]
     known = _saddle(system, p.given(V=V, d=d), saddle)
     widths = [3.0 if axis < len(model.coordinates) else 1.0 for axis in axes]
     ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
     step, points = as_number("step", step, POSITIVE), as_count("points", points)
     walk = _Walk(system, known, axes, ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))
-    ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
-    found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
-    sides = [_told_sides(walk, each, span) for each, _ in found]
+    (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
+    found = [*reversed(back), (first, error), *forth]
+    sides = [walk.told_sides(each, span) for each, _ in found]
     return BasinBoundary(
-        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]),
+        plane, np.array([each[axes] for each, _ in found]), np.array([error for _, error in found]),
         np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), known.state, known.growth,
-        (ways[0][1], ways[1][1]),
+        (why_back, why_forth),
     )  # fmt: skip
-
-
-def _told_sides(walk: _Walk, state: FloatArray, span: float) -> tuple[bool, list[str]]:
-    """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
-    both = _sides(walk, state, span, ASIDE)
-    told = [each.told() for each in both]
-    if not _differ(walk.system, *both):
-        return False, told
-    nearer = _sides(walk, state, span, NEARER * ASIDE)
-    other = [not near.decided or _differ(walk.system, one, near) for one, near in zip(both, nearer, strict=True)]
-    also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
-    return not any(other), [text + more for text, more in zip(told, also, strict=True)]
-
-
-def _sides(walk: _Walk, state: FloatArray, span: float, aside: float) -> list[Verdict]:
-    """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
-    normal = walk.off(state, span)[1]
-    across = np.zeros_like(state)
-    across[list(walk.axes)] = aside * normal / np.linalg.norm(normal)
-    return [_surely(walk.system, start) for start in (state - across, state + across)]
 
 
 def _surely(system: System, start: FloatArray) -> Verdict:
@@ -200,14 +180,14 @@ def _differ(system: System, one: Verdict, other: Verdict) -> bool:
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
-    if near is not None:
-        places = [as_numbers("saddle", near)]
-    else:
+    n = len(p.model.coordinates)
+    if near is None:
         columns = np.array([*equilibria(p).coordinates.values()]).T
         places = [*columns[np.isfinite(columns).all(axis=1)]]
-    n = len(p.model.coordinates)
-    if any(place.shape not in ((n,), (2 * n,)) for place in places):
-        raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
+    else:
+        places = [as_numbers("saddle", near)]
+        if places[0].shape not in ((n,), (2 * n,)):
+            raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
     found: list[Saddle] = []
     for place in places:
         with suppress(ConvergenceError):
@@ -230,7 +210,7 @@ class _Walk:
 
     system: System
     saddle: Saddle
-    axes: tuple[int, int]
+    axes: list[int]
     to: Any
     step: float
     points: int
@@ -239,7 +219,7 @@ class _Walk:
         """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
         passage = self.system.flow.fly(state, self.system.constants, span)
         measure = self.saddle.measure
-        return float(measure @ (passage.state - self.saddle.state)), (measure @ passage.by_state)[list(self.axes)]
+        return float(measure @ (passage.state - self.saddle.state)), (measure @ passage.by_state)[self.axes]
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
         """A first point, along the first direction of the plane, between starts that leave to different sides."""
@@ -282,7 +262,7 @@ class _Walk:
         The longer the motion is followed, the more is known of the start, by a factor of e every 1 / growth, each by a few
         steps of Newton's method.
         """
-        axes, before = list(self.axes), np.inf
+        before = np.inf
         for _ in range(40):
             first = np.inf
             for _ in range(10):
@@ -294,7 +274,7 @@ class _Walk:
                 if abs(change) > min(FARTHEST, max(10 * before, 1e-4)):
                     raise ConvergenceError("the boundary is not near")
                 state = state.copy()
-                state[axes] += change * direction
+                state[self.axes] += change * direction
                 if abs(change) < SETTLED:
                     return state, max(abs(change), 1e-15), span
                 if abs(change) < 0.1 * first < np.inf:
@@ -306,30 +286,45 @@ class _Walk:
     def follow(self, first: FloatArray, span: float, sign: float) -> tuple[list[tuple[FloatArray, float]], str]:
         """Points in one direction, and why they end."""
         found: list[tuple[FloatArray, float]] = []
-        state, way, step, axes = first, None, self.step, list(self.axes)
+        state, way, step = first, None, self.step
         while len(found) < self.points:
             _, slope = self.off(state, span)
             normal = slope / np.linalg.norm(slope)
             along = np.array([-normal[1], normal[0]])
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state.copy()
-            guess[axes] += step * along
+            guess[self.axes] += step * along
             try:
                 seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
-                moved = (ahead - state)[axes]
-                # Farther off the tangent it is another fold of the manifold.
-                astray = bool(moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step)
+                moved = (ahead - state)[self.axes]
+                if moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step:
+                    raise ConvergenceError("farther off the tangent it is another fold of the manifold")
             except ConvergenceError:
-                astray = True
-            if astray:
                 step /= 2
                 if step < 1e-4:
                     return found, "it could not be followed farther"
                 continue
-            if not all(low <= ahead[axis] <= high for axis, (low, high) in zip(axes, self.to, strict=True)):
+            if not all(low <= ahead[axis] <= high for axis, (low, high) in zip(self.axes, self.to, strict=True)):
                 return found, "the range ends"
             found.append((ahead, error))
             state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
         return found, f"{self.points} points were followed"
+
+    def told_sides(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
+        """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
+        both = self.sides(state, span, ASIDE)
+        told = [each.told() for each in both]
+        if not _differ(self.system, *both):
+            return False, told
+        nearer = self.sides(state, span, NEARER * ASIDE)
+        other = [not near.decided or _differ(self.system, one, near) for one, near in zip(both, nearer, strict=True)]
+        also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
+        return not any(other), [text + more for text, more in zip(told, also, strict=True)]
+
+    def sides(self, state: FloatArray, span: float, aside: float) -> list[Verdict]:
+        """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
+        normal, across = self.off(state, span)[1], np.zeros_like(state)
+        across[self.axes] = aside * normal / np.linalg.norm(normal)
+        return [_surely(self.system, start) for start in (state - across, state + across)]

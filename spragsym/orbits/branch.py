@@ -19,7 +19,7 @@ from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import Point, Setting, at_zero, between, corrected, placed, point_of, started, steps, turning, within
-from .events import MERGES, Finding, Seen, findings, touching, vertical
+from .events import MERGES, Finding, findings, touching, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
@@ -246,7 +246,7 @@ class _Trace:
     def follow(self, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
         start = self.start.turned(direction)
-        seen = [Seen(start)]  # the last points, as long as they are cut alike
+        seen = [start]  # the last points, as long as they are cut alike
 
         def ahead(point: Point, length: float) -> Point:
             with doing("the branch of cycles beside {:.6g}", point.value):
@@ -254,8 +254,8 @@ class _Trace:
 
         def look(point: Point, found: Point, length: float) -> list[Point | Finding]:
             nonlocal seen
-            if seen[-1].point is not point:
-                seen = [Seen(point)]
+            if seen[-1] is not point:
+                seen = [point]
             arc = between(point, found) if found.value in self.to else length
             met = meets(point, found)
             if met is not None and arc > NEAREST * extent(found.loop):
@@ -263,16 +263,15 @@ class _Trace:
             merged = None if met is None else halved(point, found, met)
             if merged is not None:
                 return [Finding("end", *merged, how=MERGES)]
-            after, items = Seen(found), list[Point | Finding]()
-            for happened in findings(seen[-1], after, arc, seen[-2] if len(seen) > 1 else None):
+            items = list[Point | Finding]()
+            for happened in findings(point, found, arc, seen[-2] if len(seen) > 1 else None):
                 if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
                     return [*items, self._shrunk(seen)]
                 items.append(happened)
             if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
                 return [*items, self._shrunk(seen)]
-            vertically = vertical(seen[-1], after, arc)
-            seen = [seen[-1], after]
-            return [*items, found, *self._ends(start, point, found, vertically)]
+            seen = [point, found]
+            return [*items, found, *self._ends(start, point, found, arc)]
 
         try:
             for items in islice(steps(start, ahead, FIRST, self.longest, SHORTEST, KINK, look), self.points):
@@ -280,29 +279,29 @@ class _Trace:
                 if isinstance(items[-1], Finding):
                     return
         except ConvergenceError as error:
-            yield self._lost(seen[-1].point, error)
+            yield self._lost(seen[-1], error)
             return
-        last = seen[-1].point
-        moved = abs(last.value - seen[0].point.value)
+        last = seen[-1]
+        moved = abs(last.value - seen[0].value)
         yield Finding("end", last.loop, moved, how=f"{self.points} points were followed")
 
-    def _shrunk(self, seen: Sequence[Seen]) -> Finding:
+    def _shrunk(self, seen: Sequence[Point]) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-        how, last = "it shrinks onto an equilibrium", seen[-1].point
+        how, last = "it shrinks onto an equilibrium", seen[-1]
         if len(seen) == 1:
             return Finding("end", last.loop, abs(last.value), how=how)
-        first, square = (extent(each.point.loop) ** 2 for each in seen)
-        off = square * (last.value - seen[0].point.value) / (square - first)
+        first, square = (extent(each.loop) ** 2 for each in seen)
+        off = square * (last.value - seen[0].value) / (square - first)
         return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
 
-    def _ends(self, start: Point, point: Point, ahead: Point, vertically: bool) -> Iterator[Finding]:
+    def _ends(self, start: Point, point: Point, ahead: Point, length: float) -> Iterator[Finding]:
         """The end of the branch at a point, if it is one."""
         loop, moved = ahead.loop, abs(ahead.value - point.value)
-        if vertically:
+        if vertical(point, ahead, length):
             yield Finding("end", loop, moved, how=VERTICAL)
         elif ahead.value in self.to:
             yield Finding("end", loop, 0.0, how="the range ends")
-        elif loop.period > LONG * start.setting.period and (rest := _rests(loop)):
+        elif loop.period > LONG * point.setting.period and (rest := _rests(loop)):
             yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=rest)
         elif point is not start and _passes(start, point, ahead):
             yield Finding("closed", loop, 0.0)

@@ -1,20 +1,31 @@
 """Events of a branch between two of its points: test functions that change sign, and borders that the orbit only touches."""
 
-import math
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 
 import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, is_complex_pair, is_lost, unsure
-from ..motion.shooting import Conditions, Guess, Loop, recut, solved
-from ..motion.solution import Turn
-from .arclength import LOCATED, Point, Setting, between, corrected, differences, placed, turning, uncertainty, zero_of
+from ..motion.shooting import Conditions, Loop, recut, solved
+from .arclength import (
+    LOCATED,
+    Point,
+    Setting,
+    Touch,
+    between,
+    corrected,
+    differences,
+    level_and_rate,
+    placed,
+    turning,
+    uncertainty,
+    zero_of,
+)  # fmt: skip
 
 #: What test functions tell, a grazing apart.
 KINDS = (*CRITERIA, "crossing")
@@ -28,7 +39,7 @@ FLAT = 1e-6
 
 #: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a double multiplier is found; and
 #: what is then not told.
-UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, frozenset(("fold", "crossing"))
+UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, ("fold", "crossing")
 
 #: Said of a fold at which the parameter does not turn back.
 CROSSES = "another branch of cycles crosses this one"
@@ -50,49 +61,6 @@ FINEST = 1e-5
 
 #: Turns of two neighbouring points are one where they are as close as this, in shares of a period and in states.
 ALIKE = 0.6
-
-
-@dataclass(frozen=True)
-class Touch:
-    """A turn at which a border's level is extremal: the level there, and how it changes along the branch."""
-
-    turn: Turn
-    share: float
-    level: float
-    slope: float
-
-
-@dataclass(frozen=True)
-class Seen:
-    """A point with its test functions and turns."""
-
-    point: Point
-
-    @cached_property
-    def criteria(self) -> dict[str, float]:
-        """Values of the test functions, by kind of event."""
-        return {kind: criterion(kind, self.point) for kind in KINDS}
-
-    @cached_property
-    def lost(self) -> frozenset[str]:
-        """Kinds of event whose test functions have lost their sign: nothing is concluded from these."""
-        return frozenset(kind for kind in KINDS if kind != "fold" and is_lost(self.point.loop, kind))
-
-    @cached_property
-    def touches(self) -> list[Touch]:
-        """All turns of the borders."""
-        setting, loop, tangent = self.point.setting, self.point.loop, self.point.tangent
-        size, along, found = setting.field.size, tangent[loop.states.size + 1 :], list[Touch]()
-        for turn in loop.turns():
-            if turn.border >= 0:
-                change = turn.by_state @ tangent[:size] + turn.by_parameters[:, : len(along)] @ along
-                way, at = np.append(change, along), np.append(turn.state, [loop.values[i] for i in setting.free])
-                step = 1e-6 / max(1.0, float(np.abs(change).max()))
-                back, level, ahead = (
-                    float(_level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
-                )
-                found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
-        return found
 
 
 def criterion(kind: str, point: Point) -> float:
@@ -121,29 +89,33 @@ class Finding:
     value: float | None = None
 
 
-def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
+def findings(one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
-    lost = one.lost | other.lost | (OF_ONES if vertical(one, other, length) else frozenset())
-    told = [kind for kind in KINDS if kind not in lost]
-    changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
-    quiet = [kind for kind in CRITERIA if kind in told and kind not in changed]
-    pairs = list(paired(one.touches, other.touches))
+    kinds = [kind for kind in KINDS if kind not in OF_ONES] if vertical(one, other, length) else KINDS
+
+    def told(kind: str) -> bool:
+        return kind == "fold" or not (is_lost(one.loop, kind) or is_lost(other.loop, kind))
+
+    changed = [kind for kind in kinds if (criterion(kind, one) < 0) != (criterion(kind, other) < 0) and told(kind)]
+    quiet = [kind for kind in CRITERIA if kind in kinds and kind not in changed]
+    both = one.touches, other.touches
+    pairs = list(paired(*both))
     through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
     hidden = (
-        unlike(one.point, other.point) // 2 != len(through)
+        unlike(one, other) // 2 != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or may_have_touched(one, other, pairs, length)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in quiet))
+        or may_have_touched(*both, pairs, length)
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) and told(kind) for kind in quiet))
         or len(changed) + len(through) > 1
     )
     if hidden and depth < DEEPEST:
         try:
-            middle = Seen(corrected(one.point, length / 2))
+            middle = corrected(one, length / 2)
         except ConvergenceError:
             pass  # the step is looked at as a whole
         else:
             yield from findings(one, middle, length / 2, before, depth + 1)
-            yield from findings(middle, other, between(middle.point, other.point), one, depth + 1)
+            yield from findings(middle, other, between(middle, other), one, depth + 1)
             return
     for touch, after in through:
         yield from _grazing(one, other, touch, after, length)
@@ -151,47 +123,47 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
         yield from _located(kind, one, other, length)
 
 
-def vertical(one: Seen, other: Seen, length: float) -> bool:
+def vertical(one: Point, other: Point, length: float) -> bool:
     """Whether the parameter stays what it is from one point to another, far apart: a whole family of cycles at one value.
 
     There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign of the tangent says is
     rounding.
     """
-    ends, still = (one.point, other.point), UPRIGHT * one.point.setting.spans[0]
+    ends, still = (one, other), UPRIGHT * one.setting.spans[0]
     return (
         length > FINEST
-        and abs(one.point.value - other.point.value) < still * length
+        and abs(one.value - other.value) < still * length
         and all(abs(turning(end)) < still and np.abs(end.loop.multipliers.others - 1).min() < DOUBLE for end in ends)
     )
 
 
-def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
+def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
     """Whether the parabola through three values of one sign, equally far apart, comes to 0 between the last two."""
-    a, b, c = (each.criteria[kind] for each in (before, one, other))
+    a, b, c = (criterion(kind, each) for each in (before, one, other))
     slope, bend = (c - a) / 2, (a + c) / 2 - b
     if not (a > 0) == (b > 0) == (c > 0) or bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
         return False
     return (b - slope**2 / (4 * bend)) * b < 0.05 * b * b
 
 
-def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
+def _grazing(one: Point, other: Point, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
     border = touch.turn.border
-    name = one.point.setting.field.borders[border].name
-    nearest = sorted(((one.point, touch), (other.point, after)), key=lambda pair: abs(pair[1].level))
+    name = one.setting.field.borders[border].name
+    nearest = sorted(((one, touch), (other, after)), key=lambda pair: abs(pair[1].level))
     for near, begun in nearest:
         try:
             loop = grazing(near, begun)
         except ConvergenceError:
             continue
         off = 10 * loop.missed + 1e-12
-        if _lies_between(one.point, other.point, loop.values[one.point.setting.free[0]], length, off):
+        if _lies_between(one, other, loop.values[one.setting.free[0]], length, off):
             yield Finding("grazing", loop, off, border, how=name)
             return
     if length > FINEST:
         raise ConvergenceError("grazing")
-    if not unlike(one.point, other.point):
+    if not unlike(one, other):
         return  # two different turns were taken for one: the orbit crosses as often as before
-    yield Finding("grazing", nearest[0][0].loop, abs(other.point.value - one.point.value), border, how=name)
+    yield Finding("grazing", nearest[0][0].loop, abs(other.value - one.value), border, how=name)
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
@@ -205,17 +177,17 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
     return low - beyond - off <= value <= high + beyond + off
 
 
-def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Finding]:
+def _located(kind: str, one: Point, other: Point, length: float) -> Iterator[Finding]:
     """Where a test function is zero, by bracketing along the arc."""
-    width = abs(one.point.value - other.point.value)
+    width = abs(one.value - other.value)
     try:
-        point = zero_of(partial(criterion, kind), one.point, other.point, length)
+        point = zero_of(partial(criterion, kind), one, other, length)
     except (ConvergenceError, ValueError) as error:
         if length > FINEST:
             raise ConvergenceError(kind) from error  # the two points may lie on different branches: shorter steps tell
         if kind == "crossing":
             return
-        yield Finding(kind, other.point.loop, width)
+        yield Finding(kind, other.loop, width)
         return
     if kind != "fold" and is_lost(point.loop, kind):
         return
@@ -224,7 +196,7 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
     off, how = _error(kind, one, other, length, point), ""
-    if abs(criterion(kind, point)) > JUMPS * max(abs(each.criteria[kind]) for each in (one, other)):
+    if abs(criterion(kind, point)) > JUMPS * max(abs(criterion(kind, each)) for each in (one, other)):
         # Multipliers jump at a grazing: the sign changes with no zero.
         if length > FINEST:
             raise ConvergenceError(kind)
@@ -235,32 +207,21 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         yield Finding(kind, point.loop, off, how=how)
 
 
-def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:
+def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:
     """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
     own = uncertainty(point)
     if kind == "fold":
         return own  # the parameter is extremal there
-    change = abs(one.criteria[kind] - other.criteria[kind])
+    change = abs(criterion(kind, one) - criterion(kind, other))
     place = LOCATED + unsure(point.loop, kind) * length / change
     # By how much it scatters where orbits at one parameter are found from either side, times the step in that: near a grazing
     # multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
     scatter = [0.0]
-    for base in (one.point, other.point):
+    for base in (one, other):
         with suppress(ConvergenceError, ZeroDivisionError):
             scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
-    width = abs(other.point.value - one.point.value)
+    width = abs(other.value - one.value)
     return own + abs(turning(point)) * place + SCATTER * width * max(scatter) / change
-
-
-def _level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArray) -> FloatArray:
-    """Level and rate of a border at a state, followed by the free parameters."""
-    field, size = setting.field, setting.field.size
-    for index, value in zip(setting.free, place[size:].tolist(), strict=True):
-        guess = guess.at(index, value)
-    constants, state = field.constants(guess.values), place[:size].tolist()
-    mode, that = field.initial_mode(state, constants), field.borders[border]
-    accelerations = field.acceleration(state, constants, mode, math)
-    return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
 
 
 def unlike(one: Point, other: Point) -> int:
@@ -290,13 +251,13 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
     return lowest < min(0.1 * abs(one.level - other.level), 0.5 * abs(one.level), 0.5 * abs(other.level))
 
 
-def may_have_touched(one: Seen, other: Seen, pairs: list[tuple[Touch, Touch]], length: float) -> bool:
+def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Touch, Touch]], length: float) -> bool:
     """Whether a turn that one of two points has alone may have been at the border between: by its level and slope there."""
     kept = {id(touch) for pair in pairs for touch in pair}
     return any(
         id(touch) not in kept and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
-        for seen, away in ((one, length), (other, -length))
-        for touch in seen.touches
+        for touches, away in ((one, length), (other, -length))
+        for touch in touches
     )
 
 
@@ -315,7 +276,7 @@ def touching(border: int, setting: Setting, *_: object) -> Conditions:
     size = setting.field.size
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        both, begin = partial(_level_and_rate, setting, border, loop.guess), len(loop.guess.coordinates())
+        both, begin = partial(level_and_rate, setting, border, loop.guess), len(loop.guess.coordinates())
         place = np.append(loop.states[0], [loop.values[i] for i in setting.free])
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, begin + len(setting.free)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]

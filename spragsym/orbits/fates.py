@@ -31,7 +31,7 @@ from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
 from .orbit import NEUTRAL
-from .system import JUDGED, System, Verdict, decay_at, judged
+from .system import JUDGED, System, Verdict, judged, spectrum
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)
@@ -190,8 +190,9 @@ def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
     for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
             place = system.equilibrium(near)
-            if (slowest := decay_at(system, place)) > 0:
-                return 1 / slowest, place
+            eigenvalues, _, error = spectrum(system.linearization(place))
+            if (eigenvalues.real + error < 0).all():  # it is proved to attract
+                return float(-1 / eigenvalues.real.max()), place
     return float("inf"), verdict.end
 
 

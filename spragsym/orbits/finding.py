@@ -161,7 +161,7 @@ def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
 
 def _steep(system: System) -> str:
     """What may be too much for an integrator."""
-    value, name = max((abs(value), name) for name, value in system.named())
+    value, name = max((abs(value), name) for name, value in zip(system.field.parameters, system.values, strict=True))
     return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
 
 

@@ -108,10 +108,8 @@ class Cycle(Result):
         """The model."""
         return self.loop.field
 
-    @property
-    def table_model(self) -> Field:
-        """It knows which names are angles."""
-        return self.loop.field
+    #: It knows which names are angles.
+    table_model = field
 
     def require(self, field: Field, name: str) -> None:
         """Raise unless this is a cycle of that field: another's would be taken for what it is not."""

@@ -65,11 +65,10 @@ class System:
     def at(self, vary: str, value: float) -> System:
         """The system at another value of one parameter, which is checked."""
         self.field.check(vary, value)
-        return replace(self, values=tuple(value if name == vary else own for name, own in self.named()))
-
-    def named(self) -> list[tuple[str, float]]:
-        """Parameters by name with their values."""
-        return list(zip(self.field.parameters, self.values, strict=True))
+        return replace(
+            self,
+            values=tuple(value if name == vary else own for name, own in zip(self.field.parameters, self.values, strict=True)),
+        )
 
     def motion(self, start: FloatArray, t_end: float, **options: Any) -> Trajectory:
         """The motion from a state."""
@@ -173,7 +172,7 @@ def rounding_of(matrix: FloatArray) -> float:
 def saddle_near(system: System, state: FloatArray) -> Saddle:
     """The saddle near a state; ConvergenceError where the equilibrium there has no direction of growth, or several."""
     place = system.equilibrium(state)
-    eigenvalues, vectors, error = _spectrum(system.linearization(place))
+    eigenvalues, vectors, error = spectrum(system.linearization(place))
     growing = np.flatnonzero(eigenvalues.real > error)
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         raise ConvergenceError("the equilibrium is no saddle")
@@ -183,13 +182,7 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     return Saddle(place, float(eigenvalues[which].real), measure, attracts)
 
 
-def decay_at(system: System, state: FloatArray) -> float:
-    """−max Re λ of an equilibrium; 0 unless it is proved to attract."""
-    eigenvalues, _, error = _spectrum(system.linearization(state))
-    return float(-eigenvalues.real.max()) if (eigenvalues.real + error < 0).all() else 0.0
-
-
-def _spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
+def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
     """Eigenvalues with their vectors and errors: by how much more than the matrix each moves; infinite for a double one."""
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:

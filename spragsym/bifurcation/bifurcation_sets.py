@@ -7,7 +7,7 @@ for, as often as makes the curve smooth, and behind its last point it is followe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -23,10 +23,10 @@ from ..questions import Method, question
 from ..remarks import Remark
 from ..results.points import BifurcationSet, Curve, Points
 from ..statics.precise_balance import on_side
-from ..statics.search import kinds_of, of_ranges, summed
+from ..statics.search import of_ranges
 from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family
 from .folds import cusps, folds
-from .points import OVER_BORDER, Found, isolated, search
+from .points import OVER_BORDER, Found, isolated, listed, search
 
 #: Boxes looked at for one line of the plane.
 BUDGET = 20_000
@@ -112,8 +112,7 @@ def bifurcation_set(
     known = list(extrema(p, vary, between or {}, within))
     more = np.concatenate([rows_of(family, points) for _, points in known], axis=1)
     found = on_lines(family, FOLD, n, more, more[-1])
-    names, states = (*vary, *family.balance.coordinates), family.balance.n
-    curves = [Curve(dict(zip(names, [*chain[states:], *chain[:states]], strict=True))) for chain in found.chains]
+    curves = [Curve(family.named(chain)) for chain in found.chains]
     complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
     cut = of_ranges(family.endless, family.spans[[family.vary.index(name) for name in family.endless]])
     remarks = (*found.remarks, *_said(known, cut))
@@ -175,7 +174,7 @@ class OnLines:
 
 
 def on_lines(
-    family: Family, condition: Condition, n: int, more: FloatArray, apart: FloatArray | None = None
+    family: Family, condition: Condition, n: int, more: FloatArray, apart: Iterable[float] = ()
 ) -> OnLines:  # fmt: skip
     """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
 
@@ -185,8 +184,9 @@ def on_lines(
     balance, vary, spans = family.balance, family.vary, family.spans
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
-        values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
-        if across == 1 and apart is not None:
+        low, high = spans[across]
+        values = low + (high - low) * (np.arange(n) + 0.5) / n
+        if across == 1:
             values = np.sort(np.append(values, _between(apart, spans[across], values)))
         lines[vary[across]] = values
         column = np.repeat(family.given, values.size, axis=1)
@@ -195,17 +195,13 @@ def on_lines(
             found = _on_each(replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1]), condition)
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
-        rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
-        ends = np.stack([-found.roots.left[0], found.roots.left[1]])
-        left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
+        rows.append(np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0))
+        line = values[found.roots.left_point]
+        left.append(np.insert(found.roots.left, balance.n + across, np.stack([-line, line]), axis=1))
     states = np.concatenate([*rows, more], axis=1)
-    undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
-    boxes = np.moveaxis(undecided, 0, -1)
-    boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
-    varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
-    remarks = summed(kinds_of(balance, np.repeat(family.given, boxes.shape[2], axis=1), boxes, varied))
-    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
-    curves = FoldCurves(Augmented(family, condition), np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]]))
+    undecided, remarks = listed(family, np.concatenate(left, axis=2))
+    reach = np.ptp(states[: balance.n], axis=1).max(initial=1e-9) if states.size else 1.0
+    curves = FoldCurves(Augmented(family, condition), np.append(np.full(balance.n, reach), np.ptp(spans, axis=1)))
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
     joined = curves.joined([states[:, places] for places in _chains(curves, states, near)])
     chains = [curves.smooth(chain) for chain in joined]
@@ -215,29 +211,21 @@ def on_lines(
 def _on_each(lines: Family, condition: Condition) -> Found:
     """All points on lines, searched at once; each line of which boxes are left again alone, with all that decides one line."""
     found = search(lines, condition, BUDGET)
-    open_ = np.unique(found.roots.left_point)
-    parts, undecided = [], 0
-    for line in open_:
+    roots, undecided = found.roots, 0
+    for line in np.unique(roots.left_point)[:, None]:
         if undecided == ENOUGH:
             break
-        alone = search(replace(lines, given=lines.given[:, [line]]), condition, BUDGET).roots
+        alone = search(replace(lines, given=lines.given[:, line]), condition, BUDGET).roots
         undecided = undecided + 1 if alone.left_point.size else 0
-        parts.append(replace(alone, point=np.full_like(alone.point, line), left_point=np.full_like(alone.left_point, line)))
-    again = open_[: len(parts)]
-    return replace(found, roots=concatenated([found.roots.of(again, others=True), *parts], lines.balance.n + 1))
+        roots = concatenated([roots.of(line, others=True), alone.numbered(line)], lines.balance.n + 1)
+    return replace(found, roots=roots)
 
 
-def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:
+def _between(values: Iterable[float], span: FloatArray, lines: FloatArray) -> FloatArray:
     """Middles of the intervals between values next to each other, in a range, in which no line is; none where two are alike."""
     ends = np.unique([*span, *values])
     empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
     return 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
-
-
-def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
-    """Coordinates and both parameters in their order, from coordinates, the one that varied and the line's."""
-    pair = [middle[-1:], line[None]]
-    return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
 
 
 # ------------------------------------------------------------------------------------------------------- order of points
@@ -256,8 +244,6 @@ def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntA
     ``near`` says which two may be neighbours, shape (points, points).
     """
     count = states.shape[1]
-    if count < 2:
-        return [np.arange(count)] if count else []
     place, tangent = states / folds.scale[:, None], folds.tangents(states)
     gap = place[:, None, :] - place[:, :, None]
     distance = np.linalg.norm(gap, axis=0)
@@ -292,14 +278,19 @@ class FoldCurves:
         return self.system.family.spans
 
     def smooth(self, states: FloatArray) -> FloatArray:
-        """A chain of folds, shape (n + 2, number), with further ones between its neighbours."""
-        out = states
+        """A chain of folds, shape (n + 2, number), with further ones between neighbours, until it is smooth."""
         for _ in range(HALVINGS):
-            before = out.shape[1]
-            out = self._halved(out)
-            if out.shape[1] == before:
+            place, along = states / self.scale[:, None], self.tangents(states)
+            chord, centre = np.diff(place, axis=1), 0.5 * (place[:, :-1] + place[:, 1:])
+            length = np.linalg.norm(chord, axis=0)
+            one, two = (part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:]))
+            middle = centre + 0.125 * length * (one - two)
+            rows = np.flatnonzero((np.linalg.norm((middle - centre)[-2:], axis=0) > SMOOTH) & (length > 0))
+            found, good = self.on_curve(middle[:, rows] * self.scale[:, None], chord[:, rows] / length[rows], length[rows])
+            if not good.any():
                 break
-        return out
+            states = np.insert(states, rows[good] + 1, found[:, good], axis=1)
+        return states
 
     def joined(self, chains: Sequence[FloatArray]) -> list[FloatArray]:
         """Chains followed beyond both ends: to the end of a range, or to the end of another chain, with which it then is one."""
@@ -307,53 +298,51 @@ class FoldCurves:
         while left:
             chain = left.pop(0)
             for side in (1, -1):
-                while not _is_closed(chain):
-                    path, met = self._beyond(chain, left, side)
-                    chain = np.concatenate([chain, path], axis=1)
-                    if met is None:
-                        break
-                    if met[0] >= 0:
-                        chain = np.concatenate([chain, left.pop(met[0])[:, :: met[1]]], axis=1)
+                on = True
+                while on and not (chain.shape[1] > 2 and (chain[:, 0] == chain[:, -1]).all()):
+                    chain, on = self._beyond(chain, left, side)
                 chain = chain[:, ::-1]
             out.append(chain)
         return out
 
-    def _beyond(self, chain: FloatArray, others: Sequence[FloatArray], side: int) -> tuple[FloatArray, tuple[int, int] | None]:
-        """Points behind the last by pseudo-arclength, and which chain they lead to, from which end; −1 is its own begin."""
-        known = [(k, way, other[:, 0 if way > 0 else -1]) for k, other in enumerate(others) for way in (1, -1)]
-        known += [(-1, 1, chain[:, 0])] if chain.shape[1] > 2 else []
-        path, fixed = [chain[:, -1]], None
-        before, pace = chain[:, -2] if chain.shape[1] > 1 else None, PACE
+    def _beyond(self, chain: FloatArray, others: list[FloatArray], side: int) -> tuple[FloatArray, bool]:
+        """A chain with the points behind its last by pseudo-arclength, and whether they lead to its begin or another one.
+
+        The other one is then a part of it, and among the others no more.
+        """
+        ahead = [(k, other[:, ::way]) for k, other in enumerate(others) for way in (1, -1)]
+        ahead += [(-1, chain[:, :1])] if chain.shape[1] > 2 else []
+        path, end, pace = [chain], chain[:, -1], PACE
+        before = chain[:, -2] if chain.shape[1] > 1 else None
         for _ in range(PACES):
-            if pace < LEAST or fixed is not None:
-                break
-            end = path[-1]
             along = self.tangents(end[:, None])[:, 0]
             along = along * (side if before is None else np.sign(along @ ((end - before) / self.scale)))
             start, stop = self._within(end, end + pace * along * self.scale)
-            found, good = self._at(start, along, stop, pace)
-            if not good or abs(self.tangents(found[:, None])[:, 0] @ along) < STRAIGHT:
+            # Across the way, or where a parameter is as at the end of its range.
+            normal = along if stop is None else np.eye(len(end))[stop]
+            found, good = self.on_curve(start[:, None], normal[:, None], np.array([pace]))
+            if stop is not None:
+                found[stop] = start[stop]
+            if not good[0] or abs(self.tangents(found)[:, 0] @ along) < STRAIGHT:
                 pace *= 0.5
+                if pace < LEAST:
+                    break
                 continue
-            for k, way, there in known:
-                if self._lies_between(there, end, found):
-                    return np.array([*path[1:], *([there] if k < 0 else [])]).reshape(-1, len(end)).T, (k, way)
+            for k, further in ahead:
+                if self._lies_between(further[:, 0], end, found[:, 0]):
+                    if k >= 0:
+                        del others[k]
+                    return np.concatenate([*path, further], axis=1), True
             path.append(found)
-            before, pace, fixed = end, 1.5 * pace, stop
-        return np.array(path[1:]).reshape(-1, len(chain)).T, None
-
-    def _at(self, start: FloatArray, along: FloatArray, fixed: int | None, near: float) -> tuple[FloatArray, bool]:
-        """The point in the plane across ``along``, or where an unknown is as in ``start``; and whether it is proved."""
-        normal = along if fixed is None else (np.arange(len(start)) == fixed).astype(float)
-        found, good = self.on_curve(start[:, None], normal[:, None], np.array([near]))
-        if fixed is not None:
-            found[fixed] = start[fixed]
-        return found[:, 0], bool(good[0])
+            if stop is not None:
+                break
+            before, end, pace = end, found[:, 0], 1.5 * pace
+        return np.concatenate(path, axis=1), False
 
     def _within(self, end: FloatArray, to: FloatArray) -> tuple[FloatArray, int | None]:
         """Where the way from one point to another first comes to an end of a range, and the number of the parameter there."""
-        way = to - end
-        last = np.where(way[-2:] > 0, self.spans[:, 1], self.spans[:, 0])
+        way, (low, high) = to - end, self.spans.T
+        last = np.where(way[-2:] > 0, high, low)
         with np.errstate(all="ignore"):
             share = np.where((way[-2:] != 0) & (last != end[-2:]), (last - end[-2:]) / way[-2:], np.inf)
         number = int(share.argmin())
@@ -376,21 +365,6 @@ class FoldCurves:
         known: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
         vectors: FloatArray = np.linalg.svd(np.where(known[:, None, None], slopes, 0.0))[2][:, -1, :].T
         return vectors * known
-
-    def _halved(self, states: FloatArray) -> FloatArray:
-        """With a point between all neighbours between which the curve is not straight."""
-        if states.shape[1] < 2:
-            return states
-        place, along = states / self.scale[:, None], self.tangents(states)
-        chord = np.diff(place, axis=1)
-        length = np.linalg.norm(chord, axis=0)
-        one, two = (part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:]))
-        middle = 0.5 * (place[:, :-1] + place[:, 1:]) + 0.125 * length * (one - two)
-        bent = np.linalg.norm((middle - 0.5 * (place[:, :-1] + place[:, 1:]))[-2:], axis=0) > SMOOTH
-        rows = np.flatnonzero(bent & (length > 0))
-        normal = chord[:, rows] / length[rows]
-        found, good = self.on_curve(middle[:, rows] * self.scale[:, None], normal, length[rows])
-        return np.insert(states, rows[good] + 1, found[:, good], axis=1)
 
     def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
@@ -434,7 +408,3 @@ class FoldCurves:
     def _slopes(self, states: Intervals) -> Intervals:
         with np.errstate(all="ignore"):
             return self.system.jacobian(states, self.system.fixed(states.shape[1]))
-
-
-def _is_closed(chain: FloatArray) -> bool:
-    return chain.shape[1] > 2 and bool((chain[:, 0] == chain[:, -1]).all())

@@ -83,6 +83,11 @@ class Family:
         out[[self.balance.parameters.index(name) for name in self.vary]] = values
         return out
 
+    def named(self, z: FloatArray) -> dict[str, FloatArray]:
+        """What varies and the coordinates by name, from coordinates and parameters, shape (n + number, …)."""
+        n = self.balance.n
+        return dict(zip((*self.vary, *self.balance.coordinates), [*z[n:], *z[:n]], strict=True))
+
     @property
     def begin(self) -> FloatArray:
         """All parameters at the lower ends of the ranges."""

@@ -250,10 +250,8 @@ class _Plane(Family):
 
     def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str] = ()) -> Curve:
         """The points with what is known of them; without forms none has one."""
-        n, forms = self.balance.n, forms or [UNPROVED] * len(omega)
-        values: dict[str, NDArray[Any]] = dict(
-            zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True)
-        )
+        values: dict[str, NDArray[Any]] = {**self.named(states)}
+        forms = forms or [UNPROVED] * len(omega)
         values["omega"] = omega
         values["lyapunov"] = of_forms(forms, "lyapunov", np.nan)
         values["lyapunov_error"] = of_forms(forms, "lyapunov_error", np.inf)

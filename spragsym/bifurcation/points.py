@@ -156,20 +156,24 @@ def arranged(
     balance, vary = family.balance, family.vary
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
-    names = (*vary, *balance.coordinates)
-    values: dict[str, FloatArray] = dict(zip(names, [*middle[n:, order], *middle[:n, order]], strict=True))
-    values |= {name: column[order] for name, column in (more or {}).items()}
+    values = family.named(middle[:, order]) | {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
-    varied = dict(zip(vary, Intervals(left[:, n:]), strict=True))
-    remarks += summed(kinds_of(balance, np.repeat(family.given, left.shape[2], axis=1), left, varied))
-    remarks += of_region(balance, found.region[:, :n], found.whole)
+    boxes_left, kinds = listed(family, left)
+    remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, box[[n + vary.index(name) for name in family.endless]])
-    left = _merged(left) if len(vary) == 1 else left
-    boxes_left = np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0)
     return Points(
         family.p, vary, kind[order], found.roots.error[order], box, bool(found.whole.all()), family.endless, boxes_left, remarks,
         values, what_ends,
     )  # fmt: skip
+
+
+def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...]]:
+    """Boxes that are left, shape (2, unknowns, boxes), as lower and upper ends, and how many are of each kind."""
+    balance, vary = family.balance, family.vary
+    varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
+    kinds = summed(kinds_of(balance, np.repeat(family.given, left.shape[2], axis=1), left, varied))
+    left = _merged(left) if len(vary) == 1 else left
+    return np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0), kinds
 
 
 def _merged(left: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ different sides of the mirror, which none crosses. A step of which not all pairs
 """
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import FloatArray, IntArray
+from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
 from ..results.points import Points
@@ -23,7 +23,7 @@ from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.search import columns
 from ..statics.stability import linearization
-from .defining_systems import Family, given_column
+from .defining_systems import given_column
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
 from .tubes import Tubes
@@ -73,42 +73,34 @@ def linked(
         at, kinds, q = getattr(turns, vary), turns.kind, np.array([getattr(turns, name) for name in p.model.coordinates])
     along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
     stops = np.asarray(getattr(eq.parameters, vary))
-    turned = _turned(along, stops)
-    states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
     if not steps:
         return []
-    proved: dict[Step, dict[int, int]] = {}
-    halved: dict[Step, float] = {}
-    pending = steps
-    for halving in range(HALVINGS):
-        known, complete = _by_tubes(along, pending, states)
-        proved |= {step: known[step] for step in complete}
-        failed = [step for step in pending if step not in proved]
-        if failed and most < HALVINGS and (halving >= most or len(failed) > MANY):
-            proved |= {step: known[step] for step in failed}
-            failed = []
-        if not failed:
-            return [_joined(step, proved, halved) for step in steps]
-        if len(failed) > MANY:
-            break
-        # Not in the middle, where the fold is.
-        middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
-        halved |= middles
-        between = equilibria(p.replace(**{vary: np.array(list(middles.values()))}), eq.contact)
-        states |= {middle: _states(along, between, k, turned) for k, middle in enumerate(middles.values())}
-        pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
-    why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
-    raise ConvergenceError(f"branches between {vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}")
+    given = columns(eq.parameters, along.balance.parameters)
+    ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
+    turned = turned_by_mirror(along.balance, ends)
+    states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
 
+    def pairs(steps: list[Step], halvings: int) -> list[dict[int, int]]:
+        """Of each step those that tubes join, or that its halves have, which so many halvings have made already."""
+        known, complete = _by_tubes(along, steps, states)
+        failed = [step for step in steps if step not in complete]
+        if failed and (most >= HALVINGS or (halvings < most and len(failed) <= MANY)):
+            if len(failed) > MANY or halvings == HALVINGS:
+                why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
+                one, two = steps[0]
+                raise ConvergenceError(f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}")
+            # Not in the middle, where the fold is.
+            middles = [one + 0.47 * (two - one) for one, two in failed]
+            between = equilibria(p.replace(**{vary: np.array(middles)}), eq.contact)
+            states.update({middle: _states(along, between, k, turned) for k, middle in enumerate(middles)})
+            halves = [ends for (one, two), middle in zip(failed, middles, strict=True) for ends in ((one, middle), (middle, two))]
+            found = pairs(halves, halvings + 1)
+            for step, first, second in zip(failed, found[::2], found[1::2], strict=True):
+                known[step] = {slot: second[place] for slot, place in first.items() if place in second}
+        return [known[step] for step in steps]
 
-def _turned(along: Along, stops: FloatArray) -> list[int]:
-    """Coordinates that the mirror turns, if the model is its own image all along."""
-    if not stops.size:
-        return []
-    columns_of = given_column(along.p, along.balance.parameters, (along.vary,))
-    family = Family(along.p, along.balance, (along.vary,), columns_of, np.array([[stops.min(), stops.max()]]))
-    return turned_by_mirror(family.balance, family.over)
+    return pairs(steps, 0)
 
 
 def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:
@@ -177,7 +169,7 @@ def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States
     det K. Where that is positive none ends, and of three that begin the upper goes on. Where it is negative it is the middle one
     that is stable: it ends, and begins.
     """
-    left = [k for k in range(begin.q.shape[1]) if k not in pairs], [k for k in range(end.q.shape[1]) if k not in pairs.values()]
+    left = _left(pairs, begin), _left(pairs.values(), end)
     near = [clearly_nearest(states.q[:, slots], places) for states, slots in zip((begin, end), left, strict=True)]
     for number in range(places.shape[1]):
         one, two = (np.array(slots)[there == number].tolist() for slots, there in zip(left, near, strict=True))
@@ -208,9 +200,14 @@ def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
     return np.where(first <= CLEARLY * second, away.argmin(axis=1), -1)
 
 
+def _left(taken: Container[int], states: _States) -> list[int]:
+    """Slots that are not taken."""
+    return [k for k in range(states.signs.size) if k not in taken]
+
+
 def _by_sign(pairs: Mapping[int, int], begin: _States, end: _States) -> dict[int, int]:
     """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror."""
-    left = [k for k in range(begin.signs.size) if k not in pairs], [k for k in range(end.signs.size) if k not in pairs.values()]
+    left = _left(pairs, begin), _left(pairs.values(), end)
     one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
     if not len(left[0]) == len(one) == len(left[1]) == len(other) or one.keys() != other.keys():
         return {}
@@ -223,12 +220,3 @@ def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float
     shared = [signs.count(sign) > 1 for sign in signs]
     sides = [float(states.sides[k]) if more else 0.0 for k, more in zip(part, shared, strict=True)]
     return {(sign, side): k for k, sign, side, more in zip(part, signs, sides, shared, strict=True) if side or not more}
-
-
-def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[Step, float]) -> dict[int, int]:
-    """The pairs of a step, through those of its halves."""
-    if step in proved:
-        return proved[step]
-    middle = halved[step]
-    first, second = (_joined(part, proved, halved) for part in ((step[0], middle), (middle, step[1])))
-    return {slot: second[place] for slot, place in first.items() if place in second}

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import ParameterSet, Range, as_numbers
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
+from ..models.parameters import ParameterSet, as_numbers
+from ..numerics.interval_arrays import FloatArray, IntArray
 from ..questions import Method, question
 from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Jump, Path
@@ -129,11 +129,11 @@ def quasi_static_path(
             following, jump = way.jump(stop, place, after_jump)
             jumps.append(jump)
         place = following
-        if way.wanted[stop]:
+        if way.stops[stop] in along:
             out.append(way.state(stop, place))
-    coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
-    stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
-    states = one_each(p.replace(**{vary: along}), coordinates, stability, error)
+    *q, stability, error = np.array(out).T
+    coordinates = dict(zip(way.balance.coordinates, q, strict=True))
+    states = one_each(p.replace(**{vary: along}), coordinates, stability.astype(np.int8), error)
     places = {name: getattr(states, name)[:, 0] for name in states.columns}
     return Path(p, vary, along, states.stability[:, 0], tuple(jumps), places, states)
 
@@ -176,19 +176,22 @@ class _Way:
 
     def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
         self.p, self.model, self.vary, self.balance = p, p.model, vary, Balance(p.model, contact=True)
+        p.model.require_parameter(vary)
         try:
-            self.ends = self._ends(along, BESIDE)
+            ends = self._ends(along, BESIDE)
         except ConvergenceError:  # of what lies beyond the values nothing is asked
-            self.ends = self._ends(along, AROUND)
-        self.turns = self._turns_within(along)
+            ends = self._ends(along, AROUND)
+        self.turns = self._turns_within(along, ends)
         self.at, self.kinds = getattr(self.turns, vary), self.turns.kind
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
-        self.stops, self.wanted = self._stops(along)
+        self.stops = self._stops(along)
         self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
-        self._links, self._turns = functools.cache(self._linked), functools.cache(self._turned)
+        #: All pairs of slots of a step on one branch, not only those that tubes join at once.
+        self._links = functools.cache(lambda step: linked(p, vary, self.eq, self.turns, most=HALVINGS, only=step)[0])
+        self._turns = functools.cache(self._turned)
         self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
@@ -213,10 +216,8 @@ class _Way:
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
         """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
-        allowed: Range = self.p.ranges.get(self.vary, Range(-np.inf, np.inf))
-        low, high = float(along.min()), float(along.max())
-        low = max(low - beyond * max(1.0, abs(low)), allowed.low)
-        high = min(high + beyond * max(1.0, abs(high)), allowed.high)
+        allowed, room = self.p.ranges[self.vary], beyond * np.maximum(1.0, np.abs(along))
+        low, high = max(float((along - room).min()), allowed.low), min(float((along + room).max()), allowed.high)
         found = folds(self.p, self.vary, between={self.vary: (low, high)})
         if not found.decided:
             raise ConvergenceError(
@@ -225,46 +226,39 @@ class _Way:
             )
         return [found, *open_ends(self.p, self.vary, (low, high), found)]
 
-    def _turns_within(self, along: FloatArray) -> Points:
+    def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
         """Where states vanish on the way: one value for those that coincide within their errors, and the value asked for there.
 
         Twins by a mirror coincide, and each search rounds in its own way.
         """
-        at, error = self._every(self.vary), self._every("error")
+
+        def every(name: str) -> NDArray[Any]:
+            return np.concatenate([getattr(points, name) for points in ends])
+
+        at, error = every(self.vary), every("error")
         wide = error * np.maximum(1.0, np.abs(at))
         order = np.argsort(at)
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
-        near = off.argmin(axis=1)
-        at = np.where(off[np.arange(at.size), near] <= np.where(error <= ROUNDED, 0.0, wide), along[near], at)
-        first, *others = self.ends
+        at = np.where(off.min(axis=1) <= np.where(error <= ROUNDED, 0.0, wide), along[off.argmin(axis=1)], at)
+        first, *others = ends
         names = self.balance.coordinates if others else first.columns
-        values = {name: self._every(name) for name in names} | {self.vary: at}
-        every = replace(
-            first, kind=self._every("kind"), error=error, _values=values, _ended=what_ends if others else first._ended
-        )
-        return every.select((at >= along.min()) & (at <= along.max()))
+        values = {name: every(name) for name in names} | {self.vary: at}
+        found = replace(first, kind=every("kind"), error=error, _values=values, _ended=what_ends if others else first._ended)
+        return found.select((at >= along.min()) & (at <= along.max()))
 
-    def _every(self, name: str) -> NDArray[Any]:
-        """A column of all points at which states vanish."""
-        return np.concatenate([getattr(points, name) for points in self.ends])
-
-    def _stops(self, along: FloatArray) -> tuple[FloatArray, BoolArray]:
+    def _stops(self, along: FloatArray) -> FloatArray:
         """The values in their order, with a stop on each side of each fold."""
-        beside = []
-        for fold in self.at:
-            others = np.abs(np.concatenate([along, self.at]) - fold)
-            room = min(BESIDE * max(1.0, abs(fold)), 0.25 * float(others[others > 0].min(initial=np.inf)))
-            beside += [fold - room, fold + room]
-        low, high = along.min(), along.max()
-        known = {*along.tolist(), *self.at.tolist()}  # between floats next to each other there is no other
-        extra = np.array([value for value in beside if low < value < high and value not in known])
-        stops = np.concatenate([along, extra])
-        wanted = np.concatenate([np.ones(along.size, dtype=np.bool_), np.zeros(extra.size, dtype=np.bool_)])
-        order = np.argsort(stops)
-        order = order if along[-1] > along[0] else order[::-1]
-        return stops[order], wanted[order]
+        known = np.concatenate([along, self.at])
+        apart = np.abs(known - self.at[:, None])
+        nearest = np.where(apart > 0, apart, np.inf).min(axis=1, initial=np.inf)
+        room = np.minimum(BESIDE * np.maximum(1.0, np.abs(self.at)), 0.25 * nearest)
+        beside = np.concatenate([self.at - room, self.at + room])
+        # Between floats next to each other there is no other.
+        new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)
+        stops = np.sort(np.concatenate([along, beside[new]]))
+        return stops if along[-1] > along[0] else stops[::-1]
 
     def begin(self, start: int | str) -> int:
         """The slot at the first value."""
@@ -286,8 +280,8 @@ class _Way:
             at_end = first == allowed.reached(allowed.low)
             at = f"the lower end of {self.vary}" if at_end else f"the first value, {self.vary} = {first!r},"
             raise ParameterError(f"{at} has no equilibrium in contact; begin where there is one: at folds they begin and end")
-        states = np.array([self.state(0, slot)[0] for slot in stable]).T
-        error = np.full(len(stable), max(self.state(0, slot)[2] for slot in stable))
+        table = np.array([self.state(0, slot) for slot in stable]).T
+        states, error = table[:-2], np.full(len(stable), table[-1].max())
         if start == "large":
             return stable[int(least_slot(-np.abs(states[0]), states, error))]
         here = self.p.replace(**{self.vary: float(self.stops[0])})
@@ -296,7 +290,7 @@ class _Way:
 
     def _met(self, stop: int) -> list[int]:
         """Numbers of the folds and borders that a stop is equal to."""
-        return [int(number) for number in np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far)]
+        return np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far).tolist()
 
     def _stability_met(self, number: int) -> int:
         """Where one λ is 0 the others decide."""
@@ -351,7 +345,7 @@ class _Way:
     def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""
         tubes = Tubes.of_points(balance, self.vary, given_column(self.p, balance.parameters, (self.vary,)))
-        z = np.array([*(self.eq.coordinates[name][stop, slot] for name in balance.coordinates), self.stops[stop]])
+        z = np.array([*self.state(stop, slot)[:-2], self.stops[stop]])
         return tubes, tubes.place(z[:, None])
 
     def _states(self, numbers: IntArray) -> FloatArray:
@@ -377,7 +371,7 @@ class _Way:
             if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
-        q = np.array([[self.eq.coordinates[name][stop - 1, place]] for name in self.balance.coordinates])
+        q = np.array([self.state(stop - 1, place)[:-2]]).T
         if others.size > 1 and self.far[others].all():  # of states that run opposite ways
             away = self._states(others)
             others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
@@ -389,17 +383,12 @@ class _Way:
         ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
         raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
 
-    def _linked(self, step: int) -> dict[int, int]:
-        """All pairs of slots of a step on one branch, not only those that tubes join at once."""
-        (found,) = linked(self.p, self.vary, self.eq, self.turns, most=HALVINGS, only=step)
-        return found
-
-    def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
+    def state(self, stop: int, slot: int) -> list[float]:
         """Coordinates, stability, and a bound on the error."""
         if slot < 0:
-            return [*self._place(~slot).values()], self._stability_met(~slot), float(self.turns.error[~slot])
-        values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
-        return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
+            return [*self._place(~slot).values(), self._stability_met(~slot), self.turns.error[~slot]]
+        columns = (*self.eq.coordinates.values(), self.eq.stability, self.eq.error)
+        return [float(column[stop, slot]) for column in columns]
 
     def jump(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
@@ -416,7 +405,7 @@ class _Way:
             raise ConvergenceError(f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes")
         if choose is None:
             stable = (eq.stability == Stability.STABLE) | (count == 1 and eq.whole)
-            if not stable[:count].any():
+            if not stable.any():
                 raise ConvergenceError(
                     f"{ends}, and nothing stable in contact is left there: end the path before it, or say in Python by "
                     "after_jump where it goes"

@@ -15,7 +15,7 @@ from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
-from ..models.parameters import ParameterSet, Range, as_numbers
+from ..models.parameters import ParameterSet, Range, as_numbers, set_of
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
 from ..results.result import Named
@@ -155,10 +155,7 @@ def have_jumped(
     >>> have_jumped(ss.Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
     array([0., 1., 1.])
     """
-    model = p.model
-    vary, begin = model.rising(vary, begin)
-    names = [name for name in model.parameters if getattr(p, name) is not None]
-    p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
+    vary, begin = p.model.rising(vary, begin)
     return Followed(p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(hasty=hasty)
 
 
@@ -223,64 +220,60 @@ class Followed:
         Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and a state is left, the fold
         itself is asked for.
         """
-        found, out = np.full(self.begin.size, np.nan), self._nothing()
+        found = np.full(self.begin.size, np.nan)
         for rows in self._blocks():
             tubes, start, goal = self._start(rows)
             safe, top, _ = passed(tubes, start, goal)
-            ended = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
+            ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
             ended[left[self._none(rows[left])]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
-            left = left[self._block(rows[left], (tubes[left], start[left], goal[left]), out, hasty=hasty)]
-            ended[left] = np.isfinite(out.value[rows[left]])
+            decided, ends, _ = self._folds(tubes[left], start[left], goal[left], hasty=hasty)
+            ended[left] = np.where(decided, np.isfinite(ends[-1]), np.nan)
             found[rows] = ended
         return found.reshape(self.shape)
 
     def _none(self, rows: Any) -> BoolArray:
         """Whether no state is left, proved, at the end of the way: the one that is followed may have run to infinity."""
-        given = {**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.vary: self.until[rows]}
-        eq = equilibria(self.model.Parameters(**given))
+        eq = equilibria(self._points(rows).replace(**{self.vary: self.until[rows]}))
         return eq.decided & eq.whole & (eq.count == 0)
 
     def _blocks(self) -> Iterator[Any]:
-        count = self.begin.size
-        return (np.arange(first, min(first + BLOCK, count)) for first in range(0, count, BLOCK))
-
-    def _nothing(self) -> Ends:
-        count = self.begin.size
-        return Ends(np.full(count, np.nan), np.zeros(count), np.full((self.balance.n, count), np.nan), {}, self.until)
+        every = np.arange(self.begin.size)
+        return (every[first : first + BLOCK] for first in range(0, every.size, BLOCK))
 
     def ends(self) -> Ends:
         """Where the state of each point ends."""
-        n, out, reasons, others = self.balance.n, self._nothing(), dict[int, str](), dict[int, ModelEnd]()
+        n, reasons, others = self.balance.n, dict[int, str](), dict[int, ModelEnd]()
+        z, error = np.empty((n + 1, self.begin.size)), np.empty(self.begin.size)
         for rows in self._blocks():
-            for i in rows[~self._block(rows, self._start(rows), out)].tolist():
+            decided, z[:, rows], error[rows] = self._folds(*self._start(rows))
+            for i in rows[~decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 try:
-                    end = first_end(self._point(i), self.vary, span) if span[0] != span[1] else None
-                except ConvergenceError as error:
-                    reasons[i] = str(error)
+                    end = first_end(self._points(i), self.vary, span) if span[0] != span[1] else None
+                except ConvergenceError as why:
+                    reasons[i] = str(why)
                     continue
                 if end is not None:
-                    out.value[i], out.error[i] = end.value, end.error
+                    z[n, i], error[i] = end.value, end.error
                     if end.kind == "fold":
-                        out.state[:, i] = [end.before[name] for name in self.balance.coordinates]
+                        z[:n, i] = [end.before[name] for name in self.balance.coordinates]
                     else:
                         others[i] = end
-        value, off, until = (each.reshape(self.shape) for each in (out.value, out.error, self.until))
-        return Ends(value, off, out.state.reshape(n, *self.shape), reasons, until, others)
+        z, error, until = (each.reshape((*each.shape[:-1], *self.shape)) for each in (z, error, self.until))
+        return Ends(z[n], error, z[:n], reasons, until, others)
 
-    def _point(self, i: int) -> Any:
-        p: ParameterSet = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
-        return p if self.near is None else p.following(**self.near)
+    def _points(self, rows: Any) -> ParameterSet:
+        """Some points, or one, as parameters that follow the state that was chosen."""
+        return set_of(self.model, dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.near)
 
     def _start(self, rows: Any) -> tuple[Tubes, Place, FloatArray]:
         """Some points, the reference states from which they are followed, where these are known, and up to where."""
-        begin = self.begin[rows]
-        p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
-        eq = equilibria(p)
+        eq = equilibria(self._points(rows))
         slot = reference_state(self.model, eq, self.near)
-        z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
+        states = [eq.coordinates[name][np.arange(rows.size), slot] for name in self.balance.coordinates]
+        z = np.array([*states, self.begin[rows]])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0
         tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
@@ -288,12 +281,14 @@ class Followed:
         start.sure[~known] = False
         return tubes, start, self.until[rows]
 
-    def _block(self, rows: Any, started: tuple[Tubes, Place, FloatArray], out: Ends, *, hasty: bool = False) -> Any:
-        """Fold or no fold by tubes, for some points; of which of them that is decided."""
-        begin, (tubes, start, goal) = self.begin[rows], started
+    def _folds(
+        self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False
+    ) -> tuple[BoolArray, FloatArray, FloatArray]:  # fmt: skip
+        """Of which points tubes decide it; the folds up to the goals, shape (n + 1, N), NaN where there is none; their errors."""
+        forward = self.forward
         rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
-        left = np.arange(rows.size)
-        decided, at = np.zeros(rows.size, dtype=np.bool_), start
+        left, at = np.arange(goal.size), start
+        decided, z, error = np.zeros(goal.size, dtype=np.bool_), np.full(start.z.shape, np.nan), np.zeros(goal.size)
         for _ in range(rounds):
             at = tubes[left].followed(at, goal[left], THIN)
             arrived = at.sure & (at.v == goal[left])
@@ -301,17 +296,17 @@ class Followed:
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
             if not left.size:
                 break
-            fold = turned(tubes[left], at, self.forward, segments)
-            found = fold.sure & (fold.high <= goal[left] if self.forward > 0 else fold.low >= goal[left])
-            to = rows[left[found]]
-            out.value[to], out.state[:, to] = fold.z[-1, found], fold.z[:-1, found]
-            out.error[to] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[found]
+            fold = turned(tubes[left], at, forward, segments)
             # What turns back beyond the goal has come to it.
-            known = found | (fold.sure & (fold.low > goal[left] if self.forward > 0 else fold.high < goal[left]))
+            near, far = np.sort([forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0)
+            found = fold.sure & (far <= 0)
+            z[:, left[found]] = fold.z[:, found]
+            error[left[found]] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[found]
+            known = found | (fold.sure & (near > 0))
             decided[left[known]] = True
             left, at = left[~known], at[~known]
-            at = past(tubes[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
-        return decided
+            at = past(tubes[left], at, forward, PAST * np.abs(goal[left] - start.v[left]))
+        return decided, z, error
 
 
 @dataclass(frozen=True, eq=False)

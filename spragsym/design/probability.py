@@ -127,7 +127,7 @@ def estimated(
             step()
     found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence, True)
     first, total, first_error, total_error = (
-        dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {}
+        dict(zip(together.titles, part.tolist(), strict=sobol))  # empty if not asked for
         for part in (found.first, found.total, found.first_error, found.total_error)
     )
     return JumpProbability(
@@ -136,17 +136,6 @@ def estimated(
 
 
 # ------------------------------------------------------------------------------------------------------ variables
-
-
-def checked(given: Mapping[str, Any], ranges: Mapping[str, Range], what: str) -> dict[str, Any]:
-    """A variable for each quantity, where just these are given; ``what`` an unknown one is not, in an error."""
-    for name in given:
-        if name not in ranges:
-            raise ParameterError(f"{name!r} in distribution is not {what}; there are {', '.join(ranges)}")
-    missing = [name for name in ranges if name not in given]
-    if missing:
-        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
-    return {name: variable(name, given[name], allowed) for name, allowed in ranges.items()}
 
 
 def variable(name: str, given: Any, allowed: Range) -> Any:
@@ -276,7 +265,7 @@ def jump_probability(
     if isinstance(distribution, tuple):
         asked = model_of(distribution)
     else:
-        asked = load(model or USUAL) if model is None or isinstance(model, str) else model
+        asked = model if isinstance(model, Model) else load(model or USUAL)
     asked = asked.search if method == "search" else asked
     kind = quantities(asked.where) if _is_physical(asked, distribution) else None
     variables = _variables(asked, kind, distribution)
@@ -291,15 +280,14 @@ def jump_probability(
     )  # fmt: skip
     if not max_boxes:
         return found
-    base = asked.Parameters(**{name: one for name, one in variables.items() if isinstance(one, float)})
-    return replace(found, proved=bracket(base, variables, vary, begin, max_boxes))
+    return replace(found, proved=bracket(asked, variables, vary, begin, max_boxes))
 
 
-def bracket(base: Any, variables: Mapping[str, Any], vary: str, begin: float, max_boxes: int) -> tuple[float, float]:
+def bracket(model: Model, variables: dict[str, Any], vary: str, begin: float, max_boxes: int) -> tuple[float, float]:
     """Probability of what is proved to end, and one minus that of what is proved not to."""
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
-    low, high = (base.replace(**end) for end in ends)
+    low, high = (model.Parameters(**variables | end) for end in ends)
     goal = float(getattr(high, vary))
     up_to = laws[vary].cdf if vary in laws else lambda value: 1.0 * (value >= goal)
     return measured(Splitting(low, high, vary, begin), {name: law.cdf for name, law in laws.items()}, (up_to, up_to), max_boxes)
@@ -307,10 +295,10 @@ def bracket(base: Any, variables: Mapping[str, Any], vary: str, begin: float, ma
 
 def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int) -> tuple[float, float]:
     """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds of those of what moves."""
-    rows = [(place, laws[name]) for place, name in enumerate(box.free) if name in laws]
 
     def of_free(pieces: Pieces) -> FloatArray:
-        parts = [law(pieces.high[place]) - law(pieces.low[place]) for place, law in rows]
+        sides = zip(box.free, pieces.low[:-1], pieces.high[:-1], strict=True)
+        parts = [laws[name](high) - laws[name](low) for name, low, high in sides]
         return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
 
     def open_(pieces: Pieces) -> FloatArray:
@@ -331,7 +319,8 @@ def _end(law: Any, share: float) -> float:
 
 def _variables(model: Model, kind: Quantities | None, distribution: Distribution) -> dict[str, Any]:
     """Each parameter, or quantity of a kind, as a float, or as something with a quantile function ``ppf``."""
-    names = kind.of_statics if kind else model.parameters
+    names: Sequence[str] = kind.of_statics if kind else model.parameters
+    given: dict[str, Any]
     if isinstance(distribution, tuple):
         low, high, *more = distribution
         if more or type(low) is not type(high):
@@ -341,8 +330,17 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
         given = dict(distribution)
     if kind:
         names = (*names, *kind.of_the_law) if set(given) & set(kind.of_the_law) else names
-        return checked(given, {name: kind.ranges()[name] for name in names}, "a quantity here")
-    return checked({**model.base, **given}, model.Parameters.ranges, f"a parameter of {model.name}")
+        ranges: Mapping[str, Range] = {name: kind.ranges()[name] for name in names}
+    else:
+        given, ranges = {**model.base, **given}, model.Parameters.ranges
+    for name in given:
+        if name not in ranges:
+            what = "a quantity here" if kind else f"a parameter of {model.name}"
+            raise ParameterError(f"{name!r} in distribution is not {what}; there are {', '.join(ranges)}")
+    missing = [name for name in ranges if name not in given]
+    if missing:
+        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
+    return {name: variable(name, given[name], allowed) for name, allowed in ranges.items()}
 
 
 def _is_physical(model: Model, distribution: Distribution) -> bool:

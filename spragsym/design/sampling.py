@@ -92,11 +92,11 @@ def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confi
     mean, n = float(total.sum() / count.sum()), float(count.sum())
     quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
     half = quantile * float(means.std(ddof=1)) / number**0.5
-    low, high = mean - half, mean + half
     if indicator:
         # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
         half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
-        low, high = mean - half, mean + half
+    low, high = mean - half, mean + half
+    if indicator:
         hits, missing = float(total.sum()), float(unknown.sum())
         if min(hits, n - hits) < _FEW:
             # As for independent points, which spread no less.

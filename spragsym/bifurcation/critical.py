@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,12 +14,11 @@ from ..models.parameters import FloatArray, ParameterSet, Ranges, as_range
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
-from ..results.equilibria import Stability
 from ..results.paths import LowestEnd
 from ..results.points import Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.reference_state import nearest_state, reference_state
+from ..statics.reference_state import nearest_state, taken_up
 from ..statics.search import of_ranges
 from .bifurcation_sets import extrema
 from .defining_systems import TOUCH, TOUCH_TURN, Family, endless, given_column, ranges
@@ -105,19 +104,19 @@ def critical_friction(
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
     search_of = _Search(p, vary, over, ranges(p.model, (over, vary), between or {}))
     try:
-        found, open_from, remarks = search_of.lowest()
+        found = search_of.lowest()
     except ConvergenceError as error:
-        low = search_of.spans[1, 0]
-        return LowestEnd(vary, over, float(low), math.nan, "undecided", math.nan, False, (str(error),))
+        return LowestEnd(vary, over, search_of.low, math.nan, "undecided", math.nan, False, (str(error),))
+    remarks, open_from = search_of.remarks, search_of.open_from
     if found.value > open_from:
         at = At(vary, (open_from,), ".6g")
-        why = Remark("candidates from {} on are not all decided: the state may end there", at)
-        found, remarks = _Candidate(open_from, math.nan, "undecided", math.nan), (*remarks, why)
+        remarks.append(Remark("candidates from {} on are not all decided: the state may end there", at))
+        found = _Candidate(open_from, math.nan, "undecided", math.nan)
     unsaid = endless(p.model, (over, vary), between or {})
     cut = [name for name in unsaid if name == over or not math.isfinite(found.value)]
     remarks += of_ranges(cut, search_of.spans[[(over, vary).index(name) for name in cut]])
     complete = not remarks and found.kind != "undecided"
-    return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
+    return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks))
 
 
 @question
@@ -165,25 +164,26 @@ def cusp_friction(
     vary, over = p.model.rising_over(vary, over)
     used = [name for name in p.ranges if name not in (vary, over) and getattr(p, name) is not None]
     shape = np.broadcast_shapes(*(getattr(p, name).shape for name in used))
-    if not shape:
-        return _lowest_cusp(p, vary, over, between)
-    columns = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in used}
-    points = (p.replace(**{name: column[row] for name, column in columns.items()}) for row in range(int(np.prod(shape))))
-    return np.array([_lowest_cusp(point, vary, over, between) for point in points]).reshape(shape)
+    columns = {name: np.broadcast_to(getattr(p, name), shape) for name in used}
+    points = (p.replace(**{name: column[index] for name, column in columns.items()}) for index in np.ndindex(shape))
+    found = [_lowest_cusp(point, vary, over, between) for point in points]
+    return np.reshape(found, shape) if shape else found[0]
 
 
 def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) -> float:
     found = cusps(p, (over, vary), between=between)
-    inside = [
-        all(p.ranges[name].contains(float(getattr(found, name)[row])) for name in (vary, over)) for row in range(len(found))
-    ]
-    value = float(getattr(found, vary)[np.array(inside, dtype=np.bool_)].min(initial=math.inf))
-    place = len(p.model.coordinates) + list(found.vary).index(vary)
-    lower = any(float(box[place][0]) < value for box in found.undecided)
-    if lower or not found.whole or (not math.isfinite(value) and found.endless):
+    inside = np.logical_and(*(p.ranges[name].inside(getattr(found, name)) for name in (vary, over)))
+    value = float(getattr(found, vary)[inside].min(initial=math.inf))
+    if _least_left(found, vary) < value or not found.whole or (not math.isfinite(value) and found.endless):
         where = f", the lowest of those at {vary} = {value:.12g}" if len(found) else ""
         raise ConvergenceError(f"{len(found)} cusps were found{where}; whether there is a lower one: {'; '.join(found.remarks)}")
     return value
+
+
+def _least_left(found: Points, vary: str) -> float:
+    """The least value of one of the two parameters that vary in the boxes that are undecided; infinite without any."""
+    ends = found.undecided[:, found.vary.index(vary) - len(found.vary), 0]
+    return float(ends.min(initial=math.inf))
 
 
 @question
@@ -296,18 +296,15 @@ class _Search:
             span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
         self.spans = spans
         self.low, self.high = map(float, spans[1])
+        #: The value from which on candidates are not all known, and what is not proved.
+        self.open_from, self.remarks = math.inf, list[str]()
 
-    def lowest(self) -> tuple[_Candidate, float, tuple[str, ...]]:
-        """The lowest end, the value from which on candidates are not all known, and what is not proved."""
-        candidates, open_from, remarks = self.candidates()
-        offsets = self.spans[0, 1] - self.spans[0, 0]
-        places = {float(end) for end in self.spans[0]}
-        for one in candidates:
-            places |= (
-                {one.where} if one.kind != "cusp" else {one.where + sign * far * offsets for far in ASIDE for sign in (-1, 1)}
-            )
-        places = {place for place in places if self.spans[0, 0] <= place <= self.spans[0, 1]}
-        self.begin(sorted(places))
+    def lowest(self) -> _Candidate:
+        """The lowest end."""
+        candidates = self.candidates()
+        first, last = self.spans[0].tolist()
+        places = {first, last, *(place for one in candidates for sides in self.beside(one) for place in sides)}
+        self.begin(sorted(place for place in places if first <= place <= last))
         for one in candidates:
             above = [other.value for other in candidates if other.value > one.value and not other.ties(one)]
             limit = min(above, default=self.high)
@@ -317,58 +314,54 @@ class _Search:
                 outcome = self.ends_at(one, limit)
             if outcome is None:
                 at = At(self.over, (one.where,), ".6g")
-                why = Remark(f"whether the state ends at the {one.kind} at {{}} is not decided", at)
-                return _Candidate(one.value, one.where, "undecided", one.error), open_from, (*remarks, why)
+                self.remarks.append(Remark(f"whether the state ends at the {one.kind} at {{}} is not decided", at))
+                return replace(one, kind="undecided")
             if outcome:
-                return one, open_from, remarks
-        return _Candidate(math.inf, math.nan, "", 0.0), open_from, remarks
+                return one
+        return _Candidate(math.inf, math.nan, "", 0.0)
 
-    def candidates(self) -> tuple[list[_Candidate], float, tuple[str, ...]]:
+    def candidates(self) -> list[_Candidate]:
         """All places at which a piece can have its least value, ascending."""
         found: list[_Candidate] = []
-        open_from, remarks = math.inf, []
         for kind, points in self.points():
-            found += [
-                _Candidate(float(value), float(where), kind, float(error))
-                for value, where, error in zip(getattr(points, self.vary), getattr(points, self.over), points.error, strict=True)
-            ]
-            if len(points.undecided):
-                place = self.balance.n + list(points.vary).index(self.vary)
-                open_from = min(open_from, float(points.undecided[:, place, 0].min()))
+            columns = (getattr(points, name).tolist() for name in (self.vary, self.over, "error"))
+            found += [_Candidate(value, where, kind, error) for value, where, error in zip(*columns, strict=True)]
+            self.open_from = min(self.open_from, _least_left(points, self.vary))
             if not points.whole:
-                remarks += [f"of the kind {kind} not all states are known to lie in what was searched"]
-        return sorted(found, key=lambda one: one.value), open_from, tuple(remarks)
+                self.remarks.append(f"of the kind {kind} not all states are known to lie in what was searched")
+        return sorted(found, key=lambda one: one.value)
 
     def points(self) -> Iterator[tuple[str, Points]]:
         """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
-        both = (self.over, self.vary)
+        both, whole = (self.over, self.vary), True
         between = dict(zip(both, map(tuple, self.spans.tolist()), strict=True))
-        ends = [self.p.replace(**{self.over: float(end)}) for end in self.spans[0]]
-        rising = {self.vary: between[self.vary]}
-        whole = True
         for kind, points in extrema(self.p, both, between):
             whole &= points.whole and bool(np.isfinite(points.region).all())
             yield kind, points
+
+        def families(room: float) -> Iterator[Family]:
+            """The plane, and its sides."""
+            yield Family.of(self.p, both, between, room=room)
+            for end in self.spans[0].tolist():
+                here = self.p.replace(**{self.over: end})
+                yield Family.of(here, (self.vary,), {self.vary: between[self.vary]}, room=room)
+
         if not whole:
-            yield INFINITY, escapes(Family.of(self.p, both, between))
-            for here in ends:
-                yield INFINITY, escapes(Family.of(here, (self.vary,), rising))
+            yield from ((INFINITY, escapes(family)) for family in families(0.0))
         if self.balance.opens:
-            yield "border", isolated(Family.of(self.p, both, between, room=OVER_BORDER), TOUCH_TURN, "border")
-            for here in ends:
-                yield "border", isolated(Family.of(here, (self.vary,), rising, room=OVER_BORDER), TOUCH, "border")
+            for family in families(OVER_BORDER):
+                yield "border", isolated(family, TOUCH_TURN if len(family.vary) == 2 else TOUCH, "border")
+
+    def beside(self, one: _Candidate) -> list[list[float]]:
+        """Places at which it is asked whether the state ends at a candidate: of a cusp two on its sides, ever nearer to it."""
+        length = float(np.ptp(self.spans[0]))
+        return [[one.where - far * length, one.where + far * length] for far in ASIDE] if one.kind == "cusp" else [[one.where]]
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""
         here = self.p.replace(**{self.vary: self.low})
-        eq = equilibria(here.replace(**{self.over: places[0]}))
-        stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
-        if not eq.decided or not stable.size:
-            raise ConvergenceError(
-                f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
-            )
-        slot = reference_state(self.p.model, eq, self.p.followed)
-        first = np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
+        where = f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
+        first = taken_up(here.replace(**{self.over: places[0]}), self.p.followed, where)
         way = carried(self.balance, here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
 
@@ -382,23 +375,22 @@ class _Search:
         return first_end(here, self.vary, (below, limit), start=int(slot))
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
-        """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided."""
+        """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided.
+
+        Beside a cusp, where its two folds are: no other piece begins between it and the next candidate.
+        """
         limit = min(one.value + BEYOND * max(1.0, abs(one.value)), self.high)
         try:
             if one.kind != "cusp":
                 end = self.end_at(one.where, one, limit)
                 return end is not None and _Candidate(end.value, one.where, "", end.error).ties(one)
-            return self.ends_at_cusp(one, min(limit, 0.5 * (one.value + above)))
+            limit = min(limit, 0.5 * (one.value + above))
+            for sides in self.beside(one):
+                counts = [self.folds_below(side, limit) for side in sides if side in self.beginning]
+                if len(counts) == 2 and abs(counts[0] - counts[1]) == 2:
+                    return self.end_at(sides[int(np.argmax(counts))], one, limit) is not None
         except ConvergenceError:
-            return None
-
-    def ends_at_cusp(self, one: _Candidate, limit: float) -> bool | None:
-        """Beside a cusp, where its two folds are: no other piece begins between it and the next candidate."""
-        for far in ASIDE:
-            sides = [one.where + sign * far * float(self.spans[0, 1] - self.spans[0, 0]) for sign in (-1, 1)]
-            counts = {side: self.folds_below(side, limit) for side in sides if side in self.beginning}
-            if len(counts) == 2 and abs(counts[sides[0]] - counts[sides[1]]) == 2:
-                return self.end_at(max(sides, key=counts.__getitem__), one, limit) is not None
+            pass
         return None
 
     def folds_below(self, place: float, limit: float) -> int:

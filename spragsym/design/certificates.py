@@ -35,6 +35,8 @@ from ..statics.regions import region
 
 #: Outcomes of a part.
 OPEN, SAFE, ENDS = 0, 1, -1
+#: What the relative width of a side counts beside its effect on the states.
+SLIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -83,6 +85,16 @@ class Boxes(ByColumn, ABC):
         width = self.high - self.low
         return width.prod(axis=0, where=width > 0)
 
+    @property
+    def open_volume(self) -> FloatArray:
+        """That of parts of which nothing is known, else 0."""
+        return np.where(self.outcome == OPEN, self.volume, 0.0)
+
+    @property
+    def slight(self) -> FloatArray:
+        """What the relative width of each side counts beside its effect on the states."""
+        return SLIGHT * (self.high - self.low) / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
+
     def divisible(self) -> BoolArray:
         """Sides that have floats between their ends."""
         return np.nextafter(self.low, np.inf) < self.high
@@ -110,6 +122,8 @@ class Claim(ABC):
 
     #: Parts at a time, all parts unless told otherwise, and corners at which the claim may be refuted.
     batch, most, corners = 64, 2000, 64
+    #: Whether a counterexample is looked for in parts that are halved, too.
+    early = True
     #: What the sides of the parts are.
     sides: tuple[str, ...]
     whole: Boxes
@@ -123,12 +137,13 @@ class Claim(ABC):
         """The parameters at points of the box, shape (sides, …)."""
 
     @abstractmethod
-    def refuted(self, points: FloatArray) -> ParameterSet | None:
-        """The parameters at the first of some points, shape (sides, N), at which the claim is proved to be false, or None."""
+    def fails(self, points: FloatArray) -> BoolArray:
+        """Points of the box, shape (sides, N), at which the claim is proved to be false."""
 
-    def suspects(self, parts: Boxes, last: BoolArray) -> FloatArray:
-        """Points of open parts at which a counterexample is looked for; ``last`` are parts that are not halved any more."""
-        return np.asarray(0.5 * (parts.low + parts.high)[:, parts.outcome == OPEN][:, : self.batch])
+    def refuted(self, points: FloatArray) -> ParameterSet | None:
+        """The parameters at the first of some points at which it is, or None."""
+        fails = np.flatnonzero(self.fails(points))
+        return self.point(points[:, fails[0]]) if fails.size else None
 
     def run(
         self, share: Callable[[Any], FloatArray], most: int, sharp: bool = False, kept: Callable[[Any], Any] | None = None
@@ -158,21 +173,18 @@ class Claim(ABC):
         """Whether it holds for all of the box."""
         volume = self.whole.volume[0]
         ends = self.whole.low[:, 0], self.whole.high[:, 0]
-        known = (self.whole.outcome == SAFE).all()
-        if refute and not known and (found := self.refuted(corners(*ends, self.corners))) is not None:
+        if refute and self.whole.outcome[0] != SAFE and (found := self.refuted(corners(*ends, self.corners))) is not None:
             return Certificate(claim, "refuted", found, 1.0, 1)
         seen, proved, left, decided = 0, 0.0, 0.0, True
-
-        def share(parts: Boxes) -> FloatArray:
-            return np.where(parts.outcome == OPEN, parts.volume / volume, 0.0)
-
-        for parts, last, looked in self.run(share, most):
+        for parts, last, looked in self.run(lambda parts: parts.open_volume / volume, most):
             seen += looked
-            outcome, rest = parts.outcome, last & (parts.outcome == OPEN)
-            proved += float((parts.volume / volume)[outcome == SAFE].sum())
-            left += float(share(parts)[rest].sum())
-            decided &= not rest.any()
-            false, points = np.flatnonzero(outcome == ENDS), self.suspects(parts, last)
+            outcome, share = parts.outcome, parts.volume / volume
+            open_ = outcome == OPEN
+            proved += float(share[outcome == SAFE].sum())
+            left += float(share[last & open_].sum())
+            decided &= not (last & open_).any()
+            false = np.flatnonzero(outcome == ENDS)
+            points = 0.5 * (parts.low + parts.high)[:, open_ & (last | self.early)][:, : self.batch]
             found = self.point(parts.high[:, false[0]]) if false.size else None
             if found is None and refute and points.size:
                 found = self.refuted(points)
@@ -206,8 +218,6 @@ def corner_values(
 BUDGET = 600
 #: Relative width of boxes of coordinates that are not halved any more.
 NARROW = 2.0**-20
-#: What the relative width of a side counts beside its effect on the states.
-SLIGHT = 1e-6
 #: Room around the states of a part where those of its halves are looked for.
 ROOM = 1e-6
 
@@ -225,8 +235,7 @@ def _one(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
 
 def _none_flutters(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
     """Parts all of whose states have real κ only, those in boxes that are left included."""
-    every = np.concatenate([roots.ends, roots.left], axis=2)
-    point = np.concatenate([roots.point, roots.left_point])
+    every, point = roots.every
     real = stability.real(balance, balance.prepared(bounds[:, point]), every)
     return np.asarray(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
 
@@ -272,9 +281,8 @@ class ClaimOfStates(Claim):
     def point(self, values: FloatArray) -> ParameterSet:
         return self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
 
-    def refuted(self, points: FloatArray) -> ParameterSet | None:
-        fails = np.flatnonzero(self.false(equilibria(self.point(points))))
-        return self.point(points[:, fails[0]].tolist()) if fails.size else None
+    def fails(self, points: FloatArray) -> BoolArray:
+        return self.false(equilibria(self.point(points)))
 
     def settled(self, parts: Parts, sharp: bool = False) -> tuple[Parts, FloatArray]:
         if parts.holds.all():
@@ -290,7 +298,7 @@ class ClaimOfStates(Claim):
             balance.around,
             certified_roots.search(balance, around, parts.low, parts.high, budget=BUDGET, narrow=NARROW),
         )
-        ends, point = np.concatenate([found.ends, found.left], axis=2), np.concatenate([found.point, found.left_point])
+        ends, point = found.every
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
         proved = np.arange(point.size) < found.point.size
         kept, left = proved & in_contact, ~beyond & ~(proved & in_contact)
@@ -305,18 +313,16 @@ class ClaimOfStates(Claim):
 
     def _weights(self, parts: Parts, states: Roots) -> FloatArray:
         """By how far each parameter moves the states of each part, shape (P, N)."""
-        balance, middle = self.balance, 0.5 * (parts.low + parts.high)
-        width = parts.high - parts.low
-        out = SLIGHT * width / np.maximum(np.abs(parts.high) + np.abs(parts.low), 1e-300)
-        q = np.concatenate([states.middle, Intervals(states.left).middle], axis=1)
-        point = np.concatenate([states.point, states.left_point])
+        balance, middle, out = self.balance, 0.5 * (parts.low + parts.high), parts.slight
+        ends, point = states.every
+        q = Intervals(ends).middle
         with np.errstate(all="ignore"):
             K = balance.jacobian(Intervals.point(q), balance.prepared(Intervals.point(middle[:, point]))).middle
             back = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
-            for row in np.flatnonzero(width.any(axis=1)):
+            for row in np.flatnonzero((parts.low != parts.high).any(axis=1)):
                 low, high = middle[:, point], middle[:, point]
                 low[row], high[row] = parts.low[row, point], parts.high[row, point]
                 pushed = balance.residuals(Intervals.point(q), balance.prepared(Intervals.between(low, high))).width
                 moved = np.einsum("Nij,jN->iN", back, pushed) / np.maximum(1.0, np.abs(q))
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
-        return np.asarray(out)
+        return out

@@ -10,23 +10,19 @@ import numpy as np
 
 from ..bifurcation.tubes import Place, Tubes, halves
 from ..bifurcation.turning_points import SMALL, passed
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ParameterError
 from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
-from ..results import Stability
 from ..statics.balance import BalanceInUnits
-from ..statics.equilibria import equilibria
-from ..statics.reference_state import reference_state
+from ..statics.reference_state import taken_up
 from .certificates import ENDS, OPEN, SAFE, STATES, Boxes, Certificate, Claim, ClaimOfStates, corner_values
 
 #: Fewer parts than this take as long as so many.
 FEW = 256
 #: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
 WIDE, THIN = 2.0**-6, 2.0**-14
-#: What the relative width of a side counts beside its effect on the state.
-SLIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -69,7 +65,7 @@ class Pieces(Boxes):
 class Splitting(Claim):
     """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
 
-    batch = 1024
+    batch, early = 1024, False
     whole: Pieces
 
     def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
@@ -87,9 +83,8 @@ class Splitting(Claim):
         self.rows = self.tubes.moving
         one, other = (end[self.rows, None] for end in ends)
         middle = 0.5 * (one + other)[:-1]
-        tubes = self._over(one, other)
-        start = tubes.middles().place(np.append(self._first(middle[:, 0]), begin)[:, None])
-        start = replace(start, by_p=tubes.tangents(start.z)[1])
+        start = self._beginning(middle[:, 0])
+        start = replace(start, by_p=self._over(one, other).tangents(start.z)[1])
         self.whole = Pieces(one, other, start, np.stack([middle, middle]), np.full(1, -np.inf), np.full(1, np.inf))
 
     def _over(self, low: FloatArray, high: FloatArray) -> Tubes:
@@ -98,22 +93,16 @@ class Splitting(Claim):
         half = np.maximum(high[:-1] - centre, centre - low[:-1])
         return replace(self.tubes[np.zeros(low.shape[1], dtype=np.int64)], centre=centre, half=half)
 
-    def _first(self, middle: FloatArray) -> FloatArray:
-        """The reference state in the middle of the box, where what moves begins."""
-        eq = equilibria(self.point(np.append(middle, self.begin)))
-        stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
-        if not eq.decided or not stable.size:
-            raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")
-        slot = reference_state(self.model, eq, self.near)
-        return np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
+    def _beginning(self, free: FloatArray) -> Place:
+        """The reference state at one point of the free parameters, as in the middle of the box, where what moves begins."""
+        at = np.append(free, self.begin)
+        where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
+        z = np.append(taken_up(self.point(at), self.near, where), self.begin)
+        return self._over(at[:, None], at[:, None]).place(z[:, None])
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
         """Whether the state that is taken up at one point becomes, while all moves to another, the one that is taken up there."""
-        places = []
-        for free in (one, other):
-            at = np.append(free, self.begin)[:, None]
-            places.append(self._over(at, at).place(np.append(self._first(free), self.begin)[:, None]))
-        return bool(self._linked(one[:, None], places[0], other[:, None], places[1])[0])
+        return bool(self._linked(one[:, None], self._beginning(one), other[:, None], self._beginning(other))[0])
 
     def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at a point of the box."""
@@ -139,17 +128,16 @@ class Splitting(Claim):
         safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
         width = (pieces.high - pieces.low)[:-1]
         # As far as it got, by how far each parameter moves the state.
-        weight = SLIGHT * width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)[:-1]
+        weight = pieces.slight[:-1]
         moves = (np.abs(reached.by_p) / np.maximum(np.abs(reached.z), SMALL)[:, None]).max(axis=0)
         weight += np.where(np.isfinite(moves), moves, 0.0) * width
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:
             safe[rows], top[rows], moves = passed(tubes[rows], reached[rows], goal[rows], sharp)
             weight[:, rows] = width[:, rows] * moves
-        own = np.flatnonzero(start.sure)
-        base, of = pieces.base[np.arange(len(pieces))], pieces.of.copy()
-        base.put(own, start[own])
-        of[:, :, own] = np.stack([pieces.low[:-1, own], pieces.high[:-1, own]])
+        base = pieces.base[np.arange(len(pieces))]
+        base.put(start.sure, start[start.sure])
+        of = np.where(start.sure, np.stack([pieces.low[:-1], pieces.high[:-1]]), pieces.of)
         # What holds of a piece holds of its halves.
         known = {"safe": np.maximum(pieces.safe, safe), "top": np.minimum(pieces.top, top)}
         return replace(pieces, base=base, of=of, **known), weight
@@ -180,12 +168,8 @@ class Splitting(Claim):
             at[self.rows[k]] = other[k]
         return out & last.lies_in(after)
 
-    def refuted(self, points: FloatArray) -> ParameterSet | None:
-        ends = np.flatnonzero(self.settled(self.points(points))[0].outcome == ENDS)
-        return self.point(points[:, ends[0]]) if ends.size else None
-
-    def suspects(self, parts: Boxes, last: BoolArray) -> FloatArray:
-        return super().suspects(parts[last], last)
+    def fails(self, points: FloatArray) -> BoolArray:
+        return np.asarray(self.settled(self.points(points))[0].outcome == ENDS)
 
 
 @question

@@ -77,9 +77,8 @@ class _Closed(Claim):
     def point(self, values: FloatArray) -> Parameters:
         return Parameters(**self.whole.parameters(values))
 
-    def refuted(self, points: FloatArray) -> Parameters | None:
-        fails = np.flatnonzero(self.false(self.point(points)))
-        return self.point(points[:, fails[0]]) if fails.size else None
+    def fails(self, points: FloatArray) -> BoolArray:
+        return self.false(self.point(points))
 
 
 def _whole_number(name: str, power: float) -> int:

@@ -59,6 +59,11 @@ class Roots:
         return replace(self, left=more, left_point=np.concatenate([self.left_point, point]))
 
     @property
+    def every(self) -> tuple[FloatArray, IntArray]:
+        """Boxes of roots and then those that are left, and the points of both."""
+        return np.concatenate([self.ends, self.left], axis=2), np.concatenate([self.point, self.left_point])
+
+    @property
     def middle(self) -> FloatArray:
         """Floats inside of the boxes, shape (n, roots)."""
         return Intervals(self.ends).middle

@@ -9,10 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import ConvergenceError
 from ..models.field import undecorated
+from ..models.parameters import ParameterSet
 from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals
 from ..numerics.jets import variables
 from ..results.equilibria import Equilibria, Stability
+from .equilibria import equilibria
 from .namespaces import XP
 
 #: Strain energies that differ by less than this, relative to the largest, are equal: those of mirror images differ by rounding.
@@ -38,6 +41,15 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
     stable = eq.stability == Stability.STABLE
     among = np.where(stable.any(axis=-1, keepdims=True), stable, ~np.isnan(q[0]))
     return chosen_state(model, eq.parameters, q, eq.error, among, near)
+
+
+def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> FloatArray:
+    """Coordinates of the reference state of one point; an error, which says ``where``, if none is known to be stable."""
+    eq = equilibria(p)
+    if not eq.decided or not (eq.stability == Stability.STABLE).any():
+        raise ConvergenceError(f"no state {where}")
+    slot = reference_state(p.model, eq, near)
+    return np.array([eq.coordinates[name][slot] for name in p.model.coordinates])
 
 
 def nearest_state(

@@ -25,6 +25,9 @@ from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..progress import doing
 from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
 
+#: The smallest and the largest of each quantity, or z of it.
+Limits = tuple[FloatArray, FloatArray]
+
 #: How close to an end of its range, over its value or its tolerance, a quantity is taken.
 _CLEAR = 1e-9
 
@@ -84,10 +87,6 @@ class Space:
             return replace(self, design=replace(design, given={**design.given, quantity: value}))
         return replace(self, design=replace(design, parameters=lambda given: {**design.parameters(given), name: value}))
 
-    def begin(self, z: FloatArray, usual: float) -> Any:
-        """Where what rises begins in designs z: as the design says, or as usual."""
-        return usual if self.design.begins is None else self.design.begins(self.quantities(z))
-
     def slopes(self, z: FloatArray) -> dict[str, FloatArray]:
         """Slopes of each parameter by z at one design: by a complex step, exact to rounding."""
         step, out = 1e-100, {name: np.zeros(len(self.names)) for name in self.parameters(z)}
@@ -102,15 +101,19 @@ class Space:
         """One design, of the kind of the first."""
         return self.design.made({name: float(value) for name, value in self.quantities(z).items() if name in self.names})
 
+    def change(self, z: FloatArray) -> dict[str, float]:
+        """By how much one design differs from the first, by quantity."""
+        return dict(zip(self.names, (z * self.scale).tolist(), strict=True))
+
     @functools.cached_property
-    def ends(self) -> tuple[FloatArray, FloatArray]:
+    def ends(self) -> Limits:
         """The smallest and the largest value of each quantity that changes."""
         allowed, clear = [self.design.ranges[name] for name in self.names], _CLEAR * np.maximum(np.abs(self.origin), self.scale)
         low, high = np.array([(one.low, one.high) for one in allowed]).T
         low = low + clear * [one.open_low for one in allowed]
         return np.minimum(low, self.origin), np.maximum(high - clear, self.origin)
 
-    def limits(self) -> tuple[FloatArray, FloatArray]:
+    def limits(self) -> Limits:
         """The smallest and the largest z that each quantity allows."""
         low, high = ((end - self.origin) / self.scale for end in self.ends)
         return low, high
@@ -131,14 +134,16 @@ def space(
     if not names:
         raise ParameterError(f"{what} names no quantity that may change; name at least one of {', '.join(design.given)}")
     origin = np.array([as_number(name, design.given[name]) for name in names])
-    if scale is None and (origin == 0).any():
-        zero = names[int(np.flatnonzero(origin == 0)[0])]
-        raise ParameterError(f"{zero} = 0 has no relative change; give scale with a tolerance for it")
-    missing = [name for name in names if scale is not None and name not in tolerances]
+    if scale is None:
+        if (origin == 0).any():
+            zero = names[int(np.abs(origin).argmin())]
+            raise ParameterError(f"{zero} = 0 has no relative change; give scale with a tolerance for it")
+        tolerances = dict(zip(names, np.abs(origin).tolist(), strict=True))
+    missing = [name for name in names if name not in tolerances]
     if missing:
         raise ParameterError(f"scale has no entry for {missing[0]!r}, which is to change; give its tolerance")
-    sizes = [as_number(f"scale[{name!r}]", tolerances[name], POSITIVE) for name in names] if scale is not None else np.abs(origin)
-    return Space(design, names, origin, np.asarray(sizes, dtype=float))
+    sizes = [as_number(f"scale[{name!r}]", tolerances[name], POSITIVE) for name in names]
+    return Space(design, names, origin, np.array(sizes))
 
 
 def _design(base: ParameterSet | PhysicalParameters) -> Design:
@@ -172,14 +177,14 @@ class Border:
 
     def ended(self, z: FloatArray) -> FloatArray:
         """1 where the state has ended, 0 where not, NaN where that is not known; below where the parameter begins it has not."""
-        return have_jumped(self.designs.sets(z), self.vary, self.designs.begin(z, self.begin))
+        begins = self.designs.design.begins
+        begin = self.begin if begins is None else begins(self.designs.quantities(z))
+        return have_jumped(self.designs.sets(z), self.vary, begin)
 
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
         """How far beyond the design's own value the state ends, and the slopes of that by z."""
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
-        asked = Followed(p, self.vary, "up", self.begin, None)
-        found = None if self.last is None else self._next(asked, self.last)
-        found = told(first_ends(p, self.vary, begin=self.begin)) if found is None else found
+        found = self._next(p) or told(first_ends(p, self.vary, begin=self.begin))
         place = np.append(found.state, found.value)
         self.last = place if np.isfinite(place).all() else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.
@@ -189,18 +194,19 @@ class Border:
             raise ConvergenceError("the state does not end, or no slope is known where it does")
         return float(found.value) - float(getattr(p, self.vary)), by_z
 
-    def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
-        """The fold near (q, v), if there is one within what the parameter may be."""
-        n, z = asked.balance.n, last[:, None]
-        tubes = Tubes.of_points(asked.balance, self.vary, asked.fixed)
+    def _next(self, p: ParameterSet) -> Ends | None:
+        """The fold near the last one, if there is one within what the parameter may be."""
+        if self.last is None:
+            return None
+        asked, z = Followed(p, self.vary, "up", self.begin, None), self.last[:, None]
+        n, tubes = asked.balance.n, Tubes.of_points(asked.balance, self.vary, asked.fixed)
         # At a fold the null vector of K is the direction of the curve: nothing else of z changes there.
         along = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
-        tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / np.maximum(np.abs(last[:n]), SMALL))))
+        tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / np.maximum(np.abs(self.last[:n]), SMALL))))
         z, met = secants(tubes, tubes.corrected(z), np.ones(1))
-        value = z[n].reshape(asked.shape)
-        if not met[0] or not asked.begin[0] <= value <= asked.until[0]:
+        if not met[0] or not asked.begin[0] <= z[n, 0] <= asked.until[0]:
             return None
-        return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {}, asked.until)
+        return Ends(z[n, 0], np.zeros(()), z[:n, 0], {}, asked.until)
 
     def near(self, z: FloatArray) -> FloatArray | None:
         """The z of smallest size near a given one where the state ends at the design's own value, if there is one.
@@ -251,7 +257,7 @@ _COARSE, _FINE = 9, 36
 _SHARES, _ROUNDS = np.array([0.999, 0.7, 0.4]), 20
 
 
-def nearest(member: Member, limits: tuple[FloatArray, FloatArray], improved: Improved) -> FloatArray | None:
+def nearest(member: Member, limits: Limits, improved: Improved) -> FloatArray | None:
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
     ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the smallest and the largest value of
@@ -286,7 +292,7 @@ def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray
     return border if found is None or np.linalg.norm(found) > np.linalg.norm(border) else found
 
 
-def _on_rays(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], radii: FloatArray) -> FloatArray | None:
+def _on_rays(member: Member, rays: FloatArray, limits: Limits, radii: FloatArray) -> FloatArray | None:
     """The nearest of the members that rays meet at some radii, or where they end before, brought to the border, if any does."""
     lengths = np.minimum(radii[:, None], _reach(rays, limits))
     with doing("designs up to {:.4g} tolerances away", lengths.max()):
@@ -312,7 +318,7 @@ def _rays(size: int) -> FloatArray:
     return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
 
 
-def _reach(rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
+def _reach(rays: FloatArray, limits: Limits) -> FloatArray:
     """How far each ray goes within the limits."""
     with np.errstate(divide="ignore", invalid="ignore"):
         ends = np.where(rays > 0, limits[1] / rays, np.where(rays < 0, limits[0] / rays, np.inf))
@@ -333,7 +339,7 @@ def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: i
     return high
 
 
-def _turned(member: Member, point: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
+def _turned(member: Member, point: FloatArray, limits: Limits) -> FloatArray:
     """The ray to a member turned a little, and less and less, as long as that shortens it."""
     radius = float(np.linalg.norm(point))
     ray = point / radius

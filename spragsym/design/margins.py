@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +13,7 @@ from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray
 from ..questions import Method, model_of, question
 from ..results.result import Result
-from .certificates import OPEN, SAFE, Boxes
+from .certificates import SAFE, Boxes
 from .design_space import Border, Design, Space, nearest, space
 from .jumps import jump_value
 from .tube_certificates import claims
@@ -107,20 +107,14 @@ def jump_margin(
         return better if better is not None and jumped(better * beyond).any() else None
 
     best = nearest(jumped, designs.limits(), on_fold)
-    distance = np.inf if best is None else float(np.linalg.norm(best))
-    # Where nothing was found two tolerances are enough.
-    reach = 2.0 if best is None else distance
-    proved = _proved(lambda radius: safe_within(designs, radius, name, first), reach) if prove else np.nan
+    # Where nothing was found two tolerances are enough for a proof.
+    reach, proved = 2.0 if best is None else float(np.linalg.norm(best)), np.nan
+    if prove:
+        radii = (share * reach for share in _SHARES if reach)
+        proved = next((radius for radius in radii if safe_within(designs, radius, name, first)), 0.0)
     if best is None:
-        return JumpMargin(distance, proved, {}, None)
-    change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
-    return JumpMargin(distance, proved, change, designs.made(best))
-
-
-def _proved(safe: Callable[[float], bool], distance: float) -> float:
-    """The largest share of the distance within which nothing jumps, proved; 0 if none of those tried can be."""
-    radii = (share * distance for share in _SHARES if distance)
-    return next((radius for radius in radii if safe(radius)), 0.0)
+        return JumpMargin(np.inf, proved, {}, None)
+    return JumpMargin(reach, proved, designs.change(best), designs.made(best))
 
 
 def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
@@ -145,7 +139,7 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
             parts.low[row] = parts.high[row] = designs.origin[k] + designs.scale[k] * np.sqrt(np.maximum(left, 0.0))
         return parts[left >= 0]
 
-    run = box.run(lambda parts: np.where(parts.outcome == OPEN, parts.volume, 0.0), int(_PARTS * box.most), kept=inside)
+    run = box.run(lambda parts: parts.open_volume, int(_PARTS * box.most), kept=inside)
     return all((parts.outcome[last] == SAFE).all() for parts, last, _ in run)
 
 
@@ -228,13 +222,13 @@ def redesign(
     if not target or not set(target) <= set(ranges):
         raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
     designs = space(p, scale, change, "change")
-    own, borders = designs.parameters(np.zeros(len(designs.names))), list[Border]()
+    borders = list[Border]()
     for name, value in target.items():
         if name in designs.names:
             raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
         at, lowest = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name])), ranges[name].reached(ranges[name].low)
-        first = begin if begin is not None else lowest if np.isfinite(lowest) else float(own[name])
-        borders.append(Border(at, name, first))
+        own = lowest if np.isfinite(lowest) else float(designs.parameters(np.zeros(len(designs.names)))[name])
+        borders.append(Border(at, name, own if begin is None else begin))
 
     def keeps(z: FloatArray) -> BoolArray:
         return np.all([border.ended(z) == 0 for border in borders], axis=0)
@@ -252,6 +246,5 @@ def redesign(
     best = nearest(keeps, designs.limits(), on_target)
     if best is None:
         return Redesign(np.inf, {}, None, {})
-    changed = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
     jump = {border.vary: float(jump_value(designs.sets(best), border.vary, begin=border.begin)) for border in borders}
-    return Redesign(float(np.linalg.norm(best)), changed, designs.made(best), jump)
+    return Redesign(float(np.linalg.norm(best)), designs.change(best), designs.made(best), jump)

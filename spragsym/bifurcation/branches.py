@@ -158,7 +158,11 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
     if over_fold:
         return len(pairs) == min(counts)
-    pairs |= _by_sign(pairs, begin, end)
+    # Of those that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror.
+    left = _left(pairs, begin), _left(pairs.values(), end)
+    one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
+    if len(left[0]) == len(one) == len(left[1]) == len(other) and one.keys() == other.keys():
+        pairs |= {one[key]: other[key] for key in one}
     return len(pairs) == counts[0] == counts[1]
 
 
@@ -203,15 +207,6 @@ def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
 def _left(taken: Container[int], states: _States) -> list[int]:
     """Slots that are not taken."""
     return [k for k in range(states.signs.size) if k not in taken]
-
-
-def _by_sign(pairs: Mapping[int, int], begin: _States, end: _States) -> dict[int, int]:
-    """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror."""
-    left = _left(pairs, begin), _left(pairs.values(), end)
-    one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
-    if not len(left[0]) == len(one) == len(left[1]) == len(other) or one.keys() != other.keys():
-        return {}
-    return {one[key]: other[key] for key in one}
 
 
 def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float], int]:

@@ -21,7 +21,7 @@ from ..statics.equilibria import equilibria
 from ..statics.reference_state import nearest_state, taken_up
 from ..statics.search import of_ranges
 from .bifurcation_sets import extrema
-from .defining_systems import TOUCH, TOUCH_TURN, Family, endless, given_column, ranges
+from .defining_systems import TOUCH, TOUCH_TURN, Family, given_column
 from .folds import cusps, folds
 from .paths import ModelEnd, first_end
 from .points import INFINITY, OVER_BORDER, escapes, isolated
@@ -102,7 +102,7 @@ def critical_friction(
     vary, over = p.model.rising_over(vary, over)
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
-    search_of = _Search(p, vary, over, ranges(p.model, (over, vary), between or {}))
+    search_of = _Search(p, vary, over, between)
     try:
         found = search_of.lowest()
     except ConvergenceError as error:
@@ -112,8 +112,7 @@ def critical_friction(
         at = At(vary, (open_from,), ".6g")
         remarks.append(Remark("candidates from {} on are not all decided: the state may end there", at))
         found = _Candidate(open_from, math.nan, "undecided", math.nan)
-    unsaid = endless(p.model, (over, vary), between or {})
-    cut = [name for name in unsaid if name == over or not math.isfinite(found.value)]
+    cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
     remarks += of_ranges(cut, search_of.spans[[(over, vary).index(name) for name in cut]])
     complete = not remarks and found.kind != "undecided"
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks))
@@ -289,13 +288,13 @@ def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArr
 class _Search:
     """Candidates, and what becomes of the state at each of them."""
 
-    def __init__(self, p: Any, vary: str, over: str, spans: FloatArray) -> None:
-        self.p, self.vary, self.over = p, vary, over
-        self.balance = Balance(p.model, contact=True)
-        for span, name in zip(spans, (over, vary), strict=True):
+    def __init__(self, p: Any, vary: str, over: str, between: Ranges | None) -> None:
+        family = Family.of(p, (over, vary), between)
+        self.p, self.vary, self.over, self.balance = p, vary, over, family.balance
+        self.spans, self.endless = family.spans, family.endless
+        for span, name in zip(self.spans, family.vary, strict=True):
             span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
-        self.spans = spans
-        self.low, self.high = map(float, spans[1])
+        self.low, self.high = map(float, self.spans[1])
         #: The value from which on candidates are not all known, and what is not proved.
         self.open_from, self.remarks = math.inf, list[str]()
 

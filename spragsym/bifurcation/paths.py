@@ -117,7 +117,7 @@ def quasi_static_path(
     """
     along = as_numbers("values", values)
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
-    if along.ndim != 1 or not along.size or not ((steps > 0).all() or (steps < 0).all()):
+    if not along.size or not ((steps > 0).all() or (steps < 0).all()):
         raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
     way = _Way(p, vary, along)
     place = way.begin(start)

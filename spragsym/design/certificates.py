@@ -169,11 +169,16 @@ class Claim(ABC):
         if len(pending):
             yield pending, np.ones(len(pending), dtype=np.bool_), 0
 
+    def at_corners(self) -> FloatArray:
+        """Points at which a counterexample is looked for first: the middle and corners of the box, shape (sides, N)."""
+        low, high = self.whole.low[:, 0], self.whole.high[:, 0]
+        ends = [(one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)]
+        return np.array([0.5 * (low + high), *itertools.islice(itertools.product(*ends), self.corners)]).T
+
     def certificate(self, claim: str, most: int, refute: bool) -> Certificate:
         """Whether it holds for all of the box."""
         volume = self.whole.volume[0]
-        ends = self.whole.low[:, 0], self.whole.high[:, 0]
-        if refute and self.whole.outcome[0] != SAFE and (found := self.refuted(corners(*ends, self.corners))) is not None:
+        if refute and self.whole.outcome[0] != SAFE and (found := self.refuted(self.at_corners())) is not None:
             return Certificate(claim, "refuted", found, 1.0, 1)
         seen, proved, left, decided = 0, 0.0, 0.0, True
         for parts, last, looked in self.run(lambda parts: parts.open_volume / volume, most):
@@ -191,12 +196,6 @@ class Claim(ABC):
             if found is not None:
                 return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
         return Certificate(claim, "proved" if decided else "undecided", None, left, seen)
-
-
-def corners(low: FloatArray, high: FloatArray, most: int) -> FloatArray:
-    """The middle and corners of a box, shape (sides, N)."""
-    ends = [(one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)]
-    return np.array([0.5 * (low + high), *itertools.islice(itertools.product(*ends), most)]).T
 
 
 def corner_values(
@@ -240,20 +239,10 @@ def _none_flutters(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArr
     return np.asarray(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
 
 
-def _not_one(eq: Equilibria) -> BoolArray:
-    """Points at which there are several, or proved to be none."""
-    return np.asarray((eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole))
-
-
-def _flutters(eq: Equilibria) -> BoolArray:
-    """Points at which a state is proved to flutter."""
-    return np.asarray(((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1))
-
-
-#: For each claim where it holds, and at which points it is refuted.
+#: For each claim where it holds, and at which points it is refuted: several states, or proved to be none; one proved to flutter.
 STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
-    "one equilibrium": (_one, _not_one),
-    "no flutter": (_none_flutters, _flutters),
+    "one equilibrium": (_one, lambda eq: (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole)),
+    "no flutter": (_none_flutters, lambda eq: ((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1)),
 }
 
 

@@ -46,7 +46,7 @@ class Pieces(Boxes):
 
     def divisible(self) -> BoolArray:
         """Sides of the free parameters that have floats between their ends."""
-        return np.nextafter(self.low[:-1], np.inf) < self.high[:-1]
+        return super().divisible()[:-1]
 
     def divided(self, weight: FloatArray, most: int) -> Pieces:
         """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""

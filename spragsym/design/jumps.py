@@ -15,7 +15,7 @@ from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
-from ..models.parameters import ParameterSet, Range, as_numbers, set_of
+from ..models.parameters import ParameterSet, as_numbers, set_of
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..questions import Method, model_of, question
 from ..results.result import Named
@@ -162,16 +162,17 @@ def have_jumped(
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
     balance = Balance(p.model, contact=True)
-    names, shape = list(balance.parameters), found.value.shape
+    names, shape, states = list(balance.parameters), found.value.shape, found.state.reshape(balance.n, -1)
+    moving = names.index(vary)
     columns = (found.value if name == vary else getattr(p, name) for name in names)
     with np.errstate(all="ignore"):
         values = balance.floats(np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns]))
-        at = balance.at(list(found.state.reshape(balance.n, -1)), values, xp=np)
+        at = balance.at(list(states), values, xp=np)
         K, moved = (np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), at.by_parameters(names)))
         along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)
-        slopes = 0.0 - along / along[names.index(vary)]
-    slopes[names.index(vary)] += 1.0
-    slopes[:, np.isnan(found.state.reshape(balance.n, -1)).any(axis=0)] = np.nan  # without a fold, whatever the forces depend on
+        slopes = 0.0 - along / along[moving]
+    slopes[moving] += 1.0
+    slopes[:, np.isnan(states).any(axis=0)] = np.nan  # without a fold, whatever the forces depend on
     return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
 
 
@@ -200,19 +201,15 @@ class Followed:
         columns = p.broadcast(*self.balance.parameters)
         self.fixed = np.stack([np.broadcast_to(column, self.shape).reshape(-1) for column in columns])
         self.begin = self.fixed[self.balance.parameters.index(vary)]
-        self.until = self._until(allowed, until)
-
-    def _until(self, allowed: Range, until: float | FloatArray | None) -> FloatArray:
         if until is None:
-            far = allowed.reached(float(ranges(self.model, (self.vary,), {})[0, int(self.forward > 0)]))
+            far = allowed.reached(float(ranges(model, (vary,), {})[0, int(self.forward > 0)]))
             until = self.forward * max(self.forward * far, float((self.forward * self.begin).max(initial=-np.inf)))
-        ends = np.broadcast_to(as_numbers("until", until, allowed), self.shape).reshape(-1)
-        if ((ends - self.begin) * self.forward < 0).any():
+        self.until = np.broadcast_to(as_numbers("until", until, allowed), self.shape).reshape(-1)
+        if ((self.until - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"
             raise ParameterError(
-                f"until = {ends.min():g} is {way} where {self.vary} begins; give one beyond it, or another direction"
+                f"until = {self.until.min():g} is {way} where {vary} begins; give one beyond it, or another direction"
             )
-        return ends
 
     def have_ended(self, *, hasty: bool = False) -> FloatArray:
         """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it, in haste beside cusps too.
@@ -220,23 +217,20 @@ class Followed:
         Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and a state is left, the fold
         itself is asked for.
         """
-        found = np.full(self.begin.size, np.nan)
+        found = np.empty(self.begin.size)
         for rows in self._blocks():
             tubes, start, goal = self._start(rows)
             safe, top, _ = passed(tubes, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
-            ended[left[self._none(rows[left])]] = 1.0
+            # Where no state is left at the end of the way, proved, the one that is followed may have run to infinity.
+            eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
+            ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
             decided, ends, _ = self._folds(tubes[left], start[left], goal[left], hasty=hasty)
             ended[left] = np.where(decided, np.isfinite(ends[-1]), np.nan)
             found[rows] = ended
         return found.reshape(self.shape)
-
-    def _none(self, rows: Any) -> BoolArray:
-        """Whether no state is left, proved, at the end of the way: the one that is followed may have run to infinity."""
-        eq = equilibria(self._points(rows).replace(**{self.vary: self.until[rows]}))
-        return eq.decided & eq.whole & (eq.count == 0)
 
     def _blocks(self) -> Iterator[Any]:
         every = np.arange(self.begin.size)

@@ -263,11 +263,12 @@ def jump_probability(
     if method not in WAYS:
         raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
     if isinstance(distribution, tuple):
-        asked = model_of(distribution)
+        asked, in_si = model_of(distribution), isinstance(distribution[0], PhysicalParameters)
     else:
         asked = model if isinstance(model, Model) else load(model or USUAL)
+        in_si = not {*distribution}.isdisjoint({*quantities(asked.where).units} - {*asked.parameters})
     asked = asked.search if method == "search" else asked
-    kind = quantities(asked.where) if _is_physical(asked, distribution) else None
+    kind = quantities(asked.where) if in_si else None
     variables = _variables(asked, kind, distribution)
     vary, begin = asked.rising(vary, begin)
     event = partial(_ended, asked, kind, vary, begin, method)
@@ -301,11 +302,9 @@ def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Sh
         parts = [laws[name](high) - laws[name](low) for name, low, high in sides]
         return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
 
-    def open_(pieces: Pieces) -> FloatArray:
-        return np.asarray(of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)))
-
     least, most = 0.0, 1.0
-    for pieces, last, _ in box.run(open_, max_boxes, sharp=True):
+    run = box.run(lambda pieces: of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)), max_boxes, sharp=True)
+    for pieces, last, _ in run:
         done = pieces[last]
         least += float((of_free(done) * (1.0 - up_to[1](done.top))).sum())
         most -= float((of_free(done) * up_to[0](done.safe)).sum())
@@ -341,13 +340,6 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
     if missing:
         raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
     return {name: variable(name, given[name], allowed) for name, allowed in ranges.items()}
-
-
-def _is_physical(model: Model, distribution: Distribution) -> bool:
-    """Whether what is given are quantities of a brake, in SI."""
-    if isinstance(distribution, tuple):
-        return isinstance(distribution[0], PhysicalParameters)
-    return bool({*distribution} & ({*quantities(model.where).units} - {*model.parameters}))
 
 
 def _ended(

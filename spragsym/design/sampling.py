@@ -155,10 +155,9 @@ class Dependence:
         parts = []
         for group, factor in zip(self.groups, self.factors, strict=True):
             kept = factor[:, np.abs(factor).max(axis=0) > _SINGULAR**0.5]
+            kept = kept if kept.shape[1] < len(group) else np.eye(len(group))
             scores = np.array(list(product((-1.0, 1.0), repeat=kept.shape[1]))) @ kept.T
-            singular = kept.shape[1] < len(group)
-            parts.append(np.unique(np.where(np.abs(scores) < 1e-9, 0.5, np.where(scores > 0, 1.0, 0.0)), axis=0) if singular
-                         else np.array(list(product((0.0, 1.0), repeat=len(group)))))  # fmt: skip
+            parts.append(np.unique(np.where(np.abs(scores) < 1e-9, 0.5, np.where(scores > 0, 1.0, 0.0)), axis=0))
         order = np.argsort([i for group in self.groups for i in group])
         return np.array([np.concatenate([[], *choice])[order] for choice in product(*parts)])
 

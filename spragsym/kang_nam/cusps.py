@@ -115,7 +115,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
 
     sides = (
         sign_of(L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),
-        sign_of(s0 - L * s, lambda s: _cusp_y(s, *exact), "y = 0 on a cusp"),
+        sign_of(s0 - L * s, lambda s: _catastrophe.cusp_sine(s, *exact)[0] - _cusp_length(s, *exact) * s, "y = 0 on a cusp"),
     )
     if sides != (1, -1):
         return
@@ -148,10 +148,6 @@ def _cusp_length(s: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
     return sigma * (1 + (B - alpha) * s * s / (p * (3 * s * s - 2))) / (B + sigma)
 
 
-def _cusp_y(s: Fraction, *exact: Fraction) -> Fraction:
-    return Fraction(_catastrophe.cusp_sine(s, *exact)[0] - _cusp_length(s, *exact) * s)
-
-
 def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Point]:
     """α = 1 + β: a = 0, and f″ = 0 on a fold means 3 sin² θ = 2, whatever the friction."""
     third = balls.exact(Fraction(1, 3))
@@ -163,7 +159,7 @@ def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Point]
             for root in roots_on_the_line(quartic, bits // 2):
                 mu0 = root.interval()
                 s0, c0 = _catastrophe.fold_angles(c, s, mu0, *values)
-                yield from in_contact(Angles(c, s, c0, s0), mu0, values)
+                yield from in_contact(Angles(c, s, c0, s0), mu0, *values)
 
 
 def is_versal(point: Point) -> bool:

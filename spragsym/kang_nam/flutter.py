@@ -138,10 +138,10 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
             L, x, y = kernel.state_of(*on_circle(t)[:2], np.cos(theta0), np.sin(theta0), *fixed)
         good = (y < 0) & (mu0 > 0)
         found.append(np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good])
-    theta0, mu0, theta, L, x, y, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
-    branch, count = _rank(fixed, theta0, mu0, theta)
+    *places, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
     _, curve = np.unique(curve, return_inverse=True)
-    return FlutterBoundary(theta0, mu0, theta, L, x, y, branch, count, curve)
+    branch, count = _rank(fixed, *places[:3])
+    return FlutterBoundary(*[*places, branch, count, curve])
 
 
 def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:

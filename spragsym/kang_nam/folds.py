@@ -160,7 +160,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
         u1, w1, u2, w2 = _lines(vary, angles, others)
         value = -u1 / w1 if sign(w1) else -u2 / w2
         found = {**fixed, vary: value}
-        for point in in_contact(angles, found["mu0"], tuple(found[name] for name in NAMES[2:])):
+        for point in in_contact(angles, *(found[name] for name in NAMES[1:])):
             exactly = replace(point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:]))
             yield _classified(vary, exactly, angles, direction)
 
@@ -328,7 +328,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)
-            for point in in_contact(angles, values[0], values[1:]):
+            for point in in_contact(angles, *values):
                 yield _classified("theta0", point, angles, direction)
 
 
@@ -377,8 +377,8 @@ class SineRoot:
         return sign_or_zero(value, what, vanishes)
 
 
-def in_contact(angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> Iterator[Point]:
-    """The point at κ, α, σ, β with its state, if it is in contact with L > 0."""
-    L, x, y = kernel.state_of(*angles, *values)
+def in_contact(angles: Angles, *values: Interval) -> Iterator[Point]:
+    """The point at μ₀, κ, α, σ, β with its state, if it is in contact with L > 0."""
+    L, x, y = kernel.state_of(*angles, *values[1:])
     if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
-        yield Point((atan2(angles.s0, angles.c0), mu0, *values), atan2(angles.s, angles.c), L, x, y)
+        yield Point((atan2(angles.s0, angles.c0), *values), atan2(angles.s, angles.c), L, x, y)

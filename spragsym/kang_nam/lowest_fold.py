@@ -103,7 +103,10 @@ def _turning_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
     s = balls.between(sine.low, sine.high)
     numerator, denominator = _catastrophe.turning_sine(s, *values)
     s0 = numerator / denominator
-    ratio = partial(_ratio, exact)
+
+    def ratio(s: Fraction) -> tuple[Fraction, Fraction]:
+        return _catastrophe.turning_sine(s, *exact)
+
     if sine.sign_of(s0, lambda s: ratio(s)[0], _DEGREE, "sin θ₀ = 0 at a turn") <= 0:
         return
     if sine.sign_of(1 - s0, lambda s: ratio(s)[1] - ratio(s)[0], _DEGREE, "sin θ₀ = 1 at a turn") <= 0:
@@ -119,13 +122,9 @@ def _turning_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
 
     curvature = kernel.f_curvature(angles.c, s, *trig)
     if sine.sign_of(curvature, cusp, _CURVATURE_DEGREE, "f″ = 0 at a turn") < 0:
-        for point in in_contact(angles, mu0, values):
+        for point in in_contact(angles, mu0, *values):
             if decided(mu0, "μ₀ = 0 at a turn") > 0:
                 yield point
-
-
-def _ratio(exact: tuple[Fraction, ...], s: Fraction) -> tuple[Fraction, ...]:
-    return tuple(map(Fraction, _catastrophe.turning_sine(s, *exact)))
 
 
 def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
@@ -145,4 +144,4 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
             (by_angle, slope), (by_friction, other), *_ = _catastrophe.unfolding(*angles, mu0, *values)
             end = -decided(by_friction * slope - by_angle * other, "how a cusp at θ₀ = 0 opens")
         if end < 0 and decided(mu0, "μ₀ = 0 on a fold at θ₀ = 0") > 0:
-            yield from in_contact(angles, mu0, values)
+            yield from in_contact(angles, mu0, *values)

@@ -35,10 +35,10 @@ def aloft(constants: tuple[float, ...], state: FloatArray) -> bool:
 
     if not state[1] > 0:
         return False
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = constants
-    p = Parameters(theta0=math.atan2(sin0, cos0), mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
-    found, known = equilibria(p, contact=False), (cos0, sin0, kappa, alpha, sigma, beta)
-    surface, (x, y, vx, vy) = _stationary_on_the_surface(cos0, sin0, alpha, sigma), state.tolist()
+    cos0, sin0, mu0, kappa, *springs, _, _ = constants
+    p = Parameters(math.atan2(sin0, cos0), mu0, kappa, *springs)
+    found, known = equilibria(p, contact=False), (cos0, sin0, kappa, *springs)
+    surface, (x, y, vx, vy) = _stationary_on_the_surface(cos0, sin0, *springs[:2]), state.tolist()
     places = np.concatenate([found.x, surface, [cos0]]), np.concatenate([found.y, np.zeros_like(surface), [sin0]])
     values, energy = _potential(*places, *known), _potential(x, y, *known, xp=math) + (vx * vx + vy * vy) / 2
     for slot in np.flatnonzero(found.stability == Stability.STABLE):

@@ -6,7 +6,7 @@ bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is repo
 """
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -53,11 +53,15 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> Settled:
                 return _settle(theta0, rational, contact, digits, bits, bits >= most)
             except Undecided as reason:
                 if bits >= most:
-                    point = ", ".join(f"{name}={value}" for name, value in zip(NAMES, exact, strict=True))
                     raise ConvergenceError(
-                        f"{bits} bits do not settle {point}: {reason}; move the point off the boundary that it is on"
+                        f"{bits} bits do not settle {named(exact)}: {reason}; move the point off the boundary that it is on"
                     ) from None
         bits *= 2
+
+
+def named(point: Iterable[Any]) -> str:
+    """A point as its parameters are written."""
+    return ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
 
 
 def _spread(theta0: Any, rational: list[Fraction]) -> int:

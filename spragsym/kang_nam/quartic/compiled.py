@@ -1,6 +1,8 @@
 """The generated C solver on columns of points, where it was compiled on installation."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
+from typing import Literal
 
 import numpy as np
 
@@ -17,36 +19,35 @@ def available() -> bool:
     return fits(f"{__package__}._compiled")
 
 
-def solve(values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
-    """:func:`.block.solve` in float64: write settled points to ``out`` and return which are not settled.
+def solve(
+    values: Sequence[FloatArray],
+    contact: bool,
+    out: Slots,
+    begin: int,
+    size: int,
+    *,
+    how: Literal["solve", "solve_widely"] = "solve",
+) -> IntArray:
+    """:func:`.block.solve` in float64, or as that says: write settled points to ``out`` and return which are not settled.
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
     """
     from . import _compiled
 
-    return _solve(_compiled.solve, values, contact, out, begin, size)
-
-
-def solve_widely(values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
-    """:func:`.block.solve_widely`: double-double arithmetic."""
-    from . import _compiled
-
-    return _solve(_compiled.solve_widely, values, contact, out, begin, size)
-
-
-def _solve(
-    method: Callable[..., int], values: Sequence[FloatArray], contact: bool, out: Slots, begin: int, size: int
-) -> IntArray:
     settled, rows, here = np.empty(size, dtype=np.bool_), np.empty(size, dtype=np.int64), slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
     shape = size, out.slots - 1
     further = *np.empty((len(COLUMNS) - 1, *shape)), np.empty(shape, dtype=np.int8)  # of the stability, the last
-    used = method(*values, int(contact), settled, out.count[here], first, (rows, *further))
+    used = getattr(_compiled, how)(*values, int(contact), settled, out.count[here], first, (rows, *further))
     if used:
         out.further.append(
             (begin + rows[:used], {name: column[:used].T.copy() for name, column in zip(COLUMNS, further, strict=True)})
         )
     return np.flatnonzero(~settled)
+
+
+#: :func:`.block.solve_widely`: double-double arithmetic.
+solve_widely = partial(solve, how="solve_widely")
 
 
 def count(values: Sequence[FloatArray], size: int) -> Int8Array:

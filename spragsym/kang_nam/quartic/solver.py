@@ -193,10 +193,10 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple
 
         count, columns = np.zeros(left.size, dtype=np.int8), empty(out.slots, left.size)
         for place, row in enumerate(left):
-            parameters = dict(zip(NAMES, (float(value[row]) for value in given), strict=True))
+            point = [float(value[row]) for value in given]
             try:
-                found = adaptive_precision.equilibria(*parameters.values(), contact=contact)
-                _store(columns, place, found, parameters)
+                found = adaptive_precision.equilibria(*point, contact=contact)
+                _store(columns, place, found, adaptive_precision.named(point))
             except ConvergenceError as reason:
                 reasons[int(rows[row])] = str(reason)
             else:
@@ -221,15 +221,14 @@ def _solve_widely(
     return np.concatenate(left)
 
 
-def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
+def _store(columns: Columns, place: int, found: Settled, point: str) -> None:
     """States rounded to float64, by at most half a unit in the last place, which the error includes."""
     from mpmath import log10  # numbers of any size
 
     for state in found.states:
         if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
             raise ConvergenceError(
-                f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of "
-                f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "
+                f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of {point} is beyond float64; "
                 "spragsym.precise carries it"
             )
     for slot, state in enumerate(found.states):

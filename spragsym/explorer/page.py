@@ -116,7 +116,7 @@ def explorer_page(
         "units": units and {name: value for name, value in vars(units).items() if name != "source"},
     }
     beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(units.source)}</p>' if units else ""
-    lines = (f"{name} {look}" for name, look in zip(model.coordinates, _LINES, strict=False))
+    lines = map(" ".join, zip(model.coordinates, _LINES, strict=False))
     return _filled(
         "page.html",
         {
@@ -230,8 +230,8 @@ def _escaped(text: str) -> str:
 
 def _words(blocks: Sequence[str]) -> str:
     """What a page says below its drawing as HTML, formulas that are set apart too."""
-    elements = ["pre" if block.startswith(" ") else "p" for block in blocks]
-    return "\n".join(f"<{name}>{_escaped(block)}</{name}>" for name, block in zip(elements, blocks, strict=True))
+    texts = ((_escaped(block), block.startswith(" ")) for block in blocks)
+    return "\n".join(f"<pre>{text}</pre>" if formula else f"<p>{text}</p>" for text, formula in texts)
 
 
 def _onsets(drawing: str, command: str) -> str:
@@ -242,10 +242,9 @@ def _onsets(drawing: str, command: str) -> str:
 def _derived(model: Model) -> tuple[str, str]:
     """The module and the drawing, as SVG: those that come with the package, or derived now (extra ``derive``)."""
     folder = resources.files("spragsym.generated") / "models" / model.name
-    files = [folder / f"{model.name}.{ending}" for ending in ("mjs", "svg")]
-    if model.where == model.name and files[0].is_file():
-        module, drawing = (file.read_text(encoding="utf-8") for file in files)
-        return module, drawing
+    module, drawing = (folder / f"{model.name}.{ending}" for ending in ("mjs", "svg"))
+    if model.where == model.name and module.is_file():
+        return module.read_text(encoding="utf-8"), drawing.read_text(encoding="utf-8")
     try:
         from ..derive import export, pages
     except ModuleNotFoundError as error:
@@ -290,4 +289,5 @@ def _slider(entry: Mapping[str, Any], angle: bool, values: Sequence[float]) -> d
     last = reach if high is None else high
     room = _INWARD * (last - first)
     first, last = first + room * bool(entry["low_open"]), last - room * (high is not None and bool(entry["high_open"]))
-    return {"low": math.degrees(first), "high": math.degrees(last)} if angle else {"low": first, "high": last}
+    shown = math.degrees if angle else float
+    return {"low": shown(first), "high": shown(last)}

@@ -46,7 +46,6 @@ from .style import picture as content
 
 if TYPE_CHECKING:
     from ..report.reports import Report
-    from ..report.study import Study
 
 #: Letters of a picture in a page: text in the page's own family, 13.6 pixels as its captions.
 _AS_TEXT: Any = {"svg.fonttype": "none", "font.family": "sans-serif", "mathtext.fontset": "dejavusans"} | dict.fromkeys(
@@ -61,7 +60,13 @@ _LINES, _VALUES = 40, 80
 def report_page(report: Report) -> str:
     """A report as one page of HTML, which needs no other file (extra ``plot``): the text of it."""
     study, about = report.study, report.about
-    data = [(f"{name}, {study.kind.meanings[name]}", study.shown(name) + _ends(study, name)) for name in study.quantities]
+    data = [
+        (
+            f"{name}, {study.kind.meanings[name]}",
+            study.shown(name) + f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" * one.varies,
+        )
+        for name, one in study.quantities.items()
+    ]
     headed = {title: rows for title, rows in sections(report) if title != "Warnings"}
     last = {"What to do next": headed.pop("What to do next")}
     title = about.pop("title") or "Sprag-slip report"
@@ -69,12 +74,6 @@ def report_page(report: Report) -> str:
         title, ", ".join(filter(None, about.values())), report.verdict, report.warnings, pictures(report),
         (headed | {"Data": data} | last).items(), study.kind.drawing,
     )  # fmt: skip
-
-
-def _ends(study: Study, name: str) -> str:
-    """The tolerance of a quantity, where it has one."""
-    one = study.quantities[name]
-    return f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.varies else ""
 
 
 def document(

@@ -260,7 +260,7 @@ def example(model: Model) -> str:
         least = kind.ranges()[rises]
         lines.append(f'vary = "{rises}"')
         lines += [] if least.contains(least.low) else [f'begin = "{written(rises, 0.5 * values[rises])}"']
-    where = model.where if model.where == model.name else Path(model.where).as_posix()
+    where = Path(model.where).as_posix()
     return "\n".join([f"# {kind.about['summary']}", "[brake]", f"model = {json.dumps(where, ensure_ascii=False)}", *lines]) + "\n"
 
 
@@ -478,7 +478,7 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     # Beyond these the law is a straight line in v, or a constant, at every speed that was measured.
     grid = np.linspace(math.log(1e-4 / moving.max()), math.log(40.0 / moving.min()), 400)
     k = int(np.argmin([best(value)[1] for value in grid]))
-    ends = grid[max(k - 1, 0)], grid[min(k + 1, grid.size - 1)]
+    ends = grid[np.clip([k - 1, k + 1], 0, grid.size - 1)]
     found = minimize_scalar(lambda log_d: best(log_d)[1], bounds=ends, method="bounded", options={"xatol": 1e-12})
     d, (mu0, left) = math.exp(float(found.x)), best(float(found.x))
     spread = math.sqrt(left / max(speed.size - 2, 1))

@@ -335,10 +335,10 @@ class Report(Result):
     @cached_property
     def needed(self) -> bool:
         """Whether changes were looked for."""
-        study, jump, about = self.study, self.jump_at, self.study.kind.about
+        study, jump = self.study, self.jump_at
         if not self.asked.redesign or jump is None or not (jump < self.target or self.hits or self.within == "refuted"):
             return False
-        plain = not study.of_friction or about["friction"]["at_rest"] == "mu0"
+        plain = not study.of_friction or study.kind.law["at_rest"] == "mu0"
         if not plain:
             self.remarks.append("changes are not looked for: statics of this model does not take mu0 itself for the friction")
         if not self.target > 0:

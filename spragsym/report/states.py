@@ -155,8 +155,8 @@ def unit_of(study: Study, name: str = "") -> tuple[str, float]:
 
 def in_units(study: Study, place: Numbers) -> Numbers:
     """The coordinates of a place by name and unit."""
-    units = {name: unit_of(study, name) for name in study.kind.coordinates if name in place}
-    return {f"{name}_{unit}": size * float(place[name]) for name, (unit, size) in units.items()}
+    known = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in place)
+    return {f"{name}_{unit}": size * float(place[name]) for name, unit, size in known}
 
 
 def _of_springs(study: Study, values: Sequence[Any]) -> Any:
@@ -174,8 +174,8 @@ def _forces(study: Study, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
 
 def _extremes(p: Any, states: FloatArray) -> Ranges:
     constants = [float(value) for value in p.model.arguments(p, "motion")]
-    told = {name: np.asarray(force(states, constants)) for name, force in forces.told_of(p.model).items()}
-    return {name: (float(force.min()), float(force.max())) for name, force in told.items()}
+    told = ((name, force(states, constants)) for name, force in forces.told_of(p.model).items())
+    return {name: (float(np.min(force)), float(np.max(force))) for name, force in told}
 
 
 def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
@@ -301,7 +301,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
 def _moving(study: Study, value: float, jump: float, speed: float) -> Any:
     """The parameters of the motion where it jumps; None where the law is not known or brings no such friction."""
     p, law = study.dimensionless, study.kind.law
-    if not study.moves or (study.kind.about["friction"] and study.law != "friction_at_speed"):
+    if not study.moves or (study.slides and study.law != "friction_at_speed"):
         return None
     if not study.of_friction:
         return p.replace(**{study.rises.name: value})

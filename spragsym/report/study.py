@@ -265,6 +265,11 @@ class Study:
         known = law["belt"] != "0" and set(law["quantities"]) <= set(self.quantities)
         return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"
 
+    @property
+    def slides(self) -> bool:
+        """Whether there is friction."""
+        return bool(self.kind.about["friction"])
+
     @cached_property
     def fraction(self) -> float:
         """The share of μ₀ at which friction works at the speed of the belt; 1 where that is not known."""

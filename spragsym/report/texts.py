@@ -59,7 +59,7 @@ def _on_the_motion(report: Report) -> str:
     """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is not known to move."""
     found = report.oscillation
     here = [state for state in report.states if state.current] or report.states
-    sliding = bool(report.study.kind.about["friction"])
+    sliding = report.study.slides
     if found is None or not (found.alive or found.kind == "lift-off"):
         unstable = bool(here) and all(state.settles is False for state in here)
         return f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow." if unstable else ""
@@ -113,7 +113,7 @@ def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
 
 def _unknown(report: Report) -> str:
     states, about = report.states, report.study.kind.about
-    where = (" of sliding" if about["friction"] else "") + (" in contact" if about["contact"]["gap"] is not None else "")
+    where = (" of sliding" if report.study.slides else "") + (" in contact" if about["contact"]["gap"] is not None else "")
     there = f"are {len(states)} states{where}, {sum(state.stable for state in states)} stable"
     if len(states) == 1:
         there = f"is one state{where}, {'stable' if states[0].stable else 'unstable'}"
@@ -181,7 +181,7 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
 
 def _jump(report: Report) -> Rows:
     study, rise, (low, works, high) = report.study, report.study.rise, report.study.friction
-    if study.kind.about["friction"]:
+    if study.slides:
         yield "friction at the belt's speed", f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else "")
     if rise is None:
         return
@@ -367,7 +367,7 @@ def _oscillation(report: Report) -> Rows:
         return
     if found.kind == "cycle":
         yield "frequency", f"{found.frequency_hz:.5g} Hz"
-    sliding = bool(report.study.kind.about["friction"])
+    sliding = report.study.slides
     yield "amplitude along the belt" if found.unit == "mm" and sliding else "amplitude", f"{found.amplitude:.4g} {found.unit}"
     yield from _forces(found)
     if report.study.kind.about["contact"]["unilateral"]:

@@ -195,7 +195,7 @@ def begins_alike(study: Study, after: Numbers) -> bool:
         return False
 
 
-def bracket(study: Study, parts: int = _PARTS) -> Span:
+def bracket(study: Study) -> Span:
     """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is proved not to.
 
     (0, 1) where quantities vary together, or too many vary, and where friction that works less than fully is not what rises.
@@ -215,9 +215,9 @@ def bracket(study: Study, parts: int = _PARTS) -> Span:
     if study.of_friction:
         least, most = _shares_that_work(study)
         up_to = law("mu0", 1 / most), law("mu0", 1 / least)
-    below, above = measured(splitting, laws, up_to, parts)
-    widths = [(one.high, one.high - one.low) for one in (study.quantities[name] for name in names)]
-    off = parts * _ROUNDING * max(abs(end) / width for end, width in widths)
+    below, above = measured(splitting, laws, up_to, _PARTS)
+    ends = [study.quantities[name] for name in names]
+    off = _PARTS * _ROUNDING * max(abs(one.high) / (one.high - one.low) for one in ends)
     return max(0.0, below - off), min(1.0, above + off)
 
 
@@ -238,7 +238,7 @@ OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
 def working_friction(study: Study) -> Spread:
     """The friction that works: least, as drawn, and largest within the tolerances, by bounds; 0 for a model without friction."""
     p = study.dimensionless
-    if not study.kind.about["friction"]:
+    if not study.slides:
         return 0.0, 0.0, 0.0
     here = float(p.model.friction(p, study.law))
     if not set(friction_depends_on(study)) & set(study.tolerances):

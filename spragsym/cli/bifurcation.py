@@ -195,7 +195,7 @@ def points_of(case: Case, found: Any, after: bool = False) -> dict[str, Any]:
     elif len(found.vary) == 1:
         names += ["ends", "when"]
         following = case.row(found.after if after else after_if_known(found), "_after")
-    points = case.rows({name: getattr(found, name) for name in names}, **following, error=found.error.tolist())
+    points = case.rows({name: getattr(found, name) for name in names}, **following, error=found.error)
     searched, *undecided = case.boxes([found.region, *found.undecided], (*case.model.coordinates, *found.vary))
     return {
         "points": points, "complete": bool(found.complete), "searched": searched, "undecided": undecided,
@@ -208,10 +208,11 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
     rows = told["points"]
     if rows or told["complete"]:
         shown = [{name: value for name, value in row.items() if name not in BESIDE} for row in rows]
-        after = [name for name in (shown[0] if shown else ()) if "_after" in name]
+        names = [*shown[0]] if shown else []
+        after = [name for name in names if "_after" in name]
         angles = (name for name in after if name.startswith("theta"))
-        room = [*lengths(after), *lengths(shown[0] if shown else ()), "error", *angles, *after[::-1]]
-        print_rows(f"{title} along {' and '.join(where)}", shown, list(dict.fromkeys(room)))
+        room = [*lengths(after), *lengths(names), "error", *angles, *after[::-1]]
+        print_rows(f"{title} along {' and '.join(where)}", shown, room)
     lost = [row for row in rows if row.get("ends") in ("lower", "upper") and _is_lost(row)]
     if lost:
         everywhere = math.isinf(next(iter(told["searched"].values()))[0])  # as by closed forms: a search may be undecided

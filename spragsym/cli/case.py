@@ -122,8 +122,7 @@ class Case:
 
     def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
         """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
-        ends = ({name: tuple(map(float, pair)) for name, pair in zip(names, box, strict=True)} for box in boxes)
-        return [{**about, **self.row(box)} for box in ends]
+        return [{**about, **self.row(dict(zip(names, box, strict=True)))} for box in boxes]
 
     def following(self, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
         """A set of parameters that follows the state that ``--state`` chose, if it did."""
@@ -143,9 +142,8 @@ class Case:
 
         Where it stands ``alone`` a range has no value besides.
         """
-        name, unit, title = self.varied(typed.name)
-        asked = typed.ends is not None and alone
-        if asked and click.get_current_context().get_parameter_source(name) == ParameterSource.COMMANDLINE:
+        name, title, unit = self.varied(typed.name)
+        if typed.ends is not None and alone and is_typed(name):
             flag = options_of(self.model.about, name)[0]
             raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
         allowed, count = self.model.Parameters.ranges[name], typed.count or COUNT
@@ -213,20 +211,18 @@ class Case:
         told = {**self.row(columns), **more}
         return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
 
-    def varied(self, name: str) -> tuple[str, float, str]:
-        """A parameter, or with a file its quantity: the parameter, its unit in SI, and its title."""
+    def varied(self, name: str) -> tuple[str, str, float]:
+        """A parameter, or with a file its quantity: the parameter, its title, and what one of it is there."""
         entries = self.model.about["parameters"]
         for entry in entries:
             if name == entry["name"] and (self.study is None or name != entry["quantity"] or entry["quantity_unit"] == "1"):
-                title, unit = self._titled(name, entry["unit"])
-                return name, unit, title
+                return name, *self._titled(name, entry["unit"])
         for entry in entries:
             if name == entry["quantity"]:
                 if self.study is None:
                     cure = f"without --data the parameters have no units; give --vary {entry['name']}"
                     raise ParameterError(f"--vary {name}: {cure}")
-                title, unit = self._titled(name, entry["quantity_unit"], name)
-                return entry["name"], unit, title
+                return entry["name"], *self._titled(name, entry["quantity_unit"], name)
         if any(name == entry["name"] for entry in self.model.about["units"]):
             raise ParameterError(
                 f"--vary {name}: it is a unit of the model, and several parameters change with it; write a file for each value"
@@ -262,7 +258,7 @@ class Case:
     def _named(self, name: str) -> tuple[str, float]:
         """A parameter, by its quantity, or a coordinate."""
         quantities = {entry["name"]: entry["quantity"] for entry in self.model.about["parameters"]}
-        return self.varied(quantities[name])[:0:-1] if name in quantities else self.of(name)
+        return self.varied(quantities[name])[1:] if name in quantities else self.of(name)
 
     def _titled(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
         """A title with its unit, and what one of the model's own units is there."""
@@ -280,6 +276,11 @@ def _scaled(value: Any, size: float) -> Any:
     if array.dtype.kind == "c":
         array = np.stack([array.real, array.imag], axis=-1)
     return (size * array if array.dtype.kind == "f" else array).tolist()
+
+
+def is_typed(option: str) -> bool:
+    """Whether an option stands on the command line."""
+    return click.get_current_context().get_parameter_source(option) == ParameterSource.COMMANDLINE
 
 
 def in_degrees(allowed: Range, remedy: str = "") -> Range:

@@ -163,8 +163,8 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     along = case.span
     with show_progress(f"following a state along {along.name}"):
         found = ss.quasi_static_path(case.following(case.set(along.name), near), along.name, along.values, **case.ask)
-    words = {"stability": found.stability, "damped": found.damped.astype(str)}
-    states = case.rows({along.name: found.values, **words, "growth": found.growth, **found.places})
+    words = {name: getattr(found, name) for name in ("stability", "damped", "growth")}
+    states = case.rows({along.name: found.values, **words, **found.places})
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})
         | case.row(jump.before, "_before")

@@ -15,7 +15,7 @@ from ..errors import ParameterError
 from ..models.parameters import FloatArray
 from ..progress import show_progress
 from . import options as o
-from .case import Case
+from .case import Case, is_typed
 from .output import drawn, print_rows, refuse, resumed
 
 if TYPE_CHECKING:
@@ -79,8 +79,7 @@ def simulate(
 def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple[float, float]:
     """Until when, and from when on it is measured, in the model's unit of time; with a file they are typed in seconds."""
     second, of_file = case.time, case.study is not None
-    typed = click.get_current_context().get_parameter_source("t_end") == click.core.ParameterSource.COMMANDLINE
-    t_end = t_end / second if typed else t_end
+    t_end = t_end / second if is_typed("t_end") else t_end
     transient = 0.75 * t_end if transient is None else transient / second
     if transient >= t_end:
         begins, ends = (f"{value * second:.9g}{' s' * of_file}" for value in (transient, t_end))
@@ -100,7 +99,7 @@ def _summary(tr: Any, transient: float) -> dict[str, Any]:
         "mean": late.mean(0.0, of=first), "largest": late.largest(0.0, of=first),
         "period": late.period(0.0), "converged": late.converged(0.0),
         **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event}, "backend": tr.backend,
-        **({} if tr.error is None else {"error": float(tr.error.max())}),
+        **({} if tr.error is None else {"error": tr.error.max()}),
     }  # fmt: skip
 
 

@@ -13,15 +13,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 import numpy as np
-from click.core import ParameterSource
 
 from ..errors import ParameterError
 from ..models import load
 from ..models.load import USUAL
 from ..models.model import options_of
 from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, Range, as_number, as_numbers, degrees, shown
-from .case import Case, Typed, in_degrees, study_of
-from .output import drawable, print_json, refuse
+from .case import Case, Typed, in_degrees, is_typed, study_of
+from .output import print_json, refuse
 
 if TYPE_CHECKING:
     from ..models import Model
@@ -277,9 +276,9 @@ class OfModel(Command):
             name = entry["name"]
             if name in self.model.about["angles"]:
                 values[name] = None if values[name] is None else np.radians(values[name])
-            elif ctx.obj and name == entry["quantity"] and ctx.get_parameter_source(name) == ParameterSource.COMMANDLINE:
+            elif ctx.obj and name == entry["quantity"] and is_typed(name):
                 # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
-                values[name] = values[name] / units.varied(name)[1]
+                values[name] = values[name] / units.varied(name)[2]
         start = {f"{name}0": given.pop(f"{name}0") / units.state(name) for name in self.model.components if self.start}
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
         asked = given.pop("vary", None) or [Typed(name, name) for name in self.varied]
@@ -289,7 +288,8 @@ class OfModel(Command):
         case = Case(self.model, ctx.obj, values, start, ask, spans, force)
         json_output, plot = given.pop("json_output", False), given.get("plot")
         assert self.work is not None
-        drawable(plot)
+        if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
+            raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
         refuse([plot], force)
         done = self.work(case, **given)
         if done is not None:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..display import aligned
-from ..errors import ParameterError, TargetError
+from ..errors import TargetError
 from ..files.storage import overwriting, probe, put
 from ..numerics.decimals import upward
 from ..progress import show_progress
@@ -122,12 +122,6 @@ def resumed(force: bool) -> Iterator[None]:
             yield
     except TargetError as error:
         raise TargetError(f"{error}, or use --force to overwrite") from error
-
-
-def drawable(path: Path | None) -> None:
-    """Raise for a file of a kind that figures are not written in."""
-    if path is not None and path.suffix not in (".pdf", ".png", ".svg"):
-        raise ParameterError(f"--plot {path}: the ending must be .pdf, .png or .svg")
 
 
 def drawn(

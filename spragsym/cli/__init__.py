@@ -167,8 +167,8 @@ def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
             return f"{error.filename}: {error.strerror}; give another path", 1
         case MemoryError():
             return "out of memory; ask for fewer points at a time", 1
-    remedy = "a mistake in spragsym; report it with what --debug prints"
-    return f"unexpected {type(error).__name__}: {error}; this is {remedy}", 1
+    remedy = "this is a mistake in spragsym; report it with what --debug prints"
+    return f"unexpected {type(error).__name__}: {error}; {remedy}", 1
 
 
 def _message(error: click.ClickException, arguments: list[str]) -> str:

@@ -81,12 +81,12 @@ class Case:
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
-        self.require([name for name in values if name not in spanned and values[name] is None])
+        self.require(values, spanned)
         return (self.model.search if self.ask.get("method") == "search" else self.model).Parameters(**values)
 
-    def require(self, missing: Sequence[str] | None = None) -> None:
-        """An error that names the option of a parameter that has no value."""
-        for name in [name for name, value in self.values.items() if value is None] if missing is None else missing:
+    def require(self, values: Mapping[str, Any], spanned: Sequence[str] = ()) -> None:
+        """An error that names the option of a parameter that has no value, and is not one of those that vary."""
+        for name in (name for name, value in values.items() if value is None and name not in spanned):
             flag, number = options_of(self.model.about, name)[0], "DEGREES" if name in self.model.about["angles"] else "NUMBER"
             varying = f" while {' and '.join(span.name for span in self.spans)} varies" if self.spans else ""
             raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")

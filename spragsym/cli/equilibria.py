@@ -54,7 +54,7 @@ def equilibria(case: Case, plot: Path | None) -> Any:
     if case.spans:
         case.require_ends()
         values[case.span.name], titles[case.span.name] = case.span.values, (case.span.title, case.span.unit)
-    case.require([name for name, value in values.items() if value is None])
+    case.require(values)
     many = [name for name, value in values.items() if np.ndim(value)]
     if plot is not None:
         _draw(case, plot, many)

@@ -128,14 +128,14 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store:
     """
     from ..motion.sweeps import Regime
 
-    case.require()
+    case.require(case.values)
     t_end, transient = _times(case, t_end, transient, "each motion of a sweep is followed to its end")
     p, start = _grid(case)
     with resumed(case.force):
         options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": store}
         result = ss.rms_sweep(p, **options)
-    counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
-    click.echo(f"{store}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
+    counts = {regime.name.lower(): np.count_nonzero(result.regime == regime) for regime in Regime}
+    click.echo(f"{store}: " + ", ".join(f"{count} {name}" for name, count in counts.items() if count))
     if case.study is not None:
         unit, size = case.study.unit_of("m")
         click.echo(f"{store}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s")
@@ -169,7 +169,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
     """
     from ..orbits import fate_map
 
-    case.require()
+    case.require(case.values)
     if plot is not None and sum(np.size(values) > 1 for values in case.values.values()) != 2:
         raise ParameterError(f"--plot {plot}: it draws a map over two parameters that vary; give two of them several values")
     p, start = _grid(case)

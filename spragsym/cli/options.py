@@ -6,7 +6,7 @@ import copy
 import inspect
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -82,7 +82,7 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generi
         try:
             number = float(value)
         except ValueError:
-            self.fail(f"{value!r} is not a number; give one in {self.allowed}", param, ctx)
+            self.fail(f"{value!r} is not a number; give one in {self.allowed}")
         return as_number(_flag(param), number, self.allowed)
 
 
@@ -97,18 +97,18 @@ class Numbers(Number):
             return super().convert(value, param, ctx)
         if re.fullmatch(r"\s*[+-]?(0,\d+|\d+,0\d+)\s*", text):
             one, two = text.replace(",", "."), text.replace(",", ".0,")
-            self.fail(f"{value!r} may be one number or two; write {one}, or {two}", param, ctx)
+            self.fail(f"{value!r} may be one number or two; write {one}, or {two}")
         try:
             if ":" not in text:
                 numbers = np.array([float(number) for number in text.split(",")])
             else:
                 start, stop, count = text.split(":")
                 if not 1 < int(count) <= MOST:
-                    self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone", param, ctx)
+                    self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone")
                 with np.errstate(all="ignore"):  # an infinite end, which the range refuses
                     numbers = np.linspace(float(start), float(stop), int(count))
         except ValueError:
-            self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx)
+            self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61")
         as_numbers(_flag(param), numbers, self.allowed)
         return numbers
 
@@ -127,11 +127,11 @@ class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
             ends = (float(numbers[0]), float(numbers[1])) if sign else None
             count = int(numbers[2]) if len(numbers) == 3 else None
         except ValueError:
-            self.fail(f"{value!r} is neither a name nor a range; give it as mu0=0:1, or with values as mu0=0:1:11", param, ctx)
+            self.fail(f"{value!r} is neither a name nor a range; give it as mu0=0:1, or with values as mu0=0:1:11")
         if count is not None and not 2 <= count <= 100_000:
-            self.fail(f"{value!r}: values with both ends are 2 to 100000", param, ctx)
+            self.fail(f"{value!r}: values with both ends are 2 to 100000")
         if ends and ends[0] == ends[1]:
-            self.fail(f"{value!r}: both ends are {shown(ends[0])}; give two values", param, ctx)
+            self.fail(f"{value!r}: both ends are {shown(ends[0])}; give two values")
         return Typed(value, name, ends, count)
 
 
@@ -299,8 +299,7 @@ class OfModel(Command):
             else:
                 tables()
 
-    def _parameters(self) -> list[click.Option]:
-        options = []
+    def _parameters(self) -> Iterator[click.Option]:
         for entry in self.model.about["parameters"]:
             name, default = entry["name"], self.model.base.get(entry["name"])
             allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
@@ -311,10 +310,7 @@ class OfModel(Command):
             # Click puts a default that is told in words into parentheses.
             rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
             flags = (*options_of(self.model.about, name), name)
-            options.append(
-                click.Option(flags, type=self.kind(allowed), default=default, show_default=exact, help=f"{meaning}.{rounded}")
-            )
-        return options
+            yield click.Option(flags, type=self.kind(allowed), default=default, show_default=exact, help=f"{meaning}.{rounded}")
 
     def _start(self) -> list[click.Option]:
         kind, si = self.kind(Range(-math.inf)), Case(self.model).si

@@ -71,26 +71,19 @@ def figure_4() -> Sheet:
 def figure_5() -> Sheet:
     """The linear model against the nonlinear one, below and above the linear model's critical friction."""
     figure, axes = panels(2, 2, DOUBLE, 4.4)
-    limits = {
-        ("x", 0.5): (-2.2, 3.2),
-        ("y", 0.5): (-0.1, 0.01),
-        ("x", 0.7): (-2.2, 3.2),
-        ("y", 0.7): (-0.23, 0.08),
-    }
     tables: dict[str, Table] = {}
-    for row, mu0 in enumerate((0.5, 0.7)):
+    for row, (mu0, lowest) in enumerate(((0.5, (-0.1, 0.01)), (0.7, (-0.23, 0.08)))):
         p = Parameters.article(mu0=mu0)
         curves = branches(p)
-        for ax, name, letter in zip(axes[row], "xy", "abcd"[2 * row : 2 * row + 2], strict=True):
+        for ax, name, letter, ylim in zip(axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True):
             linear = draw_linear(ax, p, name)
-            draw_panel(ax, p, curves, name, ylim=limits[name, mu0])
+            draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
             tables[letter] = table_of(curves)
             tables[f"{letter}_linear"] = linear
-    for ax in axes[:, 0]:
+    for ax, place in zip(axes[:, 0], (86, 92), strict=True):
         write_along(ax, "nonlinear", 30, 1.85)
-    write_along(axes[0, 0], "linear", 86, 2.3, color=BLUE)
-    write_along(axes[1, 0], "linear", 92, 2.3, color=BLUE)
+        write_along(ax, "linear", place, 2.3, color=BLUE)
     return figure.describe(
         f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose spring keeps
         its

@@ -37,9 +37,10 @@ from .style import (
 )
 
 
-def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
+def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
     """Columns of curves, one after the other, and their numbers."""
-    return stacked([{name: getattr(curve, name) for name in names} for curve in curves], "curve", names)
+    every = (*found.vary, *names)
+    return stacked([{name: getattr(curve, name) for name in every} for curve in found.curves], "curve", every)
 
 
 def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
@@ -129,14 +130,13 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     figure, ax = single(SINGLE, 2.7)
     draw_onset_curves(found, ax)
     model = found.points.parameters.model
-    names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
     if not found.curves and not len(found.points):
         say(ax, _no("onsets", found.complete))
     lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed, undecided on dotted ones. Dots: GH;
         squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
         f"Onsets of oscillation of {model.name}{lines if found.damping else ' without damping: two modes meet.'}{_open(found)}",
-        a=_table(found.curves, names),
+        a=_table(found, *model.coordinates, "omega", "lyapunov", "lyapunov_error"),
     )
 
 
@@ -198,7 +198,6 @@ def bifurcation_figure(
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):
         say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
-    names = (*vary, *model.coordinates)
     fixed = [one["name"] for one in model.about["parameters"] if one["role"] == "both" and one["name"] not in vary]
     at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(fixed, p.scalars(*fixed), strict=True))
     return figure.describe(
@@ -206,6 +205,6 @@ def bifurcation_figure(
             ", three in contact in the shaded regions and one elsewhere" if shaded else ""
         };
         dots are cusps.{_open(found)}{" Oscillation sets in on the black or grey lines." if onsets else ""}""",
-        a=_table(found.curves, names),
-        **({"onsets": _table(onsets.curves, (*vary, "omega"))} if onsets else {}),
+        a=_table(found, *model.coordinates),
+        **({"onsets": _table(onsets, "omega")} if onsets else {}),
     )

@@ -364,10 +364,7 @@ def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
 
 def decided(value: Interval, what: str) -> int:
     """The sign of an interval that must have one."""
-    result = sign(value)
-    if result == 0:
-        raise Undecided(what)
-    return result
+    return sign_or_zero(value, what, lambda: False)
 
 
 def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> int:

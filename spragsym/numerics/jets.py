@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
+from itertools import cycle, islice
 from math import comb, factorial
 from typing import Any, TypeAlias
 
@@ -141,7 +142,7 @@ def _sqrt(_: Any, y: Any, order: int) -> list[Any]:
 
 
 def _exp(_: Any, y: Any, order: int) -> list[Any]:
-    return [y / factorial(k) if k > 1 else y for k in range(order + 1)]
+    return _exp_by([y], order)
 
 
 def _log(x: Any, y: Any, order: int) -> list[Any]:
@@ -179,8 +180,10 @@ def _sin(_: Any, pair: tuple[Any, Any], order: int) -> list[Any]:
     return _exp_by([s, c, -s, -c], order)
 
 
-def _exp_by(cycle: Sequence[Any], order: int) -> list[Any]:
-    return [cycle[k % 4] / factorial(k) if k > 1 else cycle[k % 4] for k in range(order + 1)]
+def _exp_by(repeating: Sequence[Any], order: int) -> list[Any]:
+    """From derivatives that come again and again."""
+    derivatives = islice(cycle(repeating), order + 1)
+    return [value / factorial(k) if k > 1 else value for k, value in enumerate(derivatives)]
 
 
 #: Coefficients of a function's series from its argument, its value there and the order.

@@ -52,8 +52,6 @@ from .forces import State, as_intervals
 from .namespaces import XP
 from .precise_balance import once_around, refined, settled_by_digits
 
-#: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
-WIDE = 2.0**-10
 #: Stiffness over that of the contact from which on a point is looked at in polar coordinates first. In lift-off, where nothing
 #: else may hold the mass across, the line of a single spring is the better guide however soft it is.
 STIFF = 3e3
@@ -87,7 +85,9 @@ class Polar(StateSystem):
     def place(self, unknowns: Sequence[Any], nowhere: State, scale: Any) -> tuple[State, Any]:
         """The state with φ as its turning, and the elongation; ``nowhere`` is the evaluation at the coordinates 0."""
         angle, part, *others = unknowns
-        c, s = self._direction(angle, nowhere)
+        cosine, sine = nowhere.xp.cos(angle), nowhere.xp.sin(angle)
+        c0, s0 = nowhere.at_rest[0] if self.turns else (1, 0)
+        c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
         q = list(nowhere.q)
         for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
             q[number] = value
@@ -101,12 +101,6 @@ class Polar(StateSystem):
             (c, s, length) if number == self.spring else at.direction(dx, dy) for number, (dx, dy, _) in enumerate(at.geometry)
         ]
         return replace(at, fixed=self.turned(itertools.chain(*lines), angle)), elongation
-
-    def _direction(self, angle: Any, at: State) -> tuple[Any, Any]:
-        """Cosine and sine of the line's direction at φ, from the one at φ = 0."""
-        cosine, sine = at.xp.cos(angle), at.xp.sin(angle)
-        c0, s0 = at.at_rest[0] if self.turns else (1, 0)
-        return cosine * c0 - sine * s0, sine * c0 + cosine * s0
 
     def turned(self, directions: Iterable[Any], angle: Any) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
@@ -219,13 +213,9 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
     return _of_any_spring(balance, given, regions, np.flatnonzero(stiff))
 
 
-def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots, wider: float = WIDE) -> Roots:
-    """What a search has left along circles around anchors, decided in polar coordinates where that succeeds.
-
-    ``wider`` is the width of a box that is left from which on a point is looked at.
-    """
-    wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > wider
-    again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point[wide]))
+def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots) -> Roots:
+    """What a search has left, as along circles around anchors, decided in polar coordinates where that succeeds."""
+    again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point))
     return certified_roots.concatenated([found.of(np.flatnonzero(done), others=True), again], balance.n)
 
 

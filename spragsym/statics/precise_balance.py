@@ -46,12 +46,6 @@ def renewed(found: Roots, around: FloatArray, points: IntArray, parts: Sequence[
     return concatenated([found.of(points, others=True), again.kept(left=inside)], n)
 
 
-def clustered(around: FloatArray, found: Roots) -> Roots:
-    """Roots with one hull for each cluster of undecided boxes, and of boxes around roots known to few digits."""
-    hulls, owner = clusters(*boxes_of(found))
-    return renewed(found, around, np.unique(owner), [Roots.none(len(hulls[0])).besides(hulls, owner)])
-
-
 def refined(system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False) -> Roots:
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()

@@ -21,7 +21,7 @@ from . import stability
 from .balance import NOTHING, Balance
 from .forces import as_intervals
 from .polar import around_anchors, stiff_points, turned_points
-from .precise_balance import clustered, on_its_side, once_around, refined, settled_by_digits
+from .precise_balance import on_its_side, once_around, refined, settled_by_digits
 from .reference_state import in_order
 from .regions import by_hand, region
 from .states import Held
@@ -115,14 +115,13 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
         return Roots.none(balance.n)
     found = certified_roots.search(balance, around, given, given, narrow=NARROW)
     along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
-    parts = [clustered(around, found.of(along, others=True))]
+    parts = [found.of(along, others=True)]
     for point in along.tolist():
         own = found.of(np.array([point]))
         parts.append(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
     found = certified_roots.concatenated(parts, balance.n)
-    found = around_anchors(balance, given, around, found)
     found = settled_by_digits(balance, given, around, found, without=along.tolist())
-    return around_anchors(balance, given, around, found, 0.0)
+    return around_anchors(balance, given, around, found)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray) -> Equilibria:

@@ -6,7 +6,7 @@ real where the leading minors of the Hankel matrix of their sums of powers are p
 their elementary symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many digits.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
@@ -166,10 +166,8 @@ def proved_types(balance: Balance, given: FloatArray, ends: FloatArray, alone: F
     with np.errstate(all="ignore"):
         elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
     codes, proved = _told(elementary, minors, conservative)
-    for row in np.flatnonzero(~proved).tolist():
-        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], _types)
-        if again is not None:
-            codes[row : row + 1], proved[row : row + 1] = _told(again[0], again[1], conservative[row : row + 1])
+    for row, (elementary, minors) in _with_digits(balance, given, ends, alone, ~proved, lambda _: _types):
+        codes[row], proved[row] = _told(elementary, minors, conservative[row])
     return codes, proved
 
 
@@ -217,10 +215,8 @@ def decay(
         half = np.where(growth > 0, 0.5 * growth, 0.0)
         told = _told_to_decay(_signs_over(at, asked(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
-    for row in np.flatnonzero(found == 0).tolist():
-        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], asked(ball(float(half[row]), BITS)))
-        if again is not None:
-            found[row : row + 1] = _told_to_decay(again)
+    for row, signs in _with_digits(balance, given, ends, alone, found == 0, lambda row: asked(ball(float(half[row]), BITS))):
+        found[row] = _told_to_decay(signs)
     return found
 
 
@@ -281,14 +277,15 @@ def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> 
 
 
 def _with_digits(
-    balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray, ask: Ask
-) -> list[Int8Array] | None:  # fmt: skip
-    """Signs at one state with many digits, of what is asked; None where the box around the state can't be made smaller."""
-    precise = PreciseBalance(balance, given, BITS)
-    q = narrowed(precise, box, alone)
-    with suppress(Undecided, ZeroDivisionError):
-        return None if q is None else _signs_at(precise, q, ask)
-    return None
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, among: BoolArray, ask: Callable[[int], Ask]
+) -> Iterator[tuple[slice, list[Int8Array]]]:  # fmt: skip
+    """Signs with many digits of what is asked of some states, but of those around which the box can't be made smaller."""
+    for row in np.flatnonzero(among).tolist():
+        precise = PreciseBalance(balance, given[:, row], BITS)
+        q = narrowed(precise, ends[:, :, row], alone[:, :, row])
+        with suppress(Undecided, ZeroDivisionError):
+            if q is not None:
+                yield slice(row, row + 1), _signs_at(precise, q, ask(row))
 
 
 def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:

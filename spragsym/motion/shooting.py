@@ -40,6 +40,11 @@ class Guess:
     period: float
     values: tuple[float, ...]
 
+    @property
+    def stretch(self) -> float:
+        """Time from one state to the next."""
+        return self.period / len(self.states)
+
     def moved(self, step: FloatArray, free: tuple[int, ...]) -> Guess:
         """After a step in states, period and the free parameters."""
         size = self.states.size
@@ -135,8 +140,7 @@ class Loop:
 
     def crossings(self) -> tuple[Crossing, ...]:
         """All crossings of one round, in time from its start."""
-        stretch = self.period / len(self.passages)
-        return tuple(c._replace(t=c.t + i * stretch) for i, each in enumerate(self.passages) for c in each.crossings)
+        return tuple(c._replace(t=c.t + i * self.guess.stretch) for i, each in enumerate(self.passages) for c in each.crossings)
 
     def tops(self) -> list[Turn]:
         """Turns at which the first coordinate is largest."""
@@ -144,7 +148,7 @@ class Loop:
 
     def turns(self) -> tuple[Turn, ...]:
         """All turns of one round, with derivatives by the start of the round."""
-        stretch, found, before = self.period / len(self.passages), [], np.eye(self.field.size)
+        stretch, found, before = self.guess.stretch, [], np.eye(self.field.size)
         shift = np.zeros((self.field.size, 2))
         for i, each in enumerate(self.passages):
             found += [
@@ -200,7 +204,7 @@ def looped(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
     if not guess.period > 0:
         raise ConvergenceError("the period is not positive")
     constants = field.constants(guess.values)
-    stretch, directions = guess.period / len(guess.states), np.zeros((2, len(field.parameters)))
+    stretch, directions = guess.stretch, np.zeros((2, len(field.parameters)))
     directions[range(len(free)), free] = 1.0
     return Loop(flow, guess, constants, tuple(flow.fly(state, constants, stretch, directions) for state in guess.states))
 
@@ -271,8 +275,7 @@ def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
 
     Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
     """
-    guess, states = loop.guess, []
-    stretch = guess.period / len(guess.states)
+    guess, stretch, states = loop.guess, loop.guess.stretch, []
     for i in range(pieces):
         t = (begin + i * guess.period / pieces) % guess.period
         which = min(int(t / stretch), len(guess.states) - 1)
@@ -324,8 +327,7 @@ def once_round(loop: Loop) -> Loop:
 
 def difference(loop: Loop) -> float:
     """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
-    stretch = loop.period / len(loop.passages)
-    ends = [loop.flow.plain(state, loop.constants, stretch).state for state in loop.states]
+    ends = [loop.flow.plain(state, loop.constants, loop.guess.stretch).state for state in loop.states]
     return float(np.abs(loop.ends - ends).max())
 
 

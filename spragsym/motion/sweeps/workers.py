@@ -20,7 +20,6 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Se
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import closing, contextmanager, suppress
 from functools import partial
-from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
@@ -83,24 +82,25 @@ def made_or_loaded(
         table = np.array([values or [np.nan] * len(names) for values, _ in records])
         return told(table.T, (storage.plain(words) for _, words in records), {})
 
-    def loaded(path: Path) -> R:
-        known = storage.read_own(path, hashed)
-        return told([np.asarray(known[name], dtype=float) for name in names], known[text], known)
-
     if store is None:
         kept: dict[int, Record] = {}
         return compute(kept, kept.__setitem__)
     target, hashed, total = resolved(store), key(), len(points)
-    if target.is_file() and not storage.OVERWRITING.get():
-        result = loaded(target)
+
+    def loaded() -> R | None:
+        if not target.is_file() or storage.OVERWRITING.get():
+            return None
+        known = storage.read_own(target, hashed)
+        return told([known[name] for name in names], known[text], known)
+
+    if (result := loaded()) is not None:
         clear(target, hashed, total)
         return result
     storage.check_target(target, 100_000 + 1000 * total)
     with journal(target, hashed, total) as (done, keep):
-        if target.is_file() and not storage.OVERWRITING.get():  # another process has finished it in the meantime
-            return loaded(target)
-        result = compute(done, keep)
-        result.save(target)
+        if (result := loaded()) is None:  # else another process has finished it in the meantime
+            result = compute(done, keep)
+            result.save(target)
     return result
 
 

@@ -131,9 +131,7 @@ def overhead_table() -> None:
         return min(timed(lambda: [function() for _ in range(times)], time.process_time)[0] for _ in range(7)) / times * 1e6
 
     def bare(problem: Problem) -> None:
-        compiled = taylor_for(problem)
-        compiled.begin(problem.start, problem.constants)
-        compiled.solver.propagate_until(problem.t_end)
+        taylor_for(problem).begun(problem).solver.propagate_until(problem.t_end)
 
     print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")
     print("| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | over integration |")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from types import ModuleType
 from typing import Any, TypeVar
 
@@ -25,7 +25,7 @@ from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
 from .solution import Fly, Passage, Solution, events_of, without_chatter
 from .with_heyoka import taylor_of
-from .with_scipy import IMPLICIT, NONE, RTOL, Flight
+from .with_scipy import RTOL, Flight
 
 T = TypeVar("T")
 
@@ -36,6 +36,9 @@ BACKENDS = ("heyoka", "compiled", "scipy")
 OF_ANY_MODEL = ("heyoka", "scipy")
 
 _INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
+
+#: No directions of parameters.
+NONE = np.empty((0, 0))
 
 #: Tolerance by which SciPy follows a motion to where Newton's method can begin.
 LOOSE = 1e-9
@@ -78,8 +81,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
     except StiffError:
-        flight = Flight(problem.field, False, max(problem.rtol, IMPLICIT), stiff=True)
-        solution = flight.motion(replace(problem, max_steps=None))
+        solution = Flight(problem, stiff=True).motion()
     return without_chatter(solution, problem)
 
 
@@ -126,24 +128,23 @@ class Flow:
         if self.other:
             return self.other(state, constants, duration, directions)
         along = directions if directions.any() else NONE
-        return self._asked(lambda carrier: carrier.fly(state, constants, duration, along), True, len(along))
+        return self._asked(lambda carrier: carrier.fly(), state, constants, duration, along)
 
-    def plain(
-        self, state: FloatArray, constants: tuple[float, ...], duration: float, *, loose: bool = False
-    ) -> Passage:  # fmt: skip
+    def plain(self, state: FloatArray, constants: tuple[float, ...], duration: float, *, loose: bool = False) -> Passage:
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
-        return self._asked(lambda carrier: carrier.fly(state, constants, duration), False, rtol=LOOSE if loose else RTOL)
+        return self._asked(lambda carrier: carrier.fly(), state, constants, duration, rtol=LOOSE if loose else RTOL)
 
     def samples(self, start: FloatArray, constants: tuple[float, ...], t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
-        problem = Problem(constants, tuple(start.tolist()), t_end, 0.0, RTOL, None, lambda _: self.field)
-        return self._asked(lambda carrier: carrier.motion(problem).samples, False)
+        return self._asked(lambda carrier: carrier.motion().samples, start, constants, t_end)
 
-    def _asked(self, ask: Callable[[Any], T], derivatives: bool, directions: int = 0, rtol: float = RTOL) -> T:
+    def _asked(
+        self, ask: Callable[[Any], T], state: FloatArray, constants: tuple[float, ...], t_end: float,
+        directions: FloatArray | None = None, rtol: float = RTOL,
+    ) -> T:  # fmt: skip
         """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""
+        problem = Problem(constants, tuple(state.tolist()), t_end, 0.0, rtol, None, lambda _: self.field)
         try:
-            if self.backend == "heyoka":
-                return ask(taylor_of(self.field, derivatives, directions))
-            return ask(Flight(self.field, derivatives, rtol))
+            return ask(taylor_of(problem, directions) if self.backend == "heyoka" else Flight(problem, directions))
         except StiffError:
-            return ask(Flight(self.field, derivatives, max(rtol, IMPLICIT), stiff=True))
+            return ask(Flight(problem, directions, stiff=True))

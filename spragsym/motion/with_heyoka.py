@@ -83,24 +83,25 @@ class Approach:
 
 
 def equations(
-    field: Field, *, watch: bool = False, derivatives: bool = False, directions: int = 0
+    field: Field, *, watch: bool = False, directions: int | None = None
 ) -> tuple[list[Any], tuple[Any, Any, Any], list[Any], list[Approach]]:
     """A field for heyoka: variables with their derivatives in time; state, constants and mode; accelerations; approaches.
 
-    Constants, mode and directions are its ``par[]``. The variables are the state; with ``derivatives`` those of the state by its
-    start and along ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate
-    and of its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter,
-    so that they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
+    Constants, mode and directions are its ``par[]``. The variables are the state; with so many ``directions`` of the parameters
+    its derivatives by the start and along those, column by column in :data:`UNIT`, and the integrals of the first coordinate and
+    of its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter, so
+    that they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
     """
     hy = library()
     names, n, m = field.coordinates, len(field.coordinates), field.size
-    constants, parameters = count_of(field), len(field.parameters)
+    parameters = len(field.parameters)
+    constants = len(field.constants([1.0] * parameters))
     end = constants + len(field.modes[0])
     state = hy.make_vars(*names, *(f"v{name}" for name in names))
     known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
     accelerations = list(field.acceleration(state, known, mode, xp := Functions()))
     system = list(zip(state, [*state[n:], *accelerations], strict=True))
-    if derivatives:
+    if directions is not None:
         jacobian, slopes = (make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters))
         for column in range(m + directions):
             part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))  # no coordinate has a dot in its name
@@ -110,16 +111,11 @@ def equations(
                 weights = [hy.par[begin + i] for i in range(parameters)]
                 rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
             system += zip(part, [*part[n:], *rates], strict=True)
-    if watch or derivatives:
+    if watch or directions is not None:
         shift, scale = (state[0] - hy.par[end], hy.par[end + 1]) if watch else (state[0], UNIT)
         sums = [scale * shift, scale * shift * shift, *(scale * other for other in state[1:n] if watch)]
         system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
     return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m])
-
-
-def count_of(field: Field) -> int:
-    """How many constants a field takes."""
-    return len(field.constants([1.0] * len(field.parameters)))
 
 
 def _dot(one: Any, other: Any) -> Any:
@@ -134,17 +130,17 @@ class Carrier(ABC):
     """
 
     def __init__(
-        self, field: Field, tol: float, *, lanes: int = 1, watch: bool = False, derivatives: bool = False, directions: int = 0,
+        self, field: Field, tol: float, *, lanes: int = 1, watch: bool = False, directions: int | None = None,
         turning: bool = False,
     ) -> None:  # fmt: skip
         hy = library()
-        self.field, self.m, self.tol, self.derivatives, self.directions = field, field.size, tol, derivatives, directions
-        self.constants = count_of(field)
+        self.field, self.m, self.tol, self.derivatives = field, field.size, tol, directions is not None
         self.modes: list[Mode] = [field.modes[0]] * lanes
         #: Lanes in which a crossing was missed, with the time; whether derivatives would be carried across a jump.
         self.strays: dict[int, float] = {}
         self.jumped = False
-        system, seen, accelerations, approaches = equations(field, watch=watch, derivatives=derivatives, directions=directions)
+        system, seen, accelerations, approaches = equations(field, watch=watch, directions=directions)
+        self.constants = len(seen[1])
         rates = [(-1, seen[0][len(field.coordinates)])] if turning or watch else []
         if watch and 0 in field.around:
             rates.append((PASSAGE, hy.sin(seen[0][0] / 2.0)))
@@ -210,9 +206,10 @@ class Carrier(ABC):
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         """Note a turn of a border's level, or (−1) of the first coordinate."""
 
-    def _counted(self, lane: int, begun: float, steps: int, most: int, t_end: float, constants: tuple[float, ...]) -> int:
+    def _counted(self, lane: int, begun: float, steps: int, problem: Problem) -> int:
         """Steps of a lane with those of a stretch that ``begun``; an error where it can't go on."""
         outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
+        most, t_end = problem.max_steps or MAX_STEPS, problem.t_end
         if self.jumped:
             raise ConvergenceError(JUMPED)
         if lane in self.strays:
@@ -222,7 +219,7 @@ class Carrier(ABC):
         if steps + made > most:
             raise too_many_steps(most, t, t_end, self.tol)
         if outcome == outcomes.step_limit:
-            check_stiffness(self.field, self.state[: self.m, lane], constants, (t - begun) / max(made, 1), t_end - t)
+            check_stiffness(self.field, self.state[: self.m, lane], problem.constants, (t - begun) / max(made, 1), t_end - t)
         elif outcome != outcomes.time_limit and len(self.modes) == 1:  # of many, another lane may have stopped this one
             raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
         return steps + int(made)
@@ -240,9 +237,7 @@ class Taylor(Carrier):
 
     def __init__(self, field: Field, tol: float, **options: Any) -> None:
         super().__init__(field, tol, **options)
-        self.one, self.known = self.state[:, 0], tuple[float, ...]()
-        self.crossings: list[Crossing] = []
-        self.turns: list[Turn] = []
+        self.one = self.state[:, 0]
 
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
         self.crossings += crossed(self.field, row, self.modes[lane], float(self.times[lane]), state)
@@ -252,25 +247,27 @@ class Taylor(Carrier):
         self.turns.append(Turn(t, border, direction, *self._split(solver.d_output[:, 0])))
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        m, count = self.m, self.m + self.directions
-        return parted(values[:m], values[m : m + m * count].reshape(count, m).T / UNIT if self.derivatives else None)
+        m = self.m
+        return parted(values[:m], values[m:-2].reshape(-1, m).T / UNIT if self.derivatives else None)
 
-    def begin(self, start: Any, constants: tuple[float, ...], directions: Any = ()) -> None:
-        """Stand at the start of a motion, with no events recorded."""
-        self.crossings, self.turns, self.jumped = [], [], False
-        self.known, self.modes[0] = constants, self.field.initial_mode(start, constants)
+    def begun(self, problem: Problem, directions: Any = ()) -> Taylor:
+        """It stands at the start of a motion, with no events recorded."""
+        self.crossings, self.turns = list[Crossing](), list[Turn]()
+        self.problem, self.steps, self.jumped = problem, 0, False
+        self.modes[0] = self.field.initial_mode(problem.start, problem.constants)
         self.solver.set_time(0.0)
-        self._put([start], [(*constants, *self.modes[0], *np.ravel(directions))])
+        self._put([problem.start], [(*problem.constants, *self.modes[0], *np.ravel(directions))])
         if self.derivatives:
             self.one[self.m : self.m + self.m**2 : self.m + 1] = UNIT
+        return self
 
-    def go(self, t: float, t_end: float, most: int, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
-        """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
+    def go(self, t: float, *, record: bool = False) -> list[Samples]:
+        """Go on to ``t``; the samples of every chunk if asked for."""
         pieces = list[Samples]()
         while self.times[0] < t:
-            begun = float(self.times[0])
-            output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps + 1))
-            steps = self._counted(0, begun, steps, most, t_end, self.known)
+            begun, left = float(self.times[0]), (self.problem.max_steps or MAX_STEPS) - self.steps
+            output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, left + 1))
+            self.steps = self._counted(0, begun, self.steps, self.problem)
             if output is not None:  # to the Lobatto points of its steps
                 ends, series = output.times[:, 0], output.tcs[..., 0]
                 step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
@@ -278,22 +275,18 @@ class Taylor(Carrier):
                 pieces.append((sample_times(ends[:-1], ends[1:]), states))
         if not np.isfinite(self.one).all():
             raise out_of_range()
-        if not self.field.are_inside(self.one[: self.m], self.known, self.modes[0]):
+        if not self.field.are_inside(self.one[: self.m], self.problem.constants, self.modes[0]):
             raise missed(t)
-        return steps, pieces
+        return pieces
 
-    def motion(self, problem: Problem) -> Solution:
-        """A motion by its samples, from ``t_record`` on."""
-        self.begin(problem.start, problem.constants)
-        end, most = problem.t_end, problem.max_steps or MAX_STEPS
-        steps, _ = self.go(problem.t_record, end, most)
-        _, pieces = self.go(end, end, most, steps, record=True)
-        return assembled(pieces, self.crossings, problem.t_record)
+    def motion(self) -> Solution:
+        """The motion by its samples, from ``t_record`` on."""
+        self.go(self.problem.t_record)
+        return assembled(self.go(self.problem.t_end, record=True), self.crossings, self.problem.t_record)
 
-    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: Any = ()) -> Passage:
-        """Carry a state on for a while."""
-        self.begin(state, constants, directions)
-        self.go(duration, duration, MAX_STEPS)
+    def fly(self) -> Passage:
+        """Carry the state on to the end."""
+        self.go(self.problem.t_end)
         integrals = (float(self.one[-2]) / UNIT, float(self.one[-1]) / UNIT) if self.derivatives else None
         return Passage(*self._split(self.one), tuple(self.crossings), tuple(self.turns), integrals)
 
@@ -315,20 +308,21 @@ def compiled(kind: Callable[..., T], field: Field, tol: float, **options: Any) -
     return known[key]
 
 
+def taylor_of(problem: Problem, directions: FloatArray | None) -> Taylor:
+    """What carries a flow, with turns, and unless they are None its derivatives by the start and along ``directions``."""
+    tol, count = (PLAIN, None) if directions is None else (TOLERANCE, len(directions))
+    carried = compiled(Taylor, problem.field, tol, directions=count, turning=True)
+    return carried.begun(problem, () if directions is None else directions)
+
+
 def taylor_for(problem: Problem) -> Taylor:
     """What carries a motion."""
     return compiled(Taylor, problem.field, problem.rtol)
 
 
-def taylor_of(field: Field, derivatives: bool, directions: int) -> Taylor:
-    """What carries a flow, with turns, and its derivatives by the start and along ``directions`` of the parameters."""
-    tol = TOLERANCE if derivatives else PLAIN
-    return compiled(Taylor, field, tol, derivatives=derivatives, directions=directions, turning=True)
-
-
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    return taylor_for(problem).motion(problem)
+    return taylor_for(problem).begun(problem).motion()
 
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
@@ -430,10 +424,9 @@ class Lanes(Carrier):
                 values[:, free] = values[:, going[:1]]
             self.solver.propagate_until(end, max_steps=BURST)
             for lane in going.copy():
-                one, begun = some[lane], float(late[lane])
-                most, t_end, constants = one.problem.max_steps or MAX_STEPS, one.problem.t_end, one.problem.constants
+                one = some[lane]
                 try:
-                    one.steps = self._counted(lane, begun, one.steps, most, t_end, constants)
+                    one.steps = self._counted(lane, float(late[lane]), one.steps, one.problem)
                 except ConvergenceError as error:
                     one.error = error
                 if one.error or not self.times[lane] < end:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Field, Mode
+from ..models.field import GAP, JUMPED, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
@@ -23,9 +23,6 @@ ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 10
 
 #: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a share of it.
 RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
-
-#: No directions.
-NONE = np.empty((0, 0))
 
 #: Steps after which a stretch of a flow is given up, and between two looks at whether they have collapsed.
 MAX_STEPS, LOOK = 200_000, 2000
@@ -60,111 +57,119 @@ class _Piece:
 
 @dataclass(frozen=True)
 class Flight:
-    """A field, carried on with or without derivatives; those by parameters are 0 where there are no directions.
+    """The motion of a problem, with derivatives by its start and along ``directions`` of the parameters unless these are None.
 
     By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are DOP853's dense output, as in the
     compiled integrator; else a step of its own leads there, as the interpolant is of lower order than the method.
     """
 
-    field: Field
-    derivatives: bool
-    rtol: float = RTOL
+    problem: Problem
+    directions: FloatArray | None = None
     stiff: bool = False
     absolute: float = ABSOLUTE
     interpolated: bool = False
 
-    def fly(
-        self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray = NONE
-    ) -> Passage:  # fmt: skip
-        """Carry a state on for a while."""
-        m = self.field.size
+    def fly(self) -> Passage:
+        """Carry the state on to the end."""
+        m = self.problem.field.size
         crossings, turns = list[Crossing](), list[Turn]()
-        whole = np.asarray(state, dtype=float)
-        if self.derivatives:
-            whole = np.concatenate([whole, np.eye(m, m + len(directions)).ravel()])
-        for piece in self._pieces(whole, constants, duration, directions):
-            turns += self._turns(piece, constants)
+        whole = np.array(self.problem.start, dtype=float)
+        if self.directions is not None:
+            whole = np.concatenate([whole, np.eye(m, m + len(self.directions)).ravel()])
+        for piece in self._pieces(whole):
+            turns += self._turns(piece)
             crossings += piece.crossings
             whole = piece.last
         return Passage(*self._split(whole), tuple(crossings), tuple(turns))
 
-    def motion(self, problem: Problem) -> Solution:
-        """A motion by its samples, from ``t_record`` on, without derivatives."""
-        pieces, crossings, begin = list[Samples](), list[Crossing](), problem.t_record
+    def motion(self) -> Solution:
+        """The motion by its samples, from ``t_record`` on, without derivatives."""
+        pieces, crossings, begin = list[Samples](), list[Crossing](), self.problem.t_record
         with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
-            start = np.array(problem.start, dtype=float)
-            for piece in self._pieces(start, problem.constants, problem.t_end, NONE, problem.max_steps):
+            for piece in self._pieces(np.array(self.problem.start, dtype=float)):
                 crossings += piece.crossings
                 if piece.end > max(piece.begin, begin - piece.clock):
                     pieces.append(((piece.clock + piece.t)[None], piece.samples[None]))
         return replace(assembled(pieces, crossings, begin), implicit=self.stiff)
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        m = self.field.size
-        return parted(values[:m], values[m:].reshape(m, -1) if self.derivatives else None)
+        m = self.problem.field.size
+        return parted(values[:m], None if self.directions is None else values[m:].reshape(m, -1))
 
-    def _pieces(
-        self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray, most: int | None = None
-    ) -> Iterator[_Piece]:  # fmt: skip
-        """Steps, none of which leaves its mode; a step that would is cut at the border. An error after ``most``, if given."""
-        m, clock = self.field.size, 0.0
+    def solver(self, mode: Mode, whole: FloatArray, bound: float, begin: float = 0.0, first: float | None = None) -> Any:
+        """What steps within a mode from ``begin`` to ``bound``."""
+        from scipy.integrate import DOP853, Radau
+
+        rtol = max(self.problem.rtol, IMPLICIT * self.stiff)
+        options: dict[str, Any] = {"rtol": rtol, "atol": rtol * self.absolute, "first_step": first}
+        return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
+
+    def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
+        """Steps, none of which leaves its mode; a step that would is cut at the border. An error after too many."""
+        field, constants, duration, clock = self.problem.field, self.problem.constants, self.problem.t_end, 0.0
+        m, given = field.size, None if self.stiff else self.problem.max_steps
         first: float | None = None
-        mode, looked, steps = self.field.initial_mode(whole[:m].tolist(), constants), 0.0, 0
+        mode, looked, steps = field.initial_mode(whole[:m].tolist(), constants), 0.0, 0
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
-            rates, bound = self.rates(constants, mode, directions), duration - clock
-            if not np.isfinite(rates(0.0, whole)).all():
+            bound = duration - clock
+            if not np.isfinite(self._rates(mode)(0.0, whole)).all():
                 raise out_of_range()
-            method = _method(self.stiff)
-            options: dict[str, Any] = {"rtol": self.rtol, "atol": self.rtol * self.absolute}
-            solver = method(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
+            solver = self.solver(mode, whole, bound, first=None if first is None else min(first, bound))
             found = None
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
                 if solver.status == "failed" and np.abs(solver.y[:m]).max() > LARGE:
                     raise out_of_range()
                 if solver.status == "failed":
-                    name, t = method.__name__, clock + solver.t
+                    name, t = type(solver).__name__, clock + solver.t
                     raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")
                 if not np.isfinite(solver.y).all():
                     raise out_of_range()
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
-                if steps > (most or MAX_STEPS):
-                    raise too_many_steps(most or MAX_STEPS, clock + end, duration, self.rtol, given=most is not None)
+                if steps > (given or MAX_STEPS):
+                    raise too_many_steps(given or MAX_STEPS, clock + end, duration, solver.rtol, given=given is not None)
                 piece = _Piece(clock, begin, end, solver.y.copy(), dense, mode)
-                found = self._first_crossing(piece, constants)
+                found = self._first_crossing(piece)
                 if found is None:
                     yield piece
                 if steps % LOOK == 0 and not self.stiff:
                     step, looked, left = (clock + end - looked) / LOOK, clock + end, bound - end
-                    check_stiffness(self.field, solver.y[:m], constants, step, left, MOST / 10)
+                    check_stiffness(field, solver.y[:m], constants, step, left, MOST / 10)
             if found is None:
                 return
             at, row = found
-            first, border = solver.step_size, self.field.borders[row]
-            reached = partial(_stepped, method, rates, begin, before, options=options)
-            whole = dense(at) if self.interpolated else reached(at)
+            first, border = solver.step_size, field.borders[row]
+            whole = dense(at) if self.interpolated else self._stepped(mode, before, begin, at)
             for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
-                clear, rate = levels(self.field, constants, mode, whole[:m], inside=True)[row].tolist()
+                clear, rate = self._levels(mode, whole[:m], inside=True)[row].tolist()
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
-                    whole = reached(at)
-            if self.derivatives and border.jumps is not None and border.jumps(whole[:m].tolist(), constants):
+                    whole = self._stepped(mode, before, begin, at)
+            if self.directions is not None and border.jumps is not None and border.jumps(whole[:m].tolist(), constants):
                 raise ConvergenceError(JUMPED)
             after, reached_at = border.beyond(mode), clock + at
-            yield _Piece(clock, begin, at, whole, dense, mode, crossed(self.field, row, after, reached_at, whole[:m]))
+            yield _Piece(clock, begin, at, whole, dense, mode, crossed(field, row, after, reached_at, whole[:m]))
             clock, mode = reached_at, after
 
-    def rates(
-        self, constants: tuple[float, ...], mode: Mode, directions: FloatArray
-    ) -> Callable[[float, FloatArray], FloatArray]:
+    def _stepped(self, mode: Mode, state: FloatArray, begin: float, end: float) -> FloatArray:
+        """A state carried on to the end of a part of a step."""
+        if end <= begin:
+            return state
+        solver = self.solver(mode, state, end, begin, end - begin)
+        while solver.status == "running":
+            solver.step()
+        return np.asarray(solver.y)
+
+    def _rates(self, mode: Mode) -> Callable[[float, FloatArray], FloatArray]:
         """The right-hand side in a mode, of all that is carried."""
-        field, m, n = self.field, self.field.size, len(self.field.coordinates)
+        field, constants, directions = self.problem.field, self.problem.constants, self.directions
+        m, n = field.size, len(field.coordinates)
 
         def rates(_: float, whole: FloatArray) -> FloatArray:
             state = whole[:m].tolist()
             own = np.array([*state[n:], *field.acceleration(state, constants, mode, FLOATS)])
-            if not self.derivatives:
+            if directions is None:
                 return own
             columns = whole[m:].reshape(m, -1)
             change = field.matrix(state, constants, mode, FLOATS) @ columns
@@ -174,11 +179,22 @@ class Flight:
 
         return rates
 
-    def _first_crossing(self, piece: _Piece, constants: tuple[float, ...]) -> tuple[float, int] | None:
+    def _levels(self, mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
+        """Levels of all borders and their rates, (borders, 2, …); or how far ``inside`` those of a mode, negative beyond."""
+        field, constants = self.problem.field, self.problem.constants
+        accelerations = field.acceleration(states, constants, mode, ARRAYS)
+        found = np.empty((len(field.borders), 2, *states.shape[1:]))
+        for row, border in zip(found, field.borders, strict=True):
+            sign = border.sign(mode) if inside else 1
+            row[0] = sign * border.level(states, constants, mode) + GAP * (inside and border.kink)
+            row[1] = sign * border.rate(states, accelerations, constants, mode)
+        return found
+
+    def _first_crossing(self, piece: _Piece) -> tuple[float, int] | None:
         """When the motion first leaves its mode, and through which border."""
 
         def inside(whole: FloatArray) -> FloatArray:
-            return levels(self.field, constants, piece.mode, whole[: self.field.size], inside=True)
+            return self._levels(piece.mode, whole[: self.problem.field.size], inside=True)
 
         def border(row: int, part: int, t: float) -> float:
             """Distance from one of the borders (part 0), or its rate (part 1)."""
@@ -191,13 +207,13 @@ class Flight:
                 found.append((_root(partial(border, row, 0), *bracket), row))
         return min(found, default=None)
 
-    def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
+    def _turns(self, piece: _Piece) -> list[Turn]:
         """Zeros of the rates within a step: of the first coordinate, numbered −1, and of levels where there is a kink."""
-        field, found = self.field, list[Turn]()
+        field, found = self.problem.field, list[Turn]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
 
         def rates(states: FloatArray) -> FloatArray:
-            of_levels = levels(field, constants, piece.mode, states[: field.size])[:, 1]
+            of_levels = self._levels(piece.mode, states[: field.size])[:, 1]
             return np.array([*of_levels, states[len(field.coordinates)]])[watched]
 
         def rate(row: int, t: float) -> float:
@@ -212,25 +228,12 @@ class Flight:
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    return Flight(problem.field, False, problem.rtol, absolute=1e-3, interpolated=True).motion(problem)
+    return Flight(problem, absolute=1e-3, interpolated=True).motion()
 
 
 def first_step(problem: Problem, mode: Mode) -> float:
     """The length of the first step, as SciPy chooses it."""
-    rates = Flight(problem.field, False).rates(problem.constants, mode, NONE)
-    options = {"rtol": problem.rtol, "atol": problem.rtol * 1e-3}
-    return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
-
-
-def levels(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
-    """Levels of all borders and their rates, shape (borders, 2, …); or how far ``inside`` those of a mode, negative beyond."""
-    accelerations = field.acceleration(states, constants, mode, ARRAYS)
-    found = np.empty((len(field.borders), 2, *states.shape[1:]))
-    for row, border in zip(found, field.borders, strict=True):
-        sign = border.sign(mode) if inside else 1
-        row[0] = sign * border.level(states, constants, mode) + GAP * (inside and border.kink)
-        row[1] = sign * border.rate(states, accelerations, constants, mode)
-    return found
+    return float(Flight(problem, absolute=1e-3).solver(mode, np.array(problem.start), problem.t_end).h_abs)
 
 
 def _bracket(
@@ -256,19 +259,3 @@ def _root(function: Callable[[float], float], begin: float, end: float) -> float
     if function(begin) * function(end) > 0:
         return begin  # the motion begins beyond the border, by rounding: it is left at once
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
-
-
-def _method(stiff: bool) -> Any:
-    from scipy.integrate import DOP853, Radau
-
-    return Radau if stiff else DOP853
-
-
-def _stepped(method: Any, rates: Any, begin: float, state: FloatArray, end: float, *, options: dict[str, Any]) -> FloatArray:
-    """A state carried on to the end of a part of a step."""
-    if end <= begin:
-        return state
-    solver = method(rates, begin, state, end, first_step=end - begin, **options)
-    while solver.status == "running":
-        solver.step()
-    return solver.y

@@ -96,9 +96,10 @@ def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.Monk
 
 def simulate_steps(problem: Problem) -> int:
     """Steps of the integrator of one motion."""
-    carried, most = taylor_for(problem), 10**6
-    carried.begin(problem.start, problem.constants)
-    return carried.go(problem.t_end, problem.t_end, most, carried.go(problem.t_record, problem.t_end, most)[0])[0]
+    carried = taylor_for(problem).begun(problem)
+    carried.go(problem.t_record)
+    carried.go(problem.t_end)
+    return carried.steps
 
 
 @pytest.mark.thorough

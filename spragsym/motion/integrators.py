@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any, TypeVar
 
@@ -81,7 +81,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
     except StiffError:
-        solution = Flight(problem, stiff=True).motion()
+        solution = Flight(replace(problem, max_steps=None), stiff=True).motion()
     return without_chatter(solution, problem)
 
 
@@ -93,11 +93,10 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
     heyoka measures while it integrates, but where steps collapse, and where a motion may rest on a border, whose crossings only
     the samples tell from chatter.
     """
-    found: dict[int, Course | Exception] = {}
+    found: list[Any] = [None] * len(problems)
     rows = list(range(len(problems)))
     if backend == "heyoka":
-        watched, rows = with_heyoka.watch(problems)
-        found = dict(enumerate(watched))
+        found, rows = with_heyoka.watch(problems)
     for row in rows:
         try:
             solution = integrate(problems[row], backend)
@@ -105,7 +104,7 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
             found[row] = course_of(solution.samples, counts, problems[row].field.around)
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
-    return [found[row] for row in range(len(problems))]
+    return found
 
 
 @dataclass(frozen=True)

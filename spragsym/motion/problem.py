@@ -79,12 +79,12 @@ class Problem:
         return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
 
 
-def too_many_steps(max_steps: int, t: float, t_end: float, rtol: float, *, given: bool = True) -> ConvergenceError:
-    """The error of a motion that has used its steps, as many as are ``given`` or as there are for any."""
-    made, more = ("max_steps = ", "a larger max_steps, ") if given else ("", "")
+def too_many_steps(problem: Problem, most: int, t: float) -> ConvergenceError:
+    """The error of a motion that has used its steps, as many as were asked for or as there are for any."""
+    made, more = ("max_steps = ", "a larger max_steps, ") if problem.max_steps else ("", "")
     return ConvergenceError(
-        f"{made}{max_steps} steps were made by t = {t:.6g} of {t_end:g}; give {more}a "
-        f"smaller t_end or a larger rtol than {rtol:g}, or a less steep friction law: creep is stiff where it is steep"
+        f"{made}{most} steps were made by t = {t:.6g} of {problem.t_end:g}; give {more}a "
+        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: creep is stiff where it is steep"
     )
 
 
@@ -92,11 +92,11 @@ class StiffError(ConvergenceError):
     """The steps of an explicit method have collapsed."""
 
 
-def check_stiffness(field: Field, state: Any, constants: Any, step: float, left: float, most: float = MOST) -> None:
+def check_stiffness(problem: Problem, state: Any, step: float, left: float, most: float = MOST) -> None:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
     if not left > most * step:
         return
-    values = [float(value) for value in state]
+    values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
         raise StiffError(f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go")

@@ -91,23 +91,22 @@ class Onward:
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
         return Passage(course.last, (last[:m] - before).T / (sides * STEP), np.zeros((m, 2)), (), tuple(turns), integrals)
 
-    def _near(self, fly: Fly | None, state: FloatArray, fixed: int, period: float, reach: float, precision: float) -> Loop:
-        """The closed orbit to a precision that begins on the section of a state."""
-        on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
-        flow, guess = Flow(self.field, self.backend, fly), Guess(state[None], period, ())
-        return solved(flow, guess, on_section, reach=reach, precision=precision, closed=precision)
-
     def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one near, in ``scale``."""
         (rtol, near, precision), reach = PRECISIONS[self.backend], 4 * CLOSE * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
+        guess, on_section = Guess(state[None], period, ()), through(state, np.eye(state.size)[fixed], state.size + 1)
+
+        def near_guess(fly: Fly | None, precision: float) -> Loop:
+            flow = Flow(self.field, self.backend, fly)
+            return solved(flow, guess, on_section, reach=reach, precision=precision, closed=precision)
+
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            guess = fine._near(partial(fine._differences, 1), state, fixed, period, reach, near).guess
-            state, period = guess.states[0], guess.period
+            guess = near_guess(partial(fine._differences, 1), near).guess
         fly = partial(fine._differences, 2) if self.backend == "compiled" else None
         try:
-            loop = once_round(self._near(fly, state, fixed, period, reach, precision))
+            loop = once_round(near_guess(fly, precision))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
         place = loop.states[0]

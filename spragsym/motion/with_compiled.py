@@ -66,10 +66,10 @@ def integrate(problem: Problem) -> Solution:
                 pieces.append((elapsed + times[:kept], states[:kept].copy()))
             if outcome == FULL:
                 step, left = (float(clock[0]) - begun) / made, bound - float(clock[0])
-                check_stiffness(problem.field, state, problem.constants, step, left)
+                check_stiffness(problem, state, step, left)
         elapsed, length = elapsed + float(clock[0]), float(clock[1])
         if outcome == TOO_MANY:
-            raise too_many_steps(most, elapsed, problem.t_end, problem.rtol)
+            raise too_many_steps(problem, most, elapsed)
         if not np.isfinite(state).all():
             raise out_of_range()
         if outcome == TOO_SMALL:

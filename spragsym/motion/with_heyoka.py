@@ -209,7 +209,7 @@ class Carrier(ABC):
     def _counted(self, lane: int, begun: float, steps: int, problem: Problem) -> int:
         """Steps of a lane with those of a stretch that ``begun``; an error where it can't go on."""
         outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
-        most, t_end = problem.max_steps or MAX_STEPS, problem.t_end
+        most = problem.max_steps or MAX_STEPS
         if self.jumped:
             raise ConvergenceError(JUMPED)
         if lane in self.strays:
@@ -217,9 +217,9 @@ class Carrier(ABC):
         if outcome == outcomes.err_nf_state:
             raise out_of_range()
         if steps + made > most:
-            raise too_many_steps(most, t, t_end, self.tol)
+            raise too_many_steps(problem, most, t)
         if outcome == outcomes.step_limit:
-            check_stiffness(self.field, self.state[: self.m, lane], problem.constants, (t - begun) / max(made, 1), t_end - t)
+            check_stiffness(problem, self.state[: self.m, lane], (t - begun) / max(made, 1), problem.t_end - t)
         elif outcome != outcomes.time_limit and len(self.modes) == 1:  # of many, another lane may have stopped this one
             raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
         return steps + int(made)

@@ -107,7 +107,7 @@ class Flight:
     def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
         """Steps, none of which leaves its mode; a step that would is cut at the border. An error after too many."""
         field, constants, duration, clock = self.problem.field, self.problem.constants, self.problem.t_end, 0.0
-        m, given = field.size, None if self.stiff else self.problem.max_steps
+        m, most = field.size, self.problem.max_steps or MAX_STEPS
         first: float | None = None
         mode, looked, steps = field.initial_mode(whole[:m].tolist(), constants), 0.0, 0
         while clock < duration:
@@ -127,15 +127,15 @@ class Flight:
                 if not np.isfinite(solver.y).all():
                     raise out_of_range()
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
-                if steps > (given or MAX_STEPS):
-                    raise too_many_steps(given or MAX_STEPS, clock + end, duration, solver.rtol, given=given is not None)
+                if steps > most:
+                    raise too_many_steps(self.problem, most, clock + end)
                 piece = _Piece(clock, begin, end, solver.y.copy(), dense, mode)
                 found = self._first_crossing(piece)
                 if found is None:
                     yield piece
                 if steps % LOOK == 0 and not self.stiff:
                     step, looked, left = (clock + end - looked) / LOOK, clock + end, bound - end
-                    check_stiffness(field, solver.y[:m], constants, step, left, MOST / 10)
+                    check_stiffness(self.problem, solver.y[:m], step, left, MOST / 10)
             if found is None:
                 return
             at, row = found

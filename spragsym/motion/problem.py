@@ -116,15 +116,14 @@ def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
 
 
 def prepare(
-    model: Model, p: ParameterSet, *, start: tuple[float, ...], t_end: float, rtol: float, t_record: float = 0.0,
-    max_steps: int = MAX_STEPS,
+    model: Model, p: ParameterSet, *, start: tuple[float, ...], t_end: float, rtol: float, max_steps: int = MAX_STEPS,
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
     constants = model.field.constants(p.scalars(*model.parameters))
     if error := undirected(model, constants, start):
         raise error
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
-    return Problem(constants, start, t_end, t_record, rtol, as_count("max_steps", max_steps), partial(field_of, model))
+    return Problem(constants, start, t_end, 0.0, rtol, as_count("max_steps", max_steps), partial(field_of, model))
 
 
 def undirected(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> ParameterError | None:

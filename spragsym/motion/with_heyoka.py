@@ -119,8 +119,7 @@ def equations(
 
 
 def _dot(one: Any, other: Any) -> Any:
-    products = [a * b for a, b in zip(one, other, strict=True) if not (isinstance(a, int) and a == 0)]
-    return sum(products[1:], products[0]) if products else 0.0 * sum(other[:1])
+    return sum(a * b for a, b in zip(one, other, strict=True))
 
 
 class Carrier(ABC):

@@ -25,9 +25,8 @@ def problems(count: int, t_end: float = 60.0, t_record: float = 20.0, **options:
     low, high = [0.1, 0.1, *[-0.3] * 4], [3.0, 1.0, *[0.3] * 4]
     for theta0, mu0, *start in RNG.uniform(low, high, (count, 6)).tolist():
         p = ss.Parameters.article(theta0=theta0, mu0=mu0)
-        found.append(
-            prepare(p.model, p.replace(**BELT), start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options)
-        )
+        problem = prepare(p.model, p.replace(**BELT), start=tuple(start), t_end=t_end, rtol=1e-10, **options)
+        found.append(replace(problem, t_record=t_record))
     return found
 
 

@@ -121,7 +121,7 @@ def count(workers: int) -> int:
 
 
 def results(
-    workers: Workers, function: Callable[[Any], Any], points: Mapping[int, Any], told: Callable[[Any], str] = str
+    workers: Workers, function: Callable[[Any], Any], points: Mapping[int, Any], told: Callable[[Any], str]
 ) -> Generator[tuple[int, Any], None, None]:
     """Every number with the result of its point, once, in the order in which they are done; ``told`` names a point in an error.
 

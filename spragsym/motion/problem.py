@@ -111,8 +111,12 @@ def out_of_range() -> ConvergenceError:
 
 def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
     """What a user calls crossing the borders, by number, to levels of a sign; nothing for some."""
-    named = ((row, sign, border.crossings[sign < 0]) for row, border in enumerate(field.borders) for sign in (1, -1))
-    return {(row, sign): Event[name.upper()] for row, sign, name in named if name}
+    return {
+        (row, sign): Event[name.upper()]
+        for row, border in enumerate(field.borders)
+        for sign, name in zip((1, -1), border.crossings, strict=True)
+        if name
+    }
 
 
 def prepare(

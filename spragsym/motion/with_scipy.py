@@ -119,13 +119,12 @@ class Flight:
             found = None
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
-                if solver.status == "failed" and np.abs(solver.y[:m]).max() > LARGE:
+                failed = solver.status == "failed"
+                if not np.isfinite(solver.y).all() or (failed and np.abs(solver.y[:m]).max() > LARGE):
                     raise out_of_range()
-                if solver.status == "failed":
+                if failed:
                     name, t = type(solver).__name__, clock + solver.t
                     raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")
-                if not np.isfinite(solver.y).all():
-                    raise out_of_range()
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
                     raise too_many_steps(self.problem, most, clock + end)

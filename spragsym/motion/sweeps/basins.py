@@ -112,8 +112,7 @@ def basin(
     (one, first), (other, second) = axes.items()
     options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
     sweep = rms_sweep(p, **options)
-    labels, attractors = _attractors(sweep)
-    return Basin((one, other), (first, second), labels, attractors, sweep)
+    return Basin((one, other), (first, second), *_attractors(sweep), sweep)
 
 
 def _attractors(sweep: Sweep) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from abc import ABC, abstractmethod
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -122,6 +122,31 @@ def _dot(one: Any, other: Any) -> Any:
     return sum(a * b for a, b in zip(one, other, strict=True))
 
 
+#: What stands for a border where x, that comes around, passes a whole turn.
+PASSAGE = -2
+
+
+@dataclass
+class Traveller:
+    """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped, and what is noted of it.
+
+    That is how many events there were of each kind, the states where borders were last crossed, the latest turns of x with their
+    times, by the sign of its second derivative, and where it passes a whole turn; and least and largest x at turns. One that may
+    be ``resting`` on a border has events that are told from chatter by samples only.
+    """
+
+    problem: Problem
+    carried: FloatArray
+    mode: Mode
+    steps: int = 0
+    error: Exception | None = None
+    counts: list[int] = field(default_factory=lambda: [0] * len(Event))
+    crossed: dict[int, list[float]] = field(default_factory=dict)
+    turns: dict[int, deque[list[float]]] = field(default_factory=partial(defaultdict, partial(deque, maxlen=KEPT)))
+    reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
+    resting: bool = False
+
+
 class Carrier(ABC):
     """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border.
 
@@ -134,10 +159,8 @@ class Carrier(ABC):
     ) -> None:  # fmt: skip
         hy = library()
         self.field, self.m, self.tol, self.derivatives = field, field.size, tol, directions is not None
-        self.modes: list[Mode] = [field.modes[0]] * lanes
-        #: Lanes in which a crossing was missed, with the time; whether derivatives would be carried across a jump.
-        self.strays: dict[int, float] = {}
-        self.jumped = False
+        #: What is in the first lanes.
+        self.some: Sequence[Traveller] = ()
         system, seen, accelerations, approaches = equations(field, watch=watch, directions=directions)
         self.constants = len(seen[1])
         rates = [(-1, seen[0][len(field.coordinates)])] if turning or watch else []
@@ -177,23 +200,25 @@ class Carrier(ABC):
 
     def _cross(self, row: int, _: Any, direction: int, lane: int) -> bool:
         """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
-        border, state = self.field.borders[row], self.state[: self.m, lane]
+        one, border, state = self.some[lane], self.field.borders[row], self.state[: self.m, lane]
         if direction > 0:
-            self.strays[lane] = float(self.times[lane])
+            one.error = missed(float(self.times[lane]))
             return False
-        if self.derivatives and border.jumps is not None:
-            self.jumped = border.jumps(state.tolist(), self.pars[: self.constants, lane].tolist())
-        self.modes[lane] = mode = border.beyond(self.modes[lane])
-        self.pars[self.constants : self.constants + self.told, lane] = mode[: self.told]
+        if self.derivatives and border.jumps is not None and border.jumps(state.tolist(), one.problem.constants):
+            one.error = ConvergenceError(JUMPED)
+        one.mode = border.beyond(one.mode)
+        self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
         self._crossed(row, lane, state)
-        return not self.jumped
+        return one.error is None
 
-    def _put(self, states: Sequence[Any], pars: Sequence[Any]) -> None:
-        """States and parameters into the first lanes, where nothing was crossed yet."""
+    def _begin(self, some: Sequence[Traveller], begin: float, further: Sequence[Any]) -> None:
+        """Motions into the first lanes, where nothing was crossed yet, with ``further`` parameters of each."""
+        self.some = some
+        pars = [(*one.problem.constants, *one.mode, *more) for one, more in zip(some, further, strict=True)]
+        self.solver.set_time(begin)
         self.state[:] = 0.0
-        self.state[: self.m, : len(states)] = np.array(states, dtype=float).T
-        self.pars[:, : len(pars)] = np.array(pars, dtype=float).T[: len(self.pars)]
-        self.strays.clear()
+        self.state[: self.m, : len(some)] = np.array([one.carried[: self.m] for one in some], dtype=float).T
+        self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
 
@@ -205,30 +230,29 @@ class Carrier(ABC):
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         """Note a turn of a border's level, or (−1) of the first coordinate."""
 
-    def _counted(self, lane: int, begun: float, steps: int, problem: Problem) -> int:
-        """Steps of a lane with those of a stretch that ``begun``; an error where it can't go on."""
+    def _count(self, lane: int, begun: float) -> None:
+        """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on."""
         outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
-        most = problem.max_steps or MAX_STEPS
-        if self.jumped:
-            raise ConvergenceError(JUMPED)
-        if lane in self.strays:
-            raise missed(self.strays[lane])
+        one, problem = self.some[lane], self.some[lane].problem
+        one.steps, most = one.steps + int(made), problem.max_steps or MAX_STEPS
+        if one.error:
+            raise one.error
         if outcome == outcomes.err_nf_state:
             raise out_of_range()
-        if steps + made > most:
+        if one.steps > most:
             raise too_many_steps(problem, most, t)
         if outcome == outcomes.step_limit:
             check_stiffness(problem, self.state[: self.m, lane], (t - begun) / max(made, 1), problem.t_end - t)
-        elif outcome != outcomes.time_limit and len(self.modes) == 1:  # of many, another lane may have stopped this one
+        elif outcome != outcomes.time_limit and len(self.some) == 1:  # of many, another lane may have stopped this one
             raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
-        return steps + int(made)
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         state = self.state[: self.m, lane].copy()
         passed = each.passed(state, self.pars[:, lane].copy())
         self.state[: self.m, lane] = state
-        self.jumped = passed and self.derivatives
-        return not self.jumped
+        if passed and self.derivatives:
+            self.some[lane].error = ConvergenceError(JUMPED)
+        return self.some[lane].error is None
 
 
 class Taylor(Carrier):
@@ -239,7 +263,7 @@ class Taylor(Carrier):
         self.one = self.state[:, 0]
 
     def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
-        self.crossings += crossed(self.field, row, self.modes[lane], float(self.times[lane]), state)
+        self.crossings += crossed(self.field, row, self.some[lane].mode, float(self.times[lane]), state)
 
     def _turn(self, border: int, solver: Any, t: float, direction: int, lane: int) -> None:
         solver.update_d_output(t)
@@ -252,21 +276,19 @@ class Taylor(Carrier):
     def begun(self, problem: Problem, directions: Any = ()) -> Taylor:
         """It stands at the start of a motion, with no events recorded."""
         self.crossings, self.turns = list[Crossing](), list[Turn]()
-        self.problem, self.steps, self.jumped = problem, 0, False
-        self.modes[0] = self.field.initial_mode(problem.start, problem.constants)
-        self.solver.set_time(0.0)
-        self._put([problem.start], [(*problem.constants, *self.modes[0], *np.ravel(directions))])
+        mode = self.field.initial_mode(problem.start, problem.constants)
+        self._begin([Traveller(problem, np.array(problem.start), mode)], 0.0, [np.ravel(directions)])
         if self.derivatives:
             self.one[self.m : self.m + self.m**2 : self.m + 1] = UNIT
         return self
 
     def go(self, t: float, *, record: bool = False) -> list[Samples]:
         """Go on to ``t``; the samples of every chunk if asked for."""
-        pieces = list[Samples]()
+        one, pieces = self.some[0], list[Samples]()
         while self.times[0] < t:
-            begun, left = float(self.times[0]), (self.problem.max_steps or MAX_STEPS) - self.steps
+            begun, left = float(self.times[0]), (one.problem.max_steps or MAX_STEPS) - one.steps
             output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, left + 1))
-            self.steps = self._counted(0, begun, self.steps, self.problem)
+            self._count(0, begun)
             if output is not None:  # to the Lobatto points of its steps
                 ends, series = output.times[:, 0], output.tcs[..., 0]
                 step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
@@ -274,18 +296,19 @@ class Taylor(Carrier):
                 pieces.append((sample_times(ends[:-1], ends[1:]), states))
         if not np.isfinite(self.one).all():
             raise out_of_range()
-        if not self.field.are_inside(self.one[: self.m], self.problem.constants, self.modes[0]):
+        if not self.field.are_inside(self.one[: self.m], one.problem.constants, one.mode):
             raise missed(t)
         return pieces
 
     def motion(self) -> Solution:
         """The motion by its samples, from ``t_record`` on."""
-        self.go(self.problem.t_record)
-        return assembled(self.go(self.problem.t_end, record=True), self.crossings, self.problem.t_record)
+        problem = self.some[0].problem
+        self.go(problem.t_record)
+        return assembled(self.go(problem.t_end, record=True), self.crossings, problem.t_record)
 
     def fly(self) -> Passage:
         """Carry the state on to the end."""
-        self.go(self.problem.t_end)
+        self.go(self.some[0].problem.t_end)
         integrals = (float(self.one[-2]) / UNIT, float(self.one[-1]) / UNIT) if self.derivatives else None
         return Passage(*self._split(self.one), tuple(self.crossings), tuple(self.turns), integrals)
 
@@ -330,32 +353,8 @@ LANES = 8
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed.
 BURST = 20_000
 
-#: What stands for a border where x, that comes around, passes a whole turn.
-PASSAGE = -2
-
 #: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
 NEAR = 1e-3
-
-
-@dataclass
-class Traveller:
-    """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped, and what is noted of it.
-
-    That is how many events there were of each kind, the states where borders were last crossed, the latest turns of x with their
-    times, by the sign of its second derivative, and where it passes a whole turn; and least and largest x at turns. One that may
-    be ``resting`` on a border has events that are told from chatter by samples only.
-    """
-
-    problem: Problem
-    carried: FloatArray
-    mode: Mode
-    steps: int = 0
-    error: Exception | None = None
-    counts: list[int] = field(default_factory=lambda: [0] * len(Event))
-    crossed: dict[int, list[float]] = field(default_factory=dict)
-    turns: dict[int, deque[list[float]]] = field(default_factory=lambda: {kind: deque(maxlen=KEPT) for kind in (1, -1, PASSAGE)})
-    reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
-    resting: bool = False
 
 
 class Lanes(Carrier):
@@ -367,13 +366,13 @@ class Lanes(Carrier):
     def __init__(self, field: Field, rtol: float, watch: bool) -> None:
         super().__init__(field, rtol, lanes=LANES, watch=watch)
         self.kinds = kinds_of(field) if watch else {}
-        self.some: Sequence[Traveller] = ()
         self.dense, self.look = self.solver.d_output, self.solver.update_d_output
 
     def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
-        kind = self.kinds.get((row, self.field.borders[row].sign(self.modes[lane])))
+        one = self.some[lane]
+        kind = self.kinds.get((row, self.field.borders[row].sign(one.mode)))
         if kind is not None:
-            self.some[lane].counts[kind] += 1
+            one.counts[kind] += 1
             self._rest(lane, row)
 
     def _rest(self, lane: int, row: int) -> None:
@@ -408,12 +407,8 @@ class Lanes(Carrier):
 
     def _through(self, some: Sequence[Traveller], begin: float, end: float) -> None:
         """Carry as many as there are lanes. In a lane that is free something that goes on elsewhere stands still, at the end."""
-        scale, self.some, going = _scale(end - begin), some, [*range(len(some))]
-        self.solver.set_time(begin)
-        self._put(
-            [one.carried[: self.m] for one in some], [(*one.problem.constants, *one.mode, one.carried[0], scale) for one in some]
-        )
-        self.modes = [one.mode for one in some]
+        scale, going = _scale(end - begin), [*range(len(some))]
+        self._begin(some, begin, [(one.carried[0], scale) for one in some])
         while going:
             free = [lane for lane in range(LANES) if lane not in going]
             late, early = (part.copy() for part in self.solver.dtime)
@@ -425,12 +420,12 @@ class Lanes(Carrier):
             for lane in going.copy():
                 one = some[lane]
                 try:
-                    one.steps = self._counted(lane, float(late[lane]), one.steps, one.problem)
+                    self._count(lane, float(late[lane]))
                 except ConvergenceError as error:
                     one.error = error
                 if one.error or not self.times[lane] < end:
                     going.remove(lane)
-                    one.carried, one.mode = self.state[:, lane].copy(), self.modes[lane]
+                    one.carried = self.state[:, lane].copy()
                     for border in [*one.crossed]:
                         self._rest(lane, border)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain
 from typing import Any, TypeAlias
@@ -31,7 +31,6 @@ from .defining_systems import (
     HOPF,
     NO_SLOPE,
     Augmented,
-    Condition,
     Family,
     no_damping,
     undamped_mode,
@@ -67,8 +66,8 @@ HALVINGS = 40
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
 _Part: TypeAlias = tuple[Found, list[str], list[float]]
-#: An onset that floats see: coordinates and parameter, shape (n + 1,), and the frequency, NaN where none was followed.
-Sighting: TypeAlias = tuple[FloatArray, float]
+#: An onset that floats see: coordinates, parameter and the frequency, NaN where none was followed, shape (n + 2,).
+Sighting: TypeAlias = FloatArray
 
 
 @question
@@ -138,7 +137,7 @@ def flutter_onsets(
         damping = is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
     conservative = is_conservative(balance, over)
-    sought: list[tuple[Condition | None, str, Frequencies]]
+    sought: list[tuple[Any, str, Frequencies]]
     if not damping:
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
         sought = [(None if conservative else FLUTTER, "flutter", meeting)]
@@ -154,15 +153,14 @@ def flutter_onsets(
     parts, seen = list[_Part](), list[_Part]()
     for condition, kind, frequencies in sought:
         out = nothing(family) if condition is None else search(family, condition)
-        if condition is not None and out.roots.left.shape[2]:
+        if out.roots.left.shape[2]:
             out, more, omega = with_seen(Augmented(family, condition), out)
-            followed = np.isfinite(omega)
-            alone, others = (replace(out, roots=more.kept(some)) for some in (followed, ~followed))
-            seen.append((alone, ["detected"] * int(followed.sum()), omega[followed].tolist()))
-            seen.append(_part(family, others, "detected", frequencies))
+            alone = replace(out, roots=more)
+            followed = (alone, ["detected"] * omega.size, omega.tolist())
+            seen.append(followed if condition is HOPF else _part(family, alone, "detected", frequencies))
         parts.append(_part(family, out, kind, frequencies))
     parts[1:1] = seen
-    return onsets_of(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE))
+    return Onsets(**vars(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE)))
 
 
 # ------------------------------------------------------------------------------------------------------- frequencies
@@ -192,8 +190,6 @@ def _squares(M: FloatArray, K: FloatArray) -> ComplexArray:
 def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
     squares = _squares(M, K)
-    if squares.size < 2:
-        return []
     apart = np.abs(squares[:, None] - squares[None]) + np.where(np.eye(squares.size), np.inf, 0.0)
     one = squares[np.unravel_index(apart.argmin(), apart.shape)[0]]
     return [float(np.sqrt(one.real))] if one.real > 0 else []
@@ -241,8 +237,6 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
 def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
     """Remarks on undecided boxes where the friction law has practically no slope."""
     balance = family.balance
-    if balance.model.about["friction"] is None or not left.shape[2]:
-        return ()
     over = Intervals.between(family.at(-left[0, -1:]), family.at(left[1, -1:]))
     size = slope_over(balance, over).magnitude
     flat = size <= FLAT
@@ -254,18 +248,18 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
 def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
     """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
     fixed, (low, high) = system.family.begin, system.family.spans[0]
-    sightings = [(z, omega) for z, omega in _sightings(system) if low <= z[-1] <= high]
-    candidates = np.array([z for z, _ in sightings]).reshape(-1, system.n).T
+    sightings = np.array(_sightings(system)).reshape(-1, system.n + 1).T
+    sightings = sightings[:, (low <= sightings[-2]) & (sightings[-2] <= high)]
+    candidates = sightings[:-1]
     room = ROOM * np.maximum(1.0, np.abs(candidates))
     wide = np.stack([room - candidates, room + candidates])
     precise = system.precise(fixed[:, 0], ROOT_BITS)
     known = [narrowed(precise, box, box) for box in np.moveaxis(wide, 2, 0)]
     sure = np.array([root is not None for root in known], dtype=np.bool_)
     ends = np.concatenate([wide[:, :, :0], *(as_intervals(root).ends for root in known if root is not None)], axis=2)
-    omega = np.array([omega for _, omega in sightings])[~sure]
     proved, open_ = (on_its_side(system, fixed, Roots.at(part)) for part in (ends, wide[:, :, ~sure]))
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
-    omega = omega[linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
+    omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
     every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
     return replace(found, roots=certified_roots.distinct(every)), open_, omega
 
@@ -275,21 +269,20 @@ def _sightings(system: Augmented) -> list[Sighting]:
     low, high = system.family.spans[0]
     values = low + (high - low) * (np.arange(VALUES) + 0.5) / VALUES
     q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
-    neighbours = []
-    for one in range(point.size):
-        following = np.flatnonzero(point == point[one] + 1)
-        if following.size:
-            neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
     z = np.concatenate([q, values[point][None]])
     every, out = _signals(system, z), list[Sighting]()
-    for one, other in neighbours:
+    for one in range(point.size):
+        following = np.flatnonzero(point == point[one] + 1)
+        if not following.size:
+            continue
+        other = int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])
         if _crossing_pairs(every[one], every[other]).size:
             out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
     if system.condition is HOPF:
         return out
     # Not where the condition changes its sign at a pole.
     most = SMALL * max(np.abs(np.concatenate(every)), default=0.0)
-    return [(state, omega) for state, omega in out if (np.abs(_signals(system, state[:, None])[0]) <= most).any()]
+    return [one for one in out if (np.abs(_signals(system, one[:-1, None])[0]) <= most).any()]
 
 
 def _states(found: Roots) -> tuple[FloatArray, IntArray]:
@@ -301,7 +294,8 @@ def _states(found: Roots) -> tuple[FloatArray, IntArray]:
     order = np.lexsort((q[0], point))
     q, point = q[:, order], point[order]
     again = (np.diff(point) == 0) & (np.abs(np.diff(q)) <= SMALL * np.maximum(1.0, np.abs(q[:, 1:]))).all(axis=0)
-    first = np.concatenate([np.ones(min(1, point.size), dtype=np.bool_), ~again])
+    first = np.ones(point.size, dtype=np.bool_)
+    first[1:] = ~again
     return q[:, first], point[first]
 
 
@@ -332,9 +326,9 @@ def _bisected(
     # Else the ends do not lie on one branch.
     crossing = _crossing_pairs(low[1], high[1])
     if system.condition is not HOPF:
-        return [(state, np.nan) for _ in crossing]
+        return [np.append(state, np.nan) for _ in crossing]
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
-    return [(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
+    return [np.append(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
 
 
 def _state(system: Augmented, z: FloatArray) -> FloatArray:
@@ -459,8 +453,3 @@ def told(form: Any) -> tuple[str, str]:
     if abs(form.lyapunov) * form.reach**2 < MEANT:
         return "undecided", BELOW_THE_LAW.format(MEANT)
     return "gentle" if form.lyapunov < 0 else "dangerous", ""
-
-
-def onsets_of(found: Points) -> Onsets:
-    """Points as onsets."""
-    return Onsets(**{each.name: getattr(found, each.name) for each in fields(Points)})

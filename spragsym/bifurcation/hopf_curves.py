@@ -5,10 +5,9 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
@@ -250,13 +249,12 @@ class _Plane(Family):
 
     def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str] = ()) -> Curve:
         """The points with what is known of them; without forms none has one."""
-        values: dict[str, NDArray[Any]] = {**self.named(states)}
         forms = forms or [UNPROVED] * len(omega)
-        values["omega"] = omega
-        values["lyapunov"] = of_forms(forms, "lyapunov", np.nan)
-        values["lyapunov_error"] = of_forms(forms, "lyapunov_error", np.inf)
-        values["criticality"] = np.array([told(form)[0] for form in forms], dtype=np.str_)
-        return Curve(values)
+        return Curve({
+            **self.named(states), "omega": omega, "lyapunov": of_forms(forms, "lyapunov", np.nan),
+            "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
+            "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
+        })  # fmt: skip
 
     def changes(self, curves: FoldCurves, states: FloatArray, forms: Sequence[NormalForm | str]) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""

@@ -33,7 +33,7 @@ from ..numerics import balls, boxes, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, matrix, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
 from ..results.equilibria import Stability
@@ -132,8 +132,9 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
         slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
-    precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: (Fraction(float(low[-1])), Fraction(float(high[-1])))})
-    whole = [(Fraction(-float(least)), Fraction(float(most))) for least, most in wide.T]
+    ends = np.concatenate([wide, box[:, -1:]], axis=1)
+    *whole, span = [(Fraction(-float(least)), Fraction(float(most))) for least, most in ends.T]
+    precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: span})
     try:
         return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
     except Undecided:
@@ -220,7 +221,7 @@ def turned(balance: Balance, over: Intervals) -> list[int]:
     return [balance.coordinates.index(name) for name in about["turned"]]
 
 
-def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Values) -> list[Any]:
+def _with_signs(odd: Sequence[int], q: Sequence[Any], _: Values) -> list[Any]:
     return [-part if i in odd else part for i, part in enumerate(q)]
 
 
@@ -254,17 +255,11 @@ def told_apart(family: Family, found: Found, column: int) -> tuple[BoolArray, Bo
     """
     ends, n = found.roots.ends, family.balance.n
     shape = ends.shape[2:]
-    nonzero, none = np.zeros((2, *shape), dtype=np.bool_)
-    if not shape[0]:
-        return nonzero, none
     system = Augmented(family, cusp(column))
     with np.errstate(all="ignore"):
         K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes()
-        for i in range(n):
-            value = constant(cofactor(K, column, i))
-            nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
-        for other in set(range(n)) - {column}:
-            none |= ~change(K, other).value.holds_zero()
+        asked = [cofactor(K, column, i) for i in range(n)], [change(K, other) for other in range(n) if other != column]
+    nonzero, none = (~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero()) for some in asked)
     return nonzero & ~none, ~nonzero & ~none
 
 
@@ -326,7 +321,7 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
         K, n = at.stiffness(), balance.n
         rows = at.rows("forces")
         adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
-        sizes = np.abs([[stacked([entry], (1,))[0].middle[0] for entry in line] for line in adjugate])
+        sizes = np.abs(matrix(adjugate, (1,)).middle[:, :, 0])
         r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)
         pushed = sum(gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True))
         curved = constant(change(K, int(c)))

@@ -247,7 +247,7 @@ class Tubes(ByColumn):
 
     def slopes(self, z: Intervals) -> Intervals:
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
-        at = self.balance.state(z[: self.n], self._bounds(z[self.n]))
+        at = self.balance.state(z[:-1], self._bounds(z[-1]))
         with np.errstate(all="ignore"):
             return matrix(self._rows(at), at.shape)
 
@@ -274,15 +274,15 @@ class Tubes(ByColumn):
             terms = np.zeros_like(z[0].terms)
             terms[1 + k] = apart[k]
             values[name] = Affine(self.centre[k], terms)
-        values[self.vary] = z[self.n]
-        at = self.balance.at(z[: self.n], self.balance.arguments_of(values, AFFINE), xp=AFFINE)
+        values[self.vary] = z[-1]
+        at = self.balance.at(z[:-1], self.balance.arguments_of(values, AFFINE), xp=AFFINE)
         return self._rows(replace(at, turnings=self._turnings(region)))
 
     def _turnings(self, region: Region) -> list[Affine]:
         """Angles of torsion springs, from intervals."""
         if not self.balance.torsions:
             return []
-        found = self.balance.state(region.box[: self.n], self._bounds(region.box[self.n])).directions
+        found = self.balance.state(region.box[:-1], self._bounds(region.box[-1])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, at: State) -> list[list[Any]]:
@@ -294,16 +294,16 @@ class Tubes(ByColumn):
     def floats(self, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
         """Forces and their slopes in the middle of the boxes, in floats."""
         columns = self.fixed.copy()
-        columns[self.moving] = np.vstack([self.centre, z[self.n]])
-        at = self.balance.at(list(z[: self.n]), self.balance.floats(columns), xp=np)
+        columns[self.moving] = np.vstack([self.centre, z[-1]])
+        at = self.balance.at(list(z[:-1]), self.balance.floats(columns), xp=np)
         with np.errstate(all="ignore"):
             forces, rows = at.rows("forces"), self._rows(at) if slopes else []
         return filled([forces], z.shape[1:])[0], filled(rows, z.shape[1:])
 
     def _forces(self, z: FloatArray) -> Intervals:
         """Enclosed, in the middle of the boxes."""
-        bounds = self.middles()._bounds(Intervals.point(z[self.n]))
-        at = self.balance.state(Intervals.point(z[: self.n]), bounds, self.balance.anywhere)
+        bounds = self.middles()._bounds(Intervals.point(z[-1]))
+        at = self.balance.state(Intervals.point(z[:-1]), bounds, self.balance.anywhere)
         with np.errstate(all="ignore"):
             return stacked(at.rows("forces"), at.shape)
 
@@ -418,8 +418,8 @@ class Tubes(ByColumn):
             done = good & contractors.inside(step, np.stack([reach[:, rows]] * 2))
             if done.any():
                 here = rows[done]
-                bounds = some[done]._bounds(box[:, done][self.n])
-                sure[here] = on_side(self.balance, bounds, box.ends[:, : self.n, done])[0]
+                bounds = some[done]._bounds(box[:, done][-1])
+                sure[here] = on_side(self.balance, bounds, box.ends[:, :-1, done])[0]
                 room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
             open_[rows[done | ~good]] = False
             reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.maximum(*np.abs(step)))

@@ -114,7 +114,7 @@ def bifurcation_set(
     found = on_lines(family, FOLD, n, more, more[-1])
     curves = [Curve(family.named(chain)) for chain in found.chains]
     complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
-    cut = of_ranges(family.endless, family.spans[[family.vary.index(name) for name in family.endless]])
+    cut = of_ranges(family.endless, vary, family.spans)
     remarks = (*found.remarks, *_said(known, cut))
     return BifurcationSet(family.vary, tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
 

@@ -113,7 +113,7 @@ def critical_friction(
         remarks.append(Remark("candidates from {} on are not all decided: the state may end there", at))
         found = _Candidate(open_from, math.nan, "undecided", math.nan)
     cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
-    remarks += of_ranges(cut, search_of.spans[[(over, vary).index(name) for name in cut]])
+    remarks += of_ranges(cut, (over, vary), search_of.spans)
     complete = not remarks and found.kind != "undecided"
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks))
 

@@ -160,7 +160,7 @@ def arranged(
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
     boxes_left, kinds = listed(family, left)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
-    remarks += of_ranges(family.endless, box[[n + vary.index(name) for name in family.endless]])
+    remarks += of_ranges(family.endless, vary, box[n:])
     return Points(
         family.p, vary, kind[order], found.roots.error[order], box, bool(found.whole.all()), family.endless, boxes_left, remarks,
         values, what_ends,

@@ -157,7 +157,7 @@ class Dependence:
             kept = factor[:, np.abs(factor).max(axis=0) > _SINGULAR**0.5]
             kept = kept if kept.shape[1] < len(group) else np.eye(len(group))
             scores = np.array(list(product((-1.0, 1.0), repeat=kept.shape[1]))) @ kept.T
-            parts.append(np.unique(np.where(np.abs(scores) < 1e-9, 0.5, np.where(scores > 0, 1.0, 0.0)), axis=0))
+            parts.append(np.unique(0.5 + 0.5 * np.sign(np.where(np.abs(scores) < 1e-9, 0.0, scores)), axis=0))
         order = np.argsort([i for group in self.groups for i in group])
         return np.array([np.concatenate([[], *choice])[order] for choice in product(*parts)])
 

@@ -228,9 +228,9 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
     return (Remark(f"searched within {within}{where}; there may be others beyond it", *places),)
 
 
-def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
-    """Said of parameters whose range has no end and was cut; ends of shape (number, 2)."""
+def of_ranges(cut: Sequence[str], names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
+    """Said of those parameters whose range has no end and was cut; ends of all of them, shape (number, 2)."""
     return tuple(
         Remark("searched {}, a part of its range, which has no end; there may be others beyond it", At(name, (low, high)))
-        for name, (low, high) in zip(names, ends.tolist(), strict=True)
-    )
+        for name, (low, high) in zip(names, ends.tolist(), strict=True) if name in cut
+    )  # fmt: skip

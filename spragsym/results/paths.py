@@ -129,6 +129,5 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
         return len(self.value)
 
     def __getitem__(self, index: Any) -> LowestEnd:
-        kind, values = self.kind[index], (self.value[index], self.where[index], self.error[index])
-        value, where, error = values if np.ndim(values[0]) else map(float, values)
-        return replace(self, value=value, where=where, kind=kind if np.ndim(kind) else str(kind), error=error)
+        some = {name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")}
+        return replace(self, **{name: part if np.ndim(part) else part.item() for name, part in some.items()})

@@ -67,7 +67,8 @@ def report_page(report: Report) -> str:
         )
         for name, one in study.quantities.items()
     ]
-    headed = {title: rows for title, rows in sections(report) if title != "Warnings"}
+    headed = dict(sections(report))
+    del headed["Warnings"]
     last = {"What to do next": headed.pop("What to do next")}
     title = about.pop("title") or "Sprag-slip report"
     return document(

@@ -405,7 +405,7 @@ class Report(Result):
         """The text of the report, piece by piece, each as soon as it is computed; the verdict first."""
         return texts.blocks(self)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> texts.Json:
         """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
         return texts.as_json(self)
 
@@ -426,7 +426,7 @@ class Report(Result):
     def _for_file(self) -> Report:
         raise ParameterError("path: a report is computed anew from its study; write to_html(path), or json.dumps(to_dict())")
 
-    def table_values(self) -> dict[str, Any]:
+    def table_values(self) -> texts.Json:
         """It has no columns."""
         return {}
 

@@ -223,10 +223,10 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     where = [name for name in forces.columns_of(model) if name not in place]  # direction and length of each spring in turn
     told = forces.told_of(model)
     rate = _roots(study, list(place.values())) / scales.time
-    size = float(np.abs(rate).max())
+    size = np.abs(rate).max()
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
-    upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: float(root.imag))
+    upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: root.imag)
     growth, kind = float(rate.real.max()), Stability(int(eq.stability[slot]))
     return State(
         current=is_here,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..design.probability import JumpProbability
 from ..models.load import USUAL
@@ -18,6 +18,8 @@ from .units import ENDS, Numbers
 if TYPE_CHECKING:
     from .reports import Report
 
+#: What JSON has under names.
+Json: TypeAlias = dict[str, Any]
 #: Sobol' indices whose 95 % interval is wider to either side are not told.
 RESOLVED = 0.2
 #: Of the names of rows, and where all are short.
@@ -44,7 +46,7 @@ def _on_others(report: Report) -> str:
     study, told = report.study, []
     for place, end in report.others:
         until = ""
-        if end is not None and study.rise is not None:
+        if end is not None:
             until = f", at any {study.looked}" if math.isnan(end) else f", until {study.named(end)}"
         told.append(_places(place) + until)
     return f"At the design another state is stable: {'; and '.join(told)}." if told else ""
@@ -323,8 +325,8 @@ def _tolerances(report: Report) -> Rows:
         within = box(report.unbounded) if report.unbounded else "all of them"
         yield f"no jump within {within}", reached.outcome
         if reached.counterexample:
-            wide = {name: value for name, value in reached.counterexample.items() if name in study.tolerances}
-            values = ", ".join(f"{name} = {study.shown(name, value)}" for name, value in wide.items())
+            off = ((name, value) for name, value in reached.counterexample.items() if name in study.tolerances)
+            values = ", ".join(f"{name} = {study.shown(name, value)}" for name, value in off)
             yield "a brake within them that jumps", values or "the brake itself"
     if odds is None:
         return
@@ -409,7 +411,7 @@ _STATE = (
 _PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
 
 
-def as_json(report: Report) -> dict[str, Any]:
+def as_json(report: Report) -> Json:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
     study, state, lives, odds, reached = report.study, report.current, report.oscillation, report.probability, report.certificate
     alive, jump = lives if lives is not None and lives.alive else None, report.peak
@@ -417,10 +419,10 @@ def as_json(report: Report) -> dict[str, Any]:
     unit = first.rpartition("_")[2]
     lengths = state and [value for key, value in state.places.items() if key.endswith("_mm")]
 
-    def one(name: str, value: float) -> dict[str, Any]:
+    def one(name: str, value: float) -> Json:
         return {"value": study.in_file(name, value), "unit": study.quantities[name].unit}
 
-    def all_of(values: Numbers) -> dict[str, Any]:
+    def all_of(values: Numbers) -> Json:
         return {name: one(name, value) for name, value in values.items()}
 
     def told(value: float | None) -> Any:
@@ -428,7 +430,7 @@ def as_json(report: Report) -> dict[str, Any]:
             return None
         return {"value": value, "unit": ""} if study.of_friction else one(report.vary, value)
 
-    def both(name: str) -> dict[str, Any]:
+    def both(name: str) -> Json:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
 
     return _some(report, _PLAIN) | {
@@ -480,7 +482,7 @@ def as_json(report: Report) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _some(thing: Any, names: tuple[str, ...]) -> dict[str, Any]:
+def _some(thing: Any, names: tuple[str, ...]) -> Json:
     """Some attributes by name; no word is None."""
     found = {name: getattr(thing, name) for name in names}
     return {name: None if value == "" else list(value) if isinstance(value, tuple) else value for name, value in found.items()}

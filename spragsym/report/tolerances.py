@@ -93,8 +93,8 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
     values = {name: np.full(len(shares), value) for name, value in study.values.items()}
     allowed = study.kind.ranges(study.values)
     for j, name in enumerate(varied(study)):
-        least, most = (allowed[name].reached(end) for end in (allowed[name].low, allowed[name].high))
-        values[name] = np.clip(study.quantities[name].ppf(shares[:, j]), least, most)
+        one = allowed[name]
+        values[name] = np.clip(study.quantities[name].ppf(shares[:, j]), one.reached(one.low), one.reached(one.high))
     return values
 
 

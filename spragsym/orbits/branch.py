@@ -417,7 +417,7 @@ def cycle_events(
             raise ParameterError(f"vary = {vary!r}: {name!r} is not one of {', '.join(model.parameters)}")
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
-    free = (model.parameters.index(vary[0]), model.parameters.index(vary[1]))
+    free = tuple(model.parameters.index(name) for name in vary)
     ranges = to or {}
     spans = []
     for name, index in zip(vary, free, strict=True):

@@ -177,12 +177,13 @@ def diagram(
         motion.check(vary, bound)
     rests = list(_equilibria(p, vary, (low, high)))
     branches: list[CycleBranch] = []
-    onsets = None
+    onsets, born_at = None, np.empty(0)
     try:
         onsets = flutter_onsets(p, vary, between={vary: (low, high)})
+        born_at = np.asarray(getattr(onsets, vary))
     except SpragsymError as error:
         remarks.append(f"Hopf points were not looked for: {error}")
-    for born in _cycles(p, vary, onsets, starts, remarks):
+    for born in _cycles(p, vary, onsets, born_at, starts, remarks):
         if not _known(branches, born):
             try:
                 branches.append(cycle_branch(born, vary, (low, high), points=points))
@@ -191,14 +192,13 @@ def diagram(
                 remarks.append(Remark(f"the cycle of period {born.period:.6g} at {{}} was not followed: {{}}", at, error))
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
-    remarks += _left_alone(vary, labels, onsets)
+    remarks += _left_alone(vary, labels, born_at)
     lines = tuple(branch for branch, _ in rests)
     return Diagram(vary, (low, high), lines, tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0], model)
 
 
-def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str]:
+def _left_alone(vary: str, labels: Sequence[Label], known: FloatArray) -> Iterator[str]:
     """Hopf points of the motion that are none of the statics', whose friction may be another: none is followed from there."""
-    known = np.empty(0) if onsets is None else np.asarray(getattr(onsets, vary))
     for value in (label.value for label in labels if label.label == "H"):
         if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
             at = At(vary, (float(value),), ".10g")
@@ -295,13 +295,15 @@ def _equilibria(
 # ------------------------------------------------------------------------------------------------------------------ cycles
 
 
-def _cycles(p: ParameterSet, vary: str, onsets: Any, starts: Sequence[Any], remarks: list[str]) -> Iterator[Cycle]:
+def _cycles(
+    p: ParameterSet, vary: str, onsets: Any, born_at: FloatArray, starts: Sequence[Any], remarks: list[str]
+) -> Iterator[Cycle]:  # fmt: skip
     """A cycle of each family that is known of: born at a Hopf point, or near a start."""
-    for i, value in enumerate([] if onsets is None else np.asarray(getattr(onsets, vary)).tolist()):
+    for i, value in enumerate(born_at.tolist()):
         try:
             yield cycle(onset=onsets, index=i)
         except SpragsymError as error:
-            at = At(vary, (float(value),), ".10g")
+            at = At(vary, (value,), ".10g")
             remarks.append(Remark("no cycle was found at the Hopf point {}: {}", at, error))
     for start in starts:
         try:

@@ -221,7 +221,7 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
         with suppress(ConvergenceError, ZeroDivisionError):
             scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
     width = abs(other.value - one.value)
-    return own + abs(turning(point)) * place + SCATTER * width * max(scatter) / change
+    return own + abs(turning(point)) * place + SCATTER * (width * max(scatter)) / change
 
 
 def unlike(one: Point, other: Point) -> int:

@@ -17,7 +17,7 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
-from ..motion.regimes import Outcome, Regime, same_limit
+from ..motion.regimes import Outcome, same_limit
 from ..motion.simulation import state_of
 from ..progress import doing
 from ..questions import model_of
@@ -443,11 +443,9 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
     """Whether one of two cycles comes out of the other, of half its period, by a doubling between: a single attractor."""
-    if any(each.verdict.kind != Regime.LIMIT_CYCLE for each in (low, high)):
-        return False
     short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
-    if abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) > DOUBLE:
-        return False
+    if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= DOUBLE:
+        return False  # or one of them is no cycle, and has no period
     try:
         single, double = asked.attractor(short), asked.attractor(long)
         # Beyond where the other one is, since the range tells how long steps are as well.

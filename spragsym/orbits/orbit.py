@@ -227,9 +227,9 @@ class Cycles(Sequence[Cycle]):
         return len(self.loops)
 
     def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return tuple(self[i] for i in range(*index.indices(len(self))))
         place = range(len(self))[index]
+        if isinstance(place, range):
+            return tuple(self[i] for i in place)
         if place not in self._known:
             self._known[place] = cycle_of(self.loops[place])
         return self._known[place]
@@ -274,9 +274,7 @@ def _top(loop: Loop) -> float:
     if not highest:
         return 0.0
     most = max(float(state[0]) for state, _ in highest)
-    _, begin = max(
-        ((state, t) for state, t in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda pair: float(pair[0][1])
-    )
+    _, begin = max((top for top in highest if top[0][0] >= most - SAME * (1 + abs(most))), key=lambda top: float(top[0][1]))
     return begin
 
 
@@ -285,13 +283,14 @@ def _range(samples: PiecewisePolynomial, force: Any, constants: tuple[float, ...
     from scipy.optimize import minimize_scalar
 
     values = force(samples.states, constants)
-    ends = []
-    for sign in (1.0, -1.0):
+
+    def least(sign: float) -> float:
         best = int(np.argmin(sign * values))
         low, high = samples.t[max(best - 1, 0)], samples.t[min(best + 1, len(values) - 1)]
         found = minimize_scalar(
-            lambda t, sign=sign: sign * float(force(samples(np.array([t])), constants)[0]), bounds=(low, high), method="bounded",
+            lambda t: sign * float(force(samples(np.array([t])), constants)[0]), bounds=(low, high), method="bounded",
             options={"xatol": 1e-9},
         )  # fmt: skip
-        ends.append(sign * min(float(found.fun), float(sign * values[best])))
-    return ends[0], ends[1]
+        return min(float(found.fun), float(sign * values[best]))
+
+    return least(1.0), -least(-1.0)

@@ -156,20 +156,25 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
     # A path may hold bytes that are no text in the locale.
     digest = hashlib.sha256(b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])).hexdigest()[:16]
     package = f"spragsym_model_{digest}"
-    sys.modules.setdefault(package, ModuleType(package)).__path__ = []
-    for whole, file in ((f"{package}.{name}", f"{name}.py") for name in ("_broadcast", "algebra")):
+    for name in ("", "_broadcast", "algebra"):
+        whole = f"{package}.{name}".rstrip(".")
         if whole in sys.modules:
             continue
         module = ModuleType(whole)
-        module.__package__, module.__file__ = package, os.path.join(where, file)
-        code = compile(files[file], module.__file__, "exec")
+        module.__package__ = package
+        if name:
+            module.__file__ = os.path.join(where, f"{name}.py")
+            code = compile(files[f"{name}.py"], module.__file__, "exec")
+        else:
+            module.__path__ = []
         sys.modules[whole] = module
-        try:
-            exec(code, module.__dict__)  # noqa: S102  # a model's folder is code, as load says
-        except BaseException:
-            del sys.modules[whole]
-            raise
-    return sys.modules[whole]
+        if name:
+            try:
+                exec(code, module.__dict__)  # noqa: S102  # a model's folder is code, as load says
+            except BaseException:
+                del sys.modules[whole]
+                raise
+    return sys.modules[f"{package}.algebra"]
 
 
 @cache

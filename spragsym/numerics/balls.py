@@ -331,10 +331,7 @@ class _Functions(Functions):
     @staticmethod
     def sign(value: Any) -> int:
         """−1 or 1; :class:`Undecided` where the ball holds 0."""
-        found = sign(constant(value))
-        if not found:
-            raise Undecided("the sign of a ball that holds 0")
-        return found
+        return decided(constant(value), "the sign of a ball that holds 0")
 
     @classmethod
     def abs(cls, value: Any) -> Any:

@@ -178,8 +178,8 @@ class _Search:
                 total += len(taken[-1])
             pairs = joined(taken, n)
             if len(pairs) > 2 * CHUNK:
-                stack.append(pairs[slice(0, len(pairs) - CHUNK)])
-                pairs = pairs[slice(len(pairs) - CHUNK, None)]
+                stack.append(pairs[:-CHUNK])
+                pairs = pairs[-CHUNK:]
             left = self.look(pairs)
             if len(left):
                 stack.append(left)

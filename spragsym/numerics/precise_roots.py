@@ -14,7 +14,7 @@ ends differ.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -244,7 +244,7 @@ class _Task:
         sharp = self._narrowed(at, others)
         return [self._values([at, *sharp])[0], *self._expansion(at, sharp, 2)]
 
-    def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
+    def search(self, box: Box, found: Reduced) -> None:
         """All roots of a box: of the whole if it can be settled, else of its halves in u, and of theirs."""
         waiting = deque([(box, DEPTH)])
         for _ in range(PARTS):
@@ -253,19 +253,16 @@ class _Task:
             part, depth = waiting.popleft()
             if self._settled(part, found):
                 continue
-            if depth:
-                waiting.extend((half, depth - 1) for half in self._halves(part))
-            else:
+            if not depth:
                 found.left.append(part)
+                continue
+            low, high = part[self.along]
+            cut = low + (high - low) * Fraction(61, 128)
+            for side in ((low, cut), (cut, high)):
+                waiting.append(([side if i == self.along else other for i, other in enumerate(part)], depth - 1))
         found.left.extend(part for part, _ in waiting)
 
-    def _halves(self, box: list[tuple[Fraction, Fraction]]) -> Iterator[list[tuple[Fraction, Fraction]]]:
-        low, high = box[self.along]
-        cut = low + (high - low) * Fraction(61, 128)
-        for part in ((low, cut), (cut, high)):
-            yield [part if i == self.along else side for i, side in enumerate(box)]
-
-    def _settled(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> bool:
+    def _settled(self, box: Box, found: Reduced) -> bool:
         """Whether the roots of a box could be isolated; those found are kept."""
         low, high = box[self.along]
         middle = (low + high) / 2
@@ -305,7 +302,7 @@ class _Task:
                 break
         return self._boxed(span, self._narrowed(balls.between(*span), others))
 
-    def others(self, span: tuple[Fraction, Fraction], box: list[tuple[Fraction, Fraction]]) -> list[Ball]:
+    def others(self, span: tuple[Fraction, Fraction], box: Box) -> list[Ball]:
         """Balls that hold the other unknowns for all u of the span: exactly one value for each u, in the box."""
         u = balls.between(*span)
         given = [balls.between(*side) for number, side in enumerate(box) if number != self.along]
@@ -334,7 +331,7 @@ class _Task:
         return current
 
 
-def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
+def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> Box:
     """Intervals with exactly one root each of a cubic, all of its roots in [low, high]; Undecided where that can't be told."""
     found, stack, looks = [], [(low, high, 0)], 0
     while stack:

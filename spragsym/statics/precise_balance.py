@@ -140,7 +140,12 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
 
     ``given`` are parameters, shape (parameters, points).
     """
-    inside, beyond = on_side(system, _at(system, given, found.point), found.ends)
+
+    def beside_border(ends: FloatArray, point: IntArray) -> tuple[BoolArray, BoolArray]:
+        with np.errstate(all="ignore"):
+            return on_side(system, system.prepared(Intervals.point(given[:, point])), ends)
+
+    inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
         digits = system.precise(given[:, found.point[row]], ROOT_BITS)
         with suppress(Undecided, ZeroDivisionError):
@@ -150,18 +155,13 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
                 inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(as_intervals([gap])[0])
     open_ = ~(inside | beyond)
     found = found.kept(inside).besides(found.ends[:, :, open_], found.point[open_])
-    return found.kept(left=~on_side(system, _at(system, given, found.left_point), found.left)[1])
+    return found.kept(left=~beside_border(found.left, found.left_point)[1])
 
 
 def on_side(system: StateSystem, parameters: Intervals, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
     """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that lie beyond it."""
     with np.errstate(all="ignore"):
         return system.state(Intervals(ends), parameters).beside_border()
-
-
-def _at(system: StateSystem, given: FloatArray, point: IntArray) -> Intervals:
-    with np.errstate(all="ignore"):
-        return system.prepared(Intervals.point(given[:, point]))
 
 
 def once_around(around: Sequence[int], found: Roots) -> Roots:

@@ -132,7 +132,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     point, states, errors = found.point[order], found.middle[:, order], found.error[order]
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
-    slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
+    slot = np.arange(point.size) - np.searchsorted(point, point)
     ends, alone = (boxes_around[:, :, order] for boxes_around in (found.ends, found.alone))
     given = columns(p, balance.parameters)
     codes, proved, eigenvalues = stability.classified(balance, states, given[:, point], ends, alone)

@@ -7,7 +7,6 @@ import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from functools import partial
 from typing import Any, ClassVar
 
 #: Exit code, and seconds that a command has after Ctrl-C to say what is kept.
@@ -15,27 +14,15 @@ INTERRUPTED, _PATIENCE = 130, 0.7
 
 
 @contextmanager
-def _handled(handler: Callable[[Any, int, Any], None]) -> Iterator[Any]:
-    """``handler(former, number, frame)`` in the place of the former one, which is given."""
-    former = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(former):
-        yield None  # interrupts go to another thread, or are ignored
-        return
-    own = partial(handler, former)
-    signal.signal(signal.SIGINT, own)
-    try:
-        yield former
-    finally:
-        if signal.getsignal(signal.SIGINT) is own:
-            signal.signal(signal.SIGINT, former)
-
-
-@contextmanager
 def heard() -> Iterator[Callable[[], None]]:
     """A function that raises KeyboardInterrupt if there was one since; so does the end, whatever ended it."""
     seen: list[int] = []
+    former = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(former):
+        yield lambda: None  # interrupts go to another thread, or are ignored
+        return
 
-    def handler(former: Any, number: int, frame: Any) -> None:
+    def handler(number: int, frame: Any) -> None:
         try:
             former(number, frame)
         except KeyboardInterrupt:
@@ -46,29 +33,37 @@ def heard() -> Iterator[Callable[[], None]]:
         if seen:
             raise KeyboardInterrupt
 
+    signal.signal(signal.SIGINT, handler)
     try:
-        with _handled(handler):
-            yield check
+        yield check
+        check()
     except Exception:
         check()
         raise
-    check()
+    finally:
+        if signal.getsignal(signal.SIGINT) is handler:
+            signal.signal(signal.SIGINT, former)
 
 
 @contextmanager
 def held() -> Iterator[None]:
     """Ctrl-C waits for the end of the body, such as the import of a library that would be left half imported."""
     waiting: list[Any] = []
+    former = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(former):
+        yield
+        return
 
-    def handler(_: Any, __: int, frame: Any) -> None:
+    def handler(number: int, frame: Any) -> None:
         waiting.append(frame)
         if _Ending.installed is not None:
             _Ending.installed.count_down()
 
+    signal.signal(signal.SIGINT, handler)
     try:
-        with _handled(handler) as former:
-            yield
+        yield
     finally:
+        signal.signal(signal.SIGINT, former)
         if waiting:
             former(signal.SIGINT, waiting[0])
 

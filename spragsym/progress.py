@@ -7,7 +7,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 
 from .errors import ParameterTypeError
@@ -75,7 +75,10 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     work = _Work(to or str, part)  # a line listens for itself
     token = _work.set(work)
     try:
-        with _line(work) if to is None else nullcontext():
+        if to is None:
+            with _line(work):
+                yield
+        else:
             yield
     finally:
         _work.reset(token)

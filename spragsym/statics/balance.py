@@ -1,4 +1,4 @@
-"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it."""
+"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it, and with many digits."""
 
 from __future__ import annotations
 

@@ -256,7 +256,7 @@ class Followed:
                     else:
                         others[i] = end
         z, error, until = (each.reshape((*each.shape[:-1], *self.shape)) for each in (z, error, self.until))
-        return Ends(z[n], error, z[:n], reasons, until, others)
+        return Ends(z[n, ...], error, z[:n], reasons, until, others)
 
     def _points(self, rows: Any) -> ParameterSet:
         """Some points, or one, as parameters that follow the state that was chosen."""

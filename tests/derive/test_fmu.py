@@ -78,6 +78,7 @@ def brake(tmp_path_factory: pytest.TempPathFactory) -> str:
     return exported(tmp_path_factory.mktemp("brake"), "--data", str(BRAKE))
 
 
+@pytest.mark.thorough
 def test_a_brake_has_its_units(brake: str, tmp_path: Path) -> None:
     study = ss.Study.from_file(BRAKE)
     given = {one.name: (float(one.start), one.unit) for one in fmpy.read_model_description(brake).modelVariables if one.start}

@@ -33,12 +33,9 @@ def section(title: str) -> str:
 # ---------------------------------------------------------------------------------------- languages that are there
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", [True, False])
-@pytest.mark.parametrize(
-    ("there", "solved"),
-    [pytest.param(NODE, languages.in_node, marks=pytest.mark.thorough), (OCTAVE, languages.in_octave)],
-    ids=["node", "Octave"],
-)
+@pytest.mark.parametrize(("there", "solved"), [(NODE, languages.in_node), (OCTAVE, languages.in_octave)], ids=["node", "Octave"])
 def test_every_bit_is_that_of_c(there: str | None, solved: Callable[..., Any], contact: bool, c_library: ctypes.CDLL) -> None:
     """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
     if there is None:

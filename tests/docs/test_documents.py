@@ -30,7 +30,8 @@ MODULES = sorted(
 #: Modules whose examples take long, or seconds: tests have the same calls.
 LONG = (
     "spragsym.orbits.branch", "spragsym.orbits.diagram", "spragsym.bifurcation.hopf_curves",
-    "spragsym.figures.curves", "spragsym.design.probability", "spragsym.design.jumps", "spragsym.design.tube_certificates",
+    "spragsym.figures.curves", "spragsym.design.probability", "spragsym.design.jumps", "spragsym.design.margins",
+    "spragsym.design.tube_certificates",
 )  # fmt: skip
 SECONDS = ("spragsym.orbits.fate_boundaries", "spragsym.orbits.basin_boundaries", "spragsym.bifurcation.critical")
 #: The others by their room.

@@ -214,6 +214,7 @@ def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
     assert page.is_disabled("#still")
 
 
+@pytest.mark.thorough
 def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
     """The article's state after the jump grows by 4.9e-6: words and rate in the table are Python's."""
     explorer.open("theta0_deg=30&mu0=0.5")

@@ -134,7 +134,7 @@ def test_the_published_period_of_van_der_pols_oscillator() -> None:
     assert found.multipliers[1].real == pytest.approx(math.exp(damping), rel=1e-9)  # Liouville's formula
 
 
-@pytest.mark.parametrize("e", [300.0, pytest.param(1000.0, marks=pytest.mark.validate)])
+@pytest.mark.parametrize("e", [pytest.param(300.0, marks=pytest.mark.thorough), pytest.param(1000.0, marks=pytest.mark.validate)])
 def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
     # J. Grasman, 1987: (3 − 2 ln 2) e + 3 a e^(−1/3) − (2/3) ln(e)/e + O(1/e), −a the first zero of Airy's function.
     found = cycle_near(VAN_DER_POL, (e,), (2.0, 0.0))

@@ -329,7 +329,7 @@ def draw_path(
 def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Any:
     """An arrow head on a curve, at a share of its way along x."""
     way = x[-1] - x[0]
-    i = int(np.clip(np.argmax((x - (x[0] + share * way)) * way >= 0), 1, x.size - 1))
+    i = int(np.clip(np.count_nonzero((x - (x[0] + share * way)) * way < 0), 1, x.size - 1))
     near = (x[i] + 1e-3 * (x[i - 1] - x[i]), y[i] + 1e-3 * (y[i - 1] - y[i]))
     props = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9, "linewidth": 0.8}
     return ax.annotate("", (x[i], y[i]), near, arrowprops=props)

@@ -263,7 +263,7 @@ def fate_map_figure(found: FateMap) -> Sheet:
         raise ParameterError(f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters")
     every = {name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel()) for name in varied}
     across, up = map(np.unique, every.values())
-    place = np.lexsort([*every.values()]).reshape(up.size, across.size)
+    place = np.unique([*every.values()][::-1], axis=1, return_index=True)[1].reshape(up.size, across.size)  # once each
     kind, period = found.kind.ravel()[place], found.period.ravel()[place]
     figure, ax = single(DOUBLE, 3.2)
     patches = []

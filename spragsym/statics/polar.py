@@ -151,8 +151,10 @@ class Polar(StateSystem):
         return self.rows(*self._placed(unknowns, parameters))
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes beyond the contact's border."""
-        return self.state(unknowns, parameters).beside_border()[1]
+        """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces of their directions."""
+        at = self.state(unknowns, parameters)
+        low, high = self.balance.with_directions(at)
+        return at.beside_border()[1] | np.logical_or.reduce(low + high < 0)
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""

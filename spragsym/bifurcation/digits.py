@@ -25,7 +25,7 @@ from ..statics.precise_balance import once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
-from .defining_systems import Augmented, Family, PreciseAugmented, cusp
+from .defining_systems import Augmented, Family, PreciseAugmented, cusp, endless, ranges
 from .singularities import isolated
 
 T = TypeVar("T")
@@ -132,8 +132,12 @@ def precise_cusps(
     """
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    family = Family.of(p.replace(**{name: float(sum(sides) / 2) for name, sides in ends.items()}), vary, between)
-    found, coordinates = isolated(family), family.balance.coordinates
+    balance, between = Balance(p.model, contact=True), between or {}
+    # Floats that may lie on ends of ranges, within which the exact numbers are.
+    given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
+    spans, cut = ranges(p.model, vary, between), endless(p.model, vary, between)
+    family = Family(p, balance, tuple(vary), given, spans, endless=cut)
+    found, coordinates = isolated(family), balance.coordinates
     systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
 
     def attempt(bits: int) -> list[PreciseCusp]:

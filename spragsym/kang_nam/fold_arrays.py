@@ -211,17 +211,17 @@ def _sharpened(
 
     level = None if vary == "theta0" else cos_sin(given["theta0"])
 
-    def parts(v: Any) -> tuple[Any, Any]:
-        values = *(level or cos_sin(v)), *(v if name == vary else given[name] for name in NAMES[1:])
-        return kernel.f_coefficients(*values, 1), kernel.f_changes(*values)[NAMES.index(vary)]
+    def with_value(v: Any) -> tuple[Any, ...]:
+        return *(level or cos_sin(v)), *(v if name == vary else given[name] for name in NAMES[1:])
 
     t, value = near
     for _ in range(steps):
         centre, v = middle(t), middle(value)
-        (here, around), (trig, change) = (on_circle(one) for one in (centre, t)), parts(value)
+        (here, around), values = (on_circle(one) for one in (centre, t)), with_value(value)
+        trig, change = kernel.f_coefficients(*values, 1), kernel.f_changes(*values)[NAMES.index(vary)]
         drift = kernel.f_slope(*around[:2], *trig) / kernel.f(*around[:2], *change) * (2 * (t - centre))  # dθ ≤ 2 dt
-        on_surface = v - kernel.f(*here[:2], *parts(v)[0]) / kernel.f(*here[:2], *change)
+        on_surface = v - kernel.f(*here[:2], *kernel.f_coefficients(*with_value(v), 1)) / kernel.f(*here[:2], *change)
         value = narrower(value, on_surface + drift)
-        slope = kernel.f_slope(*here[:2], *parts(value)[0])
+        slope = kernel.f_slope(*here[:2], *kernel.f_coefficients(*with_value(value), 1))
         t = narrower(t, centre - slope / kernel.f_curvature(*around[:2], *trig) * around.scale / 2)
     return t, value

@@ -73,24 +73,25 @@ class Rounded(Arithmetic):
 
     def __mul__(self, other: Any) -> Any:
         if not isinstance(other, Rounded):
-            return _rounded(self.value * other, self.terms * other, self.error * np.abs(other) + _TINY)
+            return _rounded(self.value * other, self.terms * other, self.error * abs(other) + _TINY)
         value = self.value * other.value
-        left, right = np.abs(self.value), np.abs(other.value)
+        left, right = abs(self.value), abs(other.value)
         own, others = _spread(self), _spread(other)
         carried = left * other.error + right * self.error + (own + self.error) * (others + other.error)
-        rounding = UNIT * (np.abs(value) + 3 * (left * others + right * own))
-        terms = self.value * other.terms + other.value * self.terms
+        # What may be the 0 without terms stands on the left, where NumPy need not be asked.
+        rounding = UNIT * ((others * left + own * right) * 3 + abs(value))
+        terms = other.terms * self.value + self.terms * other.value
         return _number(value, terms, (carried + rounding) * _SLACK + _TINY)
 
     def __truediv__(self, other: Any) -> Any:
         other = _as_number(other)
         value = self.value / other.value
-        size, reach, quotient = np.abs(other.value), other.radius(), np.abs(value)
+        size, reach, quotient = abs(other.value), other.radius(), abs(value)
         least = size - reach
         # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w) for q = v/w, and |1/y − 1/w| ≤ |y − w| / (|w| (|w| − |y − w|)).
-        rounding = 4 * UNIT * (_spread(self) + quotient * _spread(other))
-        own = (self.error + quotient * other.error + rounding) / size
-        found = _number(value, (self.terms - value * other.terms) / other.value, own)
+        rounding = (_spread(other) * quotient + _spread(self)) * (4 * UNIT)
+        own = (rounding + (self.error + quotient * other.error)) / size
+        found = _number(value, (self.terms - other.terms * value) / other.value, own)
         error = (own + (_spread(found) + own) * (reach / least) + UNIT * quotient) * _SLACK**3 + _TINY
         found.error = np.where(least > 0, error, np.inf)
         return found
@@ -165,7 +166,7 @@ def _number(value: Any, terms: Any, error: Any) -> Rounded:
 def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
     """A number with the error of one rounding added."""
     found = _number(value, terms, error)
-    found.error = (error + UNIT * (np.abs(value) + _spread(found))) * _SLACK
+    found.error = (error + UNIT * (_spread(found) + abs(value))) * _SLACK
     return found
 
 

@@ -416,8 +416,8 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     assert found.errors[1] > 0.1
     assert multipliers.is_lost(loop, "fold")
     assert multipliers.is_lost(loop, "torus") or not multipliers.is_complex_pair(loop)
-    good = multipliers.multipliers_of([np.diag([1.0, 1e2, 1.1])], [np.array([1.0, 0.0, 0.0])])
-    assert not multipliers.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]  # nothing else of it is asked
+    loop.multipliers = multipliers.multipliers_of([np.diag([1.0, 1e2, 1.1])], [np.array([1.0, 0.0, 0.0])])
+    assert not multipliers.is_lost(loop, "fold")
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents

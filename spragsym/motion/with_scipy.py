@@ -127,7 +127,7 @@ class Flight:
                     raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
-                    raise too_many_steps(self.problem, most, clock + end)
+                    raise too_many_steps(replace(self.problem, rtol=solver.rtol), most, clock + end)
                 piece = _Piece(clock, begin, end, solver.y.copy(), dense, mode)
                 found = self._first_crossing(piece)
                 if found is None:

@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.motion import with_compiled, with_heyoka
+from spragsym.motion import with_compiled, with_heyoka, with_scipy
 from spragsym.motion.integrators import Flow
 from spragsym.motion.problem import check_stiffness
 from spragsym.motion.sweeps import rms_sweep
@@ -69,6 +69,9 @@ def test_what_is_compiled_and_a_cycle_go_over_as_well(integrator: types.ModuleTy
     else:
         assert (explicit.implicit, follow().implicit) == (False, True)
         assert follow().state[:, -1] == pytest.approx(explicit.state[:, -1], abs=1e-6)
+        monkeypatch.setattr(with_scipy, "MAX_STEPS", 20)
+        with pytest.raises(ss.ConvergenceError, match="than 1e-12,"):  # by which it is integrated, as tight as Radau goes
+            follow(rtol=1e-13)
 
 
 @pytest.mark.parametrize(

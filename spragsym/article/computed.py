@@ -335,7 +335,7 @@ def lives_below() -> Outcome:
     for place in [(degrees, V, D) for degrees in FAR_BELOW[::-1]] + [(WITH_OTHERS, *belt) for belt in OTHER_BELTS]:
         degrees, speed, creep = place
         near = found[place] = cycle(_at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near))
-    ours, others = [*found.values()][len(FAR_BELOW) - 1 :: -1], [*found.values()][len(FAR_BELOW) :]
+    ours, others = [found[degrees, V, D] for degrees in FAR_BELOW], [found[WITH_OTHERS, *belt] for belt in OTHER_BELTS]
     return all(one.stable and _slides_stably(*place) for place, one in found.items()), {
         "theta0_deg": FAR_BELOW, "periods": [one.period for one in ours],
         "largest multipliers": [np.abs(one.multipliers[1]) for one in ours], **_of_others(),

@@ -15,7 +15,7 @@ from .tolerances import deciding
 if TYPE_CHECKING:
     from .reports import Report
 
-#: A name and a value each.
+#: Pairs of texts: a name and a value, or a picture and its caption.
 Rows: TypeAlias = Iterator[tuple[str, str]]
 
 #: A friction coefficient that no brake has.

@@ -237,7 +237,7 @@ class Report(Result):
         asked = ((vary, self._known(f"folds along {vary} are", partial(folds, p, vary))) for vary in axes)
         found = {vary: points for vary, points in asked if points is not None}
         own = None if rise is None else found.get(rise.name)
-        # Beyond a friction that no brake has none is missed.
+        # Folds at more friction than any brake has do not matter.
         if own is not None and not own.complete and (len(own.undecided) or not study.of_friction or study.top <= FRICTION):
             self.remarks.append(f"folds along {study.rises.quantity} may be missing: {self._brief(*own.remarks)}")
         return found

@@ -18,7 +18,7 @@ from .units import ENDS, Numbers
 if TYPE_CHECKING:
     from .reports import Report
 
-#: What JSON has under names.
+#: An object in JSON.
 Json: TypeAlias = dict[str, Any]
 #: Sobol' indices whose 95 % interval is wider to either side are not told.
 RESOLVED = 0.2

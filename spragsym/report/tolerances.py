@@ -296,7 +296,7 @@ class _Law:
         self.balance = BalanceInUnits(low.model, True, units, study.law)
 
     def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
-        """± the law over boxes."""
+        """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""
         arguments = self.balance.over(Intervals.between(low, high))
         found = as_intervals(self.balance.at((), arguments).friction, low.shape[1:])
         return found if sign > 0 else -found

@@ -246,7 +246,7 @@ class OfModel(Command):
             "last": "".join(model.axes[-1:]),
             "coordinate": model.coordinates[0], "state": ",".join(model.components).upper(),
         }  # fmt: skip
-        # What varies unless told otherwise.
+        # What varies unless told otherwise: what the help of --vary names as its default.
         usual, texts = {"{axes}": model.axes, "{last}": model.axes[-1:]}, str([getattr(one, "help", "") for one in self.own])
         self.varied = [name for word, names in usual.items() if word in texts for name in names]
         self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *ABOUT]

@@ -117,14 +117,16 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
     from .quartic.solver import equilibria
     from .steady_sliding import sliding_friction
 
-    x, y = places[..., None]  # one point that is undecided is none, too
-    given = {name: np.broadcast_to(getattr(p, name)[..., None], x.shape) for name in p.ranges}
-    given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
-    found = equilibria(Parameters(**given))
-    away = np.hypot(found.x - x[..., None], found.y - y[..., None])
-    away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
-    there = away.min(axis=-1) <= SETTLED * (1 + np.hypot(x, y))
-    return np.where(there, away.argmin(axis=-1), -1).astype(np.int8)[..., 0]
+    index, rows = np.full(places.shape[1:], -1, dtype=np.int8), np.isfinite(places[0])
+    if rows.any():
+        x, y = places[:, rows]
+        given = {name: np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in p.ranges}
+        given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
+        found = equilibria(Parameters(**given))
+        away = np.hypot(found.x - x[:, None], found.y - y[:, None])
+        away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
+        index[rows] = np.where(away.min(axis=-1) <= SETTLED * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1)
+    return index
 
 
 #: Name, θ₀ in degrees, and what differs from the base values.

@@ -127,7 +127,7 @@ def estimated(
             step()
     found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence, True)
     first, total, first_error, total_error = (
-        dict(zip(together.titles, part.tolist(), strict=sobol))  # empty if not asked for
+        dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {}
         for part in (found.first, found.total, found.first_error, found.total_error)
     )
     return JumpProbability(

@@ -67,7 +67,7 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
     for some, here, rows, by_v in pivots(tubes, start):
         begin, towards = start.v[rows], forward * np.sign(by_v)
         by_s = some.tangents(here.z)[0]
-        step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * _size(here.z[some.pivot]))
+        step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * size_of(here.z[some.pivot]))
         goal, least, moving = begin + forward * by[rows], SMALLEST * step, forward * towards
         open_ = some.rises(here.region(), by_s) == moving
         for _ in range(STEPS):
@@ -149,7 +149,7 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
     """Tubes about the coordinate that moves most, over its size, where it does; their places, numbers, and its slope by v."""
     by_v, _ = tubes.tangents(start.z)
     with np.errstate(all="ignore"):
-        pivots = np.argmax(np.abs(by_v[:-1]) / _size(start.z[:-1]), axis=0)
+        pivots = np.argmax(np.abs(by_v[:-1]) / size_of(start.z[:-1]), axis=0)
     for pivot in range(tubes.n):
         rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
         if rows.size:
@@ -158,7 +158,7 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
 
 def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Where dv/ds = 0, from states on the curve, of which it is the first slope, to one that is a step ``towards`` it, and on."""
-    size = _size(z[tubes.pivot])
+    size = size_of(z[tubes.pivot])
     step = towards * PROBE * size
     by_s = tubes.tangents(z)[0]
     for _ in range(SECANTS):
@@ -177,7 +177,7 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
 
 def _proved(tubes: Tubes, here: Place, fold: FloatArray, towards: FloatArray, forward: int, segments: int) -> Turned:
     """Between which values v lies where it turns back, and whether that is proved."""
-    out, last, moving = Turned.nowhere(fold), LAST * _size(fold[tubes.pivot]), forward * towards
+    out, last, moving = Turned.nowhere(fold), LAST * size_of(fold[tubes.pivot]), forward * towards
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here.region(), by_s) == moving
     share = np.full(last.size, SHARE)
@@ -212,5 +212,6 @@ def _moved_on(
     return good
 
 
-def _size(z: FloatArray) -> FloatArray:
+def size_of(z: FloatArray) -> FloatArray:
+    """The size of coordinates, at least what counts as no size."""
     return np.maximum(np.abs(z), SMALL)

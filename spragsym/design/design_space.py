@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.tubes import Tubes
-from ..bifurcation.turning_points import SMALL, secants
+from ..bifurcation.turning_points import secants, size_of
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number
 from ..models.quantities import PhysicalParameters
@@ -202,7 +202,7 @@ class Border:
         n, tubes = asked.balance.n, Tubes.of_points(asked.balance, self.vary, asked.fixed)
         # At a fold the null vector of K is the direction of the curve: nothing else of z changes there.
         along = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
-        tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / np.maximum(np.abs(self.last[:n]), SMALL))))
+        tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / size_of(self.last[:n]))))
         z, met = secants(tubes, tubes.corrected(z), np.ones(1))
         if not met[0] or not asked.begin[0] <= z[n, 0] <= asked.until[0]:
             return None

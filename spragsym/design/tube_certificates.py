@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.tubes import Place, Tubes, halves
-from ..bifurcation.turning_points import SMALL, passed
+from ..bifurcation.turning_points import passed, size_of
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
@@ -129,7 +129,7 @@ class Splitting(Claim):
         width = (pieces.high - pieces.low)[:-1]
         # As far as it got, by how far each parameter moves the state.
         weight = pieces.slight[:-1]
-        moves = (np.abs(reached.by_p) / np.maximum(np.abs(reached.z), SMALL)[:, None]).max(axis=0)
+        moves = (np.abs(reached.by_p) / size_of(reached.z)[:, None]).max(axis=0)
         weight += np.where(np.isfinite(moves), moves, 0.0) * width
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:

@@ -102,8 +102,9 @@ def bifurcation_set(
 
 def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
     """θ of all folds on the ends of the ranges, proved."""
-    for (name, ends), other in itertools.product(between.items(), ("theta0", "mu0")):
-        for end in ends if name != other else ():
+    for name, ends in between.items():
+        other = "mu0" if name == "theta0" else "theta0"
+        for end in ends:
             if RANGES[name].low < end < RANGES[name].high:
                 yield folds(p.replace(**{name: end}), other).theta
 

@@ -43,7 +43,7 @@ FLAT = 1e-100
 MANY = 400
 #: Clusters of boxes that are looked at.
 CLUSTERS = 12
-#: Arcs of directions of this width that are looked at one by one: one more than of a turn, of which floats may fall short.
+#: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more covers what rounding leaves.
 ARC, ARCS = np.pi / 16, 33
 #: Lengths of which nothing is left in K.
 ENDLESS = Intervals.between(np.array([1e290]), np.array([1e308]))

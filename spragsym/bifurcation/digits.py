@@ -133,7 +133,7 @@ def precise_cusps(
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     balance, between = Balance(p.model, contact=True), between or {}
-    # Floats that may lie on ends of ranges, within which the exact numbers are.
+    # Not a set of parameters: the float next to an exact number may lie on an end of the range that excludes it.
     given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
     spans, cut = ranges(p.model, vary, between), endless(p.model, vary, between)
     family = Family(p, balance, tuple(vary), given, spans, endless=cut)

@@ -278,7 +278,7 @@ class Followed:
     def _folds(
         self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False
     ) -> tuple[BoolArray, FloatArray, FloatArray]:  # fmt: skip
-        """Of which points tubes decide it; the folds up to the goals, shape (n + 1, N), NaN where there is none; their errors."""
+        """Points at which tubes tell whether there is a fold before the goal, the folds, shape (n + 1, N) or NaN, and errors."""
         forward = self.forward
         rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
         left, at = np.arange(goal.size), start

@@ -267,8 +267,11 @@ def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
 
 
 def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
-    """Where the number of roots changes between two directions: which of one ``side`` go on as which of the other, the nearest
-    first, and of those that are left which meet in between, and not at θ₀ = 0 or π."""
+    """Pairs of roots that lie on one curve, where the number of roots changes between two neighbouring directions.
+
+    Roots of one ``side`` go on as those of the other, the nearest first; of those that are left, neighbours of one side that are
+    near meet in between, and others end at θ₀ = 0 or π.
+    """
     free, every = set(range(side.size)), itertools.combinations(range(side.size), 2)
     for _, far, *pair in sorted((side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every):
         if far < _STEP and free.issuperset(pair):

@@ -41,7 +41,7 @@ def test_they_are_those_of_closed_forms(number: int) -> None:
 @pytest.mark.thorough
 def test_gradients_are_those_of_closed_forms() -> None:
     p = random_sets(2, 20)
-    values = p.replace(mu0=[[0.1], [0.2]])  # of what moves they say nothing
+    values = p.replace(mu0=[[0.1], [0.2]])  # values of the parameter that varies do not matter
     found, theirs = ss.jump_gradient(p, method="search", until=3.0), ss.jump_gradient(values, method="closed")
     low = theirs.value < 3.0
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):

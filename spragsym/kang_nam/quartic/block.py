@@ -52,7 +52,7 @@ def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int
 
 
 def _solved(point: kernel.Point, line: kernel.Balance, u: np.floating[Any], out: Slots, begin: int, safe: Any) -> IntArray:
-    """As many roots as every point has come first, then all of those that have two more."""
+    """First the roots that every point has, one in contact and two in lift-off, then all of points that have two more."""
     found, least = kernel.guesses(point, line, u), 1 if point.nbar else 2
     safe = safe & found.certain
     settled = safe & _some(_stacked(found[:least]), point, line, out, begin + np.arange(safe.size), u)

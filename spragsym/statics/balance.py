@@ -43,7 +43,7 @@ Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 class StateSystem(System):
     """A system of which the roots are states of a model."""
 
-    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+    def state(self, unknowns: Any, parameters: Intervals) -> State:
         """The evaluation over boxes, whose unknowns are intervals or jets of them."""
         raise NotImplementedError
 

@@ -142,7 +142,7 @@ class Polar(StateSystem):
     def _placed(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[State, Any]:
         return self.place(unknowns, self.balance.at((), self.balance.arguments(parameters), parameters.shape[1:]), parameters[-1])
 
-    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+    def state(self, unknowns: Any, parameters: Intervals) -> State:
         """The evaluation over boxes."""
         return self._placed(list(unknowns), parameters)[0]
 

@@ -331,7 +331,7 @@ class _Task:
         return current
 
 
-def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> Box:
+def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
     """Intervals with exactly one root each of a cubic, all of its roots in [low, high]; Undecided where that can't be told."""
     found, stack, looks = [], [(low, high, 0)], 0
     while stack:

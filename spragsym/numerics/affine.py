@@ -78,7 +78,7 @@ class Rounded(Arithmetic):
         left, right = abs(self.value), abs(other.value)
         own, others = _spread(self), _spread(other)
         carried = left * other.error + right * self.error + (own + self.error) * (others + other.error)
-        # What may be the 0 without terms stands on the left, where NumPy need not be asked.
+        # What may be the 0 of numbers without terms stands on the left: its own product is taken before NumPy's.
         rounding = UNIT * ((others * left + own * right) * 3 + abs(value))
         terms = other.terms * self.value + self.terms * other.value
         return _number(value, terms, (carried + rounding) * _SLACK + _TINY)

@@ -107,7 +107,7 @@ def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray
 
 
 def _cut(value: FloatArray, place: FloatArray | float = 0.5) -> tuple[FloatArray, FloatArray]:
-    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule; each average of two is rounded once."""
+    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule; halved, each average is rounded once."""
     upper, lower = value.copy(), np.empty_like(value)
     lower[0] = upper[0]
     for step in range(1, len(value)):

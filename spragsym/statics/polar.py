@@ -8,8 +8,8 @@ balance. Then
     across the line:                A_y c − A_x s = 0.
 
 A stiff spring with little else to hold the mass has near-equilibria on the whole circle of its undeformed length, which is
-straight here; with the tension k (l − r) for an unknown no difference of large forces is left. At the anchor, where x and y do
-not say the direction, φ does.
+straight here; with the elongation l − r for an unknown, the tension k (l − r) is no difference of two large forces. At the
+anchor, where x and y do not say the direction, φ does.
 
 A torsion spring pulls across its line with k_t φ/l, which has no bound at the anchor. There the balance
 

@@ -379,6 +379,9 @@ def test_where_statics_takes_the_law_at_the_speed_of_the_belt_it_is_given_all_of
     works = tolerances.box(study)[0].mu0
     monkeypatch.setattr(study.kind, "law", {**study.kind.law, "at_rest": "speed"})
     assert works < tolerances.box(ss.Study(brake(d=1.0)))[0].mu0 == 0.3
+
+
+def test_a_belt_that_stands_still_is_refused_also_with_a_tolerance_of_the_friction() -> None:
     with pytest.raises(ss.ParameterError, match="nothing slides at that speed"):
         ss.Study(brake(V=0.0), {"mu0": 0.1}).report(**QUICKLY)
 

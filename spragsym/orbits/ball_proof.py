@@ -188,7 +188,7 @@ def _traced(
 
 def _krawczyk(balls: Balls, state: Numbers, period: Any, radius: float, inverse: Any, moved: list[int]) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
-    near = [value + arb(0, 1e-6) for value in balls.box]
+    near = [value + around(1e-6) for value in balls.box]
     balls.keeps_clear(near)
     rates = [arb(rate) for rate in balls.smooth.rates(near)]
     if not all(abs(rate) * radius < 1e-6 for rate in rates):

@@ -160,7 +160,7 @@ def _grazing(one: Point, other: Point, touch: Touch, after: Touch, length: float
             yield Finding("grazing", loop, off, border, how=name)
             return
     if length > FINEST:
-        raise ConvergenceError("grazing")
+        raise ConvergenceError("a grazing was not located")
     if not unlike(one, other):
         return  # two different turns were taken for one: the orbit crosses as often as before
     yield Finding("grazing", nearest[0][0].loop, abs(other.value - one.value), border, how=name)
@@ -183,8 +183,8 @@ def _located(kind: str, one: Point, other: Point, length: float) -> Iterator[Fin
     try:
         point = zero_of(partial(criterion, kind), one, other, length)
     except (ConvergenceError, ValueError) as error:
-        if length > FINEST:
-            raise ConvergenceError(kind) from error  # the two points may lie on different branches: shorter steps tell
+        if length > FINEST:  # the two points may lie on different branches: shorter steps tell
+            raise ConvergenceError(f"a {kind} was not located") from error
         if kind == "crossing":
             return
         yield Finding(kind, other.loop, width)
@@ -199,7 +199,7 @@ def _located(kind: str, one: Point, other: Point, length: float) -> Iterator[Fin
     if abs(criterion(kind, point)) > JUMPS * max(abs(criterion(kind, each)) for each in (one, other)):
         # Multipliers jump at a grazing: the sign changes with no zero.
         if length > FINEST:
-            raise ConvergenceError(kind)
+            raise ConvergenceError(f"a {kind} was not located")
         off, how = max(off, width), JUMPED
     if kind == "crossing":
         yield Finding("fold", point.loop, off, crossed=point.tangent, how=CROSSES)

@@ -56,7 +56,7 @@ class Problem:
     t_end: float
     t_record: float
     rtol: float
-    #: None for as many as an integrator makes of any motion.
+    #: None for the limit that each integrator has of its own.
     max_steps: int | None
     #: The field, for a given reach of the exponentials of the friction law.
     field_of: Callable[[float], Field]

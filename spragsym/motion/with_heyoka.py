@@ -406,7 +406,7 @@ class Lanes(Carrier):
                 one.error = missed(end) if np.isfinite(one.carried[: self.m]).all() else out_of_range()
 
     def _through(self, some: Sequence[Traveller], begin: float, end: float) -> None:
-        """Carry as many as there are lanes. In a lane that is free something that goes on elsewhere stands still, at the end."""
+        """Carry on as many as there are lanes, or fewer; in a free lane a copy of one that goes on stands still, at the end."""
         scale, going = _scale(end - begin), [*range(len(some))]
         self._begin(some, begin, [(one.carried[0], scale) for one in some])
         while going:

@@ -82,7 +82,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Touch:
-    """A turn at which a border's level is extremal: the level there, and how it changes along the branch."""
+    """A turn at which a border's level is extremal: its share of the period, the level there, and its slope along the branch."""
 
     turn: Turn
     share: float
@@ -164,7 +164,7 @@ def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> P
 
 
 def directions(setting: Setting, loop: Loop) -> FloatArray:
-    """Unit vectors, a row each, in units of the arc: those last along which the equations change least."""
+    """Right singular vectors of the equations' derivative, a row each, in units of the arc; the last ones span its null space."""
     _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
     slopes = np.vstack([loop.slopes(len(setting.free)), rows])
     return np.linalg.svd(slopes / setting.weights(len(loop.states)))[2]

@@ -29,7 +29,7 @@ TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04,
 #: Steps are this share of the radius of convergence that is proved.
 SHARE = 1 / 7
 
-#: By this they stay below it, however it is rounded.
+#: By this factor steps stay below that share, however the product is rounded.
 SHORT = 1 - 1e-12
 
 #: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it multiplies what is left out.
@@ -287,7 +287,7 @@ class Smooth:
         return replace(self, mode=self.field.borders[index].beyond(self.mode))
 
     def filled(self, value: Any) -> Any:
-        """A matrix as derivatives by the state are, of one number."""
+        """A square matrix of the size of the state, with one number in all places."""
         m = self.field.size
         return arb_mat(m, m, [value] * (m * m))
 

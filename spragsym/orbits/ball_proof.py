@@ -107,7 +107,7 @@ def accuracy_for(digits: int) -> Accuracy:
 def _refined(
     begun: Smooth, claim: dict[str, Any], inverse: Any, moved: list[int]
 ) -> tuple[Numbers, Any, list[tuple[int, Any]]]:  # fmt: skip
-    """Numbers, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
+    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
 
     Each round works with as many digits as it may gain.
     """

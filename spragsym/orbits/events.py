@@ -225,7 +225,7 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
 
 
 def unlike(one: Point, other: Point) -> int:
-    """By how many crossings of any border rounds differ."""
+    """In how many crossings two orbits differ: the differences in how often each border is crossed, added up."""
     one_way, other_way = (Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other))
     return ((one_way - other_way) + (other_way - one_way)).total()
 

@@ -347,7 +347,7 @@ class _Bracket:
         return found
 
     def anew(self, near: float, way: tuple[float, float], most: float) -> _Bracket:
-        """The bracket near a value, asked for in another way."""
+        """The bracket found again about a value, by the tolerance and from the start of another way, narrowed."""
         half, most = max(self.width, NARROW * (1 + abs(near))), most * (1 + abs(near))
         while half < most:
             found = replace(self, low=self.asked.ask(near - half, way), high=self.asked.ask(near + half, way))

@@ -191,7 +191,7 @@ def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
             place = system.equilibrium(near)
             eigenvalues, _, error = spectrum(system.linearization(place))
-            if (eigenvalues.real + error < 0).all():  # it is proved to attract
+            if (eigenvalues.real + error < 0).all():  # it attracts, by more than rounding may add
                 return float(-1 / eigenvalues.real.max()), place
     return float("inf"), verdict.end
 

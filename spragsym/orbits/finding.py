@@ -212,7 +212,8 @@ def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
 def returns(turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None) -> list[tuple[Turn, Turn]]:
     """Pairs of alike states, largest in x: of each number of rounds the nearest, or the first one (0), or the last one (−1).
 
-    Those come first that are the nearest, times their rounds.
+    One counts only if it is twice as near as those of fewer rounds that count. Those come first that are the nearest, times
+    their rounds.
     """
     turns = [turn for turn in turns if turn.border == -1]
     highest, found, best = [turn for turn in turns if turn.direction < 0], [], 2 * FAR

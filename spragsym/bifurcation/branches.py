@@ -82,7 +82,7 @@ def linked(
     states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
 
     def pairs(steps: list[Step], halvings: int) -> list[dict[int, int]]:
-        """Of each step those that tubes join, or that its halves have, which so many halvings have made already."""
+        """Pairs of slots joined over each step, by tubes or through its halves; ``halvings`` counts those so far."""
         known, complete = _by_tubes(along, steps, states)
         failed = [step for step in steps if step not in complete]
         if failed and (most >= HALVINGS or (halvings < most and len(failed) <= MANY)):

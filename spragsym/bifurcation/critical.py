@@ -299,7 +299,7 @@ class _Search:
         self.open_from, self.remarks = math.inf, list[str]()
 
     def lowest(self) -> _Candidate:
-        """The lowest end."""
+        """The candidate of least value at which the followed state ends; an infinite value where it ends at none."""
         candidates = self.candidates()
         first, last = self.spans[0].tolist()
         places = {first, last, *(place for one in candidates for sides in self.beside(one) for place in sides)}
@@ -339,7 +339,7 @@ class _Search:
             yield kind, points
 
         def families(room: float) -> Iterator[Family]:
-            """The plane, and its sides."""
+            """The family over the plane of both parameters, then one over ``vary`` at each end of ``over``."""
             yield Family.of(self.p, both, between, room=room)
             for end in self.spans[0].tolist():
                 here = self.p.replace(**{self.over: end})

@@ -296,7 +296,7 @@ class Augmented(StateSystem):
         return self.evaluated(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:], sides=sides)
 
     def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
-        """The system of balls."""
+        """The augmented system in ball arithmetic, at one point of the other parameters."""
         return PreciseAugmented(self, given, bits)
 
     def evaluated(

@@ -57,7 +57,7 @@ def precise_equilibria(
 
 
 def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> list[T]:
-    """What is told of the roots, by their boxes and those in which each is alone; of some nothing is."""
+    """What ``tell`` gives for each root, from its box and the one in which it is alone; no None among them."""
     told = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))
     return [one for one in told if one is not None]
 

@@ -295,7 +295,7 @@ def _around(radius: float) -> Ball:
 
 
 def _ball(value: Any) -> Any:
-    """A number that is exactly a ball; a jet of balls itself."""
+    """A number as a ball that holds it exactly; balls and jets of balls as they are."""
     return value if isinstance(value, Ball | Jet) else ball(value, BITS)
 
 

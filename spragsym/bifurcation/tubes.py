@@ -50,7 +50,7 @@ class ByColumn:
         return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
 
     def put(self, rows: Any, other: Self) -> None:
-        """Take columns over."""
+        """Overwrite some columns by those of another."""
         for field in fields(self):
             getattr(self, field.name)[..., rows] = getattr(other, field.name)
 
@@ -102,7 +102,7 @@ class Place(ByColumn):
 
     @property
     def v(self) -> FloatArray:
-        """Values of what moves."""
+        """Values of the parameter that varies."""
         return self.z[-1]
 
     def box(self) -> Intervals:
@@ -210,27 +210,27 @@ class Tubes(ByColumn):
 
     @classmethod
     def of_points(cls, balance: Balance, vary: str, fixed: FloatArray, free: tuple[str, ...] = ()) -> Self:
-        """Of parameters of which none has a width yet; the others follow what moves."""
+        """At points of the parameters, boxes of zero width; the pivot is the parameter that varies."""
         centre = fixed[[balance.parameters.index(name) for name in free]]
         return cls(balance, vary, free, balance.n, fixed, centre, np.zeros_like(centre))
 
     def middles(self) -> Self:
-        """Boxes of zero width: their midpoints."""
+        """The same at the midpoints of the boxes."""
         return replace(self, half=np.zeros_like(self.half))
 
     @property
     def n(self) -> int:
-        """Number of the coordinates, and of what moves."""
+        """How many coordinates there are, which is also the index of the parameter that varies."""
         return self.balance.n
 
     @property
     def moving(self) -> list[int]:
-        """Numbers of the free parameters, and of what moves."""
+        """Indices of the free parameters among the model's, and of the one that varies."""
         return [self.balance.parameters.index(name) for name in (*self.free, self.vary)]
 
     @property
     def others(self) -> list[int]:
-        """What follows the pivot."""
+        """Indices of the unknowns that are functions of the pivot."""
         return [each for each in range(self.n + 1) if each != self.pivot]
 
     # --------------------------------------------------------------------------------------------------- evaluation
@@ -286,7 +286,7 @@ class Tubes(ByColumn):
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, at: State) -> list[list[Any]]:
-        """By the free parameters where any box has a width."""
+        """Derivatives of the forces by row; by the free parameters only where some box has a width."""
         names, none = ([*self.free], []) if self.half.any() else ([], [0] * len(self.free))
         moved = at.by_parameters([self.vary, *names])
         return [[*row, *more, *none] for row, more in zip(at.stiffness(), moved, strict=True)]

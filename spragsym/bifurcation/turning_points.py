@@ -39,7 +39,7 @@ class Turned(ByColumn):
 
     @classmethod
     def nowhere(cls, z: FloatArray) -> Self:
-        """Of which nothing is proved."""
+        """Results at ``z`` of which no fold is proved."""
         low, high = np.full((2, z.shape[1]), np.nan)
         return cls(z.copy(), low, high, np.zeros(z.shape[1], dtype=np.bool_))
 

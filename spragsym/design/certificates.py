@@ -87,7 +87,7 @@ class Boxes(ByColumn, ABC):
 
     @property
     def open_volume(self) -> FloatArray:
-        """That of parts of which nothing is known, else 0."""
+        """The volume of parts that are undecided, 0 for the others."""
         return np.where(self.outcome == OPEN, self.volume, 0.0)
 
     @property
@@ -141,7 +141,7 @@ class Claim(ABC):
         """Points of the box, shape (sides, N), at which the claim is proved to be false."""
 
     def refuted(self, points: FloatArray) -> ParameterSet | None:
-        """The parameters at the first of some points at which it is, or None."""
+        """The parameters at the first of some points at which the claim is proved to be false; None without one."""
         fails = np.flatnonzero(self.fails(points))
         return self.point(points[:, fails[0]]) if fails.size else None
 

@@ -282,8 +282,8 @@ def fate_map_figure(found: FateMap) -> Sheet:
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
     return figure.describe(
         f"""What the motion comes to by τ = {found.t_end:g}, over {' and '.join(varied)}: {counts}. Cycles, by their colour the
-        period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is proved by Lyapunov
-        exponents, as far as the motion was followed; crosses are undecided, upright
+        period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is told by the 95 %
+        intervals of Lyapunov exponents, as far as the motion was followed; crosses are undecided, upright
         ones in colour with an exponent above its 95 % interval: irregular so far.""",
         a={titled(model, name): values for name, values in every.items()}
         | {"kind": found.kind.ravel(), "period": found.period.ravel()},

@@ -97,7 +97,7 @@ class Flight:
         return parted(values[:m], None if self.directions is None else values[m:].reshape(m, -1))
 
     def solver(self, mode: Mode, whole: FloatArray, bound: float, begin: float = 0.0, first: float | None = None) -> Any:
-        """What steps within a mode from ``begin`` to ``bound``."""
+        """SciPy's solver for one mode, from ``begin`` to ``bound``."""
         from scipy.integrate import DOP853, Radau
 
         rtol = max(self.problem.rtol, IMPLICIT * self.stiff)

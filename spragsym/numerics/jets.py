@@ -181,7 +181,7 @@ def _sin(_: Any, pair: tuple[Any, Any], order: int) -> list[Any]:
 
 
 def _exp_by(repeating: Sequence[Any], order: int) -> list[Any]:
-    """From derivatives that come again and again."""
+    """Taylor coefficients from derivatives that repeat with the order, as those of the exponential, cosine and sine do."""
     derivatives = islice(cycle(repeating), order + 1)
     return [value / factorial(k) if k > 1 else value for k, value in enumerate(derivatives)]
 

@@ -301,7 +301,7 @@ class _Asked:
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
     def inside(self, *values: float) -> list[float]:
-        """Values within the bracket."""
+        """Those of some values that lie in the bracket."""
         return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
 
 
@@ -316,12 +316,12 @@ class _Bracket:
 
     @property
     def width(self) -> float:
-        """How far apart they are."""
+        """Width of the bracket."""
         return self.high.value - self.low.value
 
     @property
     def middle(self) -> float:
-        """The value between."""
+        """Middle of the bracket."""
         return (self.low.value + self.high.value) / 2
 
     @property

@@ -94,8 +94,8 @@ def fate(
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
     An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers decide. Where none is found, the
-    motion is chaotic if its Lyapunov exponents prove that: one is positive, every other one but the trivial one is told from 0,
-    and the motion has settled. Else it is undecided.
+    motion is chaotic if the 95 % intervals of its Lyapunov exponents say so: one is positive, every other one but the trivial
+    one is told from 0, and the motion has settled. Else it is undecided.
 
     Parameters
     ----------
@@ -346,7 +346,7 @@ def fate_map(
 
 
 def _records(model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
-    """What is said of each point, a task of its own; what makes its motion impossible is why it is undecided."""
+    """The record of one point, which is a task of its own; undecided with the reason where no motion begins there."""
     (values,) = points
     try:
         found = fate(model.Parameters(**dict(zip(model.parameters, values, strict=True))), **settings)

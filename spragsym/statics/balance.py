@@ -63,7 +63,7 @@ class Balance(Forces, StateSystem):
     _lengths: bool | None = None
 
     def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
-        """Forces of balls."""
+        """The balance of forces in ball arithmetic, at one point of the parameters."""
         return PreciseBalance(self, given, bits)
 
     def state(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> State:

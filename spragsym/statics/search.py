@@ -229,7 +229,7 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
 
 
 def of_ranges(cut: Sequence[str], names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
-    """Said of those parameters whose range has no end and was cut; ends of all of them, shape (number, 2)."""
+    """Remarks on the parameters ``cut``, whose ranges have no end: up to where they were searched; all ``ends``, (number, 2)."""
     return tuple(
         Remark("searched {}, a part of its range, which has no end; there may be others beyond it", At(name, (low, high)))
         for name, (low, high) in zip(names, ends.tolist(), strict=True) if name in cut

@@ -92,7 +92,7 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[Float
 def _linearized(
     balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array
 ) -> tuple[FloatArray, Int8Array, ComplexArray]:
-    """What :class:`Linearized` says of some states."""
+    """The fields of :class:`Linearized` for some of the states."""
     with np.errstate(all="ignore"):
         every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, q, given)))
     every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
@@ -279,7 +279,7 @@ def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> 
 def _with_digits(
     balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, among: BoolArray, ask: Callable[[int], Ask]
 ) -> Iterator[tuple[slice, list[Int8Array]]]:  # fmt: skip
-    """Signs with many digits of what is asked of some states, but of those around which the box can't be made smaller."""
+    """Signs by many digits for states ``among`` all, by row; none where the box of a state can't be made smaller."""
     for row in np.flatnonzero(among).tolist():
         precise = PreciseBalance(balance, given[:, row], BITS)
         q = narrowed(precise, ends[:, :, row], alone[:, :, row])

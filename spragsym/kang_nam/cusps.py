@@ -11,11 +11,11 @@ from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters, Ranges
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
-from ..numerics.polynomials import roots_on_the_line
+from ..numerics.polynomials import ChartRoot, roots_on_the_line
 from ..questions import NotInClosedForm
 from ..results.points import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import Angles, Point, SineRoot, in_contact, listed
+from .folds import Angles, ExactRoot, Point, in_contact, listed
 from .kernel import FIXED
 
 
@@ -94,19 +94,19 @@ def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         yield from _cusps_without_a(tuple(map(balls.exact, exact)), bits)
         return
     polynomial, roots = cusp_sines(*exact, bits=bits - 32)
+    for root in roots:
+        yield from _cusps_at(exact, ExactRoot(polynomial, ChartRoot(*root)))
     if not alpha:
         # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
         # −1 − κ/(1 + β).
-        roots.append(polynomials.Root(Fraction(1), Fraction(1)))
-    for low, high in roots:
-        yield from _cusps_at(exact, SineRoot(polynomial, low, high))
+        yield from _cusps_at(exact, ExactRoot((-1, 1), ChartRoot(Fraction(1), Fraction(1))))
 
 
-def _cusps_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
+def _cusps_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]:
     """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of parameters, is known to be."""
     alpha = exact[1]
     values = tuple(map(balls.exact, exact))
-    s, zero = balls.between(sine.low, sine.high), balls.exact(Fraction(0))
+    s, zero = sine.root.interval(), balls.exact(Fraction(0))
     s0, friction = _catastrophe.cusp_sine(s, *values)
     L = _cusp_length(s, *values)
 
@@ -119,7 +119,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
     )
     if sides != (1, -1):
         return
-    upright = sine.low == sine.high and abs(sine.low) == 1
+    upright = abs(sine.root.low) == abs(sine.root.high) == 1
     width = zero if upright else balls.sqrt(1 - s * s)
     flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0

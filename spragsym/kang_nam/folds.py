@@ -17,7 +17,6 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ConvergenceError
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, RANGES, Parameters, Ranges
 from ..numerics import balls, polynomials
@@ -105,10 +104,8 @@ def listed(
     return every.between(ranges(p.model, vary, between))
 
 
-#: Degree in t of the eliminated fold condition: two cubics in cos θ, sin θ where θ₀ varies, half of that otherwise.
-_DEGREE_IN_THETA0, _DEGREE = 12, 6
-#: The same in cos θ, sin θ.
-_HALF_IN_THETA0, _HALF = _DEGREE_IN_THETA0 // 2, _DEGREE // 2
+#: Degree in t of the fold condition that is eliminated where θ₀ varies, two cubics in cos θ, sin θ; and in cos θ, sin θ.
+_DEGREE, _HALF = 12, 6
 
 
 @dataclass(frozen=True)
@@ -133,17 +130,6 @@ class _Direction:
     t: Interval
     multiplicity: int = 1
     flat: bool = False
-    polynomial: polynomials.Polynomial = ()
-    root: ChartRoot | None = None  #: of the polynomial, which is exact
-
-    def sign_of(self, value: Interval, exactly: Callable[[Any, Any], Any], what: str) -> int:
-        """The sign of an interval, and 0 where a function of cos θ and sin θ, of the degree of those eliminated, vanishes."""
-
-        def vanishes() -> bool:
-            other = polynomials.interpolate(in_t(exactly, _HALF_IN_THETA0), _DEGREE_IN_THETA0)
-            return self.root is not None and self.root.is_of(polynomials.common_divisor(self.polynomial, other))
-
-        return sign_or_zero(value, what, vanishes)
 
 
 def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
@@ -176,7 +162,7 @@ def _directions(vary: str, exact: dict[str, Fraction], values: tuple[Interval, .
         common = _independent_of_theta0(vary, exact)
         if common is None:
             raise
-        return _with_multiplicity(common, _curvature(vary, exact), bits) if common else []
+        return [direction for _, direction in with_multiplicity(common, _curvature(vary, exact), bits)]
 
 
 def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence[Any], Sequence[Any]]:
@@ -205,6 +191,11 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     This is the form that it takes where it has multiple roots whatever θ₀ is, as for μ₀ = α = 0 and for μ₀ = 0, α = 1 + β.
     Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of v prove the form, or that all of it is 0.
     g(θ₀) ≠ 0, since v is transcendental for a rational θ₀ (Lindemann).
+
+    All of it is 0 where the six products of ``fold_sextic`` are, which is along σ only, for μ₀ = 0 and α = 0 or B = 1 + β: along
+    μ₀ b m_v − b_v m has a sign, along α and β a b_v − a_v b, and along κ they need μ₀ = α = 0 and a = 0, but then α = B. There
+    f = (α + σ) f_σ, so that a fold has f_σ = f_σ′ = 0: for α = 0 cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational; for α = B
+    B sin θ₀ = −κ.
     """
     others = [exact[name] for name in NAMES[1:] if name != vary]
     common: polynomials.Polynomial = ()
@@ -214,33 +205,11 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
         if common and polynomial and polynomial not in (common, tuple(-value for value in common)):
             return None
         common = common or polynomial
-    if not common and _lines_meet(vary, others):
-        raise ConvergenceError(f"folds along {vary} are not isolated at these parameters: change one of the others a little")
     return common
 
 
 #: Five different values of v, none of them special.
 _SAMPLES = tuple(Fraction(number, 7) for number in range(1, 6))
-
-
-def _lines_meet(vary: str, others: list[Fraction]) -> bool:
-    """Whether two fold relations that are one and the same can hold at all.
-
-    Where they are w₁ (λ − λ₀) = 0 and w₂ (λ − λ₀) = 0 with one λ₀ for all θ, f would be 0 for all θ at λ₀, and no parameters in
-    their ranges have that (b < 0). What is left is w₁ = w₂ = 0: not for a transcendental v if not for some rational one.
-    """
-    directions = [on_circle(Fraction(number, 5))[:2] for number in range(-3, 4)]
-    rows = [_lines(vary, (*direction, *on_circle(v)[:2]), others) for direction in directions for v in _SAMPLES]
-    ratio = next((-u1 / w1 if w1 else -u2 / w2 for u1, w1, u2, w2 in rows if w1 or w2), None)
-    if ratio is None or any(u1 + ratio * w1 or u2 + ratio * w2 for u1, w1, u2, w2 in rows):
-        return True
-    c0, s0, _ = on_circle(_SAMPLES[0])
-
-    def slope(place: int) -> polynomials.Polynomial:
-        return polynomials.interpolate(in_t(lambda c, s: _lines(vary, (c, s, c0, s0), others)[place], _HALF), _DEGREE)
-
-    common = polynomials.squarefree(polynomials.common_divisor(slope(1), slope(3)))
-    return not common or bool(roots_on_the_line(common, 64, positive=True))
 
 
 def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polynomial]:
@@ -252,21 +221,19 @@ def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polyno
     return [tuple(exact["mu0"] * one - 3 * gap * other for one, other in zip(even, odd, strict=True))]
 
 
-def _with_multiplicity(
+def with_multiplicity(
     polynomial: polynomials.Polynomial, curvature: list[polynomials.Polynomial], bits: int
-) -> list[_Direction]:
+) -> Iterator[tuple[ExactRoot, _Direction]]:
     """The positive roots of an exact polynomial, each with its multiplicity."""
     repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     again = polynomials.common_divisor(repeated, polynomials.derivative(repeated))
-    found = []
     simple = polynomials.without(polynomial, repeated)
     for root in roots_on_the_line(simple, bits - 32, positive=True):
         multiplicity, flat = 1, False
         if root.is_of(repeated):
             multiplicity = 3 if root.is_of(again) else 2
             flat = all(root.is_of(polynomials.common_divisor(repeated, one)) for one in curvature)
-        found.append(_Direction(root.interval(), multiplicity, flat, polynomial, root))
-    return found
+        yield ExactRoot(polynomial, root), _Direction(root.interval(), multiplicity, flat)
 
 
 def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
@@ -288,16 +255,17 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
     if direction.multiplicity > 1:
         return Fold(point, "touch", 0, curvature > 0)
     side = -curvature * decided(slope, "f by the parameter on a fold")
-    return Fold(point, "fold", side, curvature > 0, _after(point, angles, direction, trig))
-
-
-def _after(point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]) -> tuple[Interval, ...]:
     c, s, _ = on_circle(kernel.landing(direction.t, trig, balls.sqrt))
-    return (atan2(s, c), *kernel.state_of(c, s, *angles[2:], *point.parameters[2:]))
+    after = atan2(s, c), *kernel.state_of(c, s, *angles[2:], *point.parameters[2:])
+    return Fold(point, "fold", side, curvature > 0, after)
 
 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
-    """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation."""
+    """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation.
+
+    It holds at every θ for μ₀ = 0 and α = 1 + β only, as θ = 0, π and ±π/2 show: there f = b cos θ + d sin θ with b < 0 has no
+    fold.
+    """
     given = tuple(exact[name] for name in NAMES[1:])
     mu0, kappa, alpha, sigma, beta = given
 
@@ -308,14 +276,15 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
         return Fraction(e0 + mu0 * (e1 + mu0 * e2))
 
-    polynomial = polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0)
-    if not polynomial and (mu0 or alpha != 1 + beta):  # for μ₀ = 0 and α = 1 + β tan θ is a number: there is no fold
-        raise ConvergenceError("folds along theta0 are not isolated at these parameters: change one of them a little")
+    def sine(c: Any, s: Any) -> Any:
+        return _catastrophe.fold_sine(c, s, *given)
+
+    polynomial = polynomials.interpolate(in_t(eliminated, _HALF), _DEGREE)
     values = tuple(map(balls.exact, given))
-    for direction in _with_multiplicity(polynomial, _curvature("theta0", exact), bits):
+    for root, direction in with_multiplicity(polynomial, _curvature("theta0", exact), bits):
         c, s, _ = on_circle(direction.t)
         s0 = _catastrophe.fold_sine(c, s, *values)
-        if direction.sign_of(s0, lambda c, s: _catastrophe.fold_sine(c, s, *given), "sin θ₀ = 0 on a fold") <= 0:
+        if root.sign_of(s0, in_t(sine, _HALF), _DEGREE, "sin θ₀ = 0 on a fold") <= 0:
             continue
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
@@ -324,7 +293,8 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             # μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For μ₀ = 0 f = σ c (B s − B − κ)
             # is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
-            inside = direction.sign_of(gap, lambda c, s: 1 - _catastrophe.fold_sine(c, s, *given), "sin θ₀ = 1 on a fold") > 0
+            short = in_t(lambda c, s: 1 - sine(c, s), _HALF)
+            inside = root.sign_of(gap, short, _DEGREE, "sin θ₀ = 1 on a fold") > 0
             cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)
@@ -358,21 +328,18 @@ class Point:
 
 
 @dataclass(frozen=True)
-class SineRoot:
-    """sin θ of a point: an interval (low, high] around one root of an exact polynomial, or low = high."""
+class ExactRoot:
+    """A root of an exact polynomial in tan(θ/2) or sin θ."""
 
     polynomial: polynomials.Polynomial
-    low: Fraction
-    high: Fraction
+    root: ChartRoot
 
-    def sign_of(self, value: Interval, numerator: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
-        """The sign of an interval; 0 where what it encloses, a function of sin θ known by its numerator, is 0 exactly."""
+    def sign_of(self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
+        """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that degree has this root too."""
 
         def vanishes() -> bool:
-            if self.low == self.high:
-                return numerator(self.low) == 0
-            other = polynomials.interpolate(numerator, degree)
-            return polynomials.has_root(polynomials.common_divisor(self.polynomial, other), self.low, self.high)
+            other = polynomials.interpolate(exactly, degree)
+            return self.root.is_of(polynomials.common_divisor(self.polynomial, other))
 
         return sign_or_zero(value, what, vanishes)
 

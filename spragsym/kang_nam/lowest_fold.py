@@ -3,20 +3,19 @@
 import math
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import partial
 
 import numpy as np
 
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, as_floats, decided, sign_or_zero, with_enough_bits
-from ..numerics.polynomials import on_circle, roots_on_the_line
+from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
+from ..numerics.polynomials import ChartRoot, on_circle
 from ..questions import NotInClosedForm
 from ..results.paths import LowestEnd
 from . import kernel
 from .cusps import proved_cusps
-from .folds import Angles, Point, SineRoot, in_contact
+from .folds import Angles, ExactRoot, Point, in_contact, with_multiplicity
 from .kernel import FIXED
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
@@ -94,13 +93,13 @@ def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     if not exact[1]:
         return
     polynomial = polynomials.squarefree(_catastrophe.turning_polynomial(*exact))
-    for low, high in polynomials.real_roots(polynomial, Fraction(0), Fraction(1), bits - 32):
-        yield from _turning_at(exact, SineRoot(polynomial, low, high))
+    for root in polynomials.real_roots(polynomial, Fraction(0), Fraction(1), bits - 32):
+        yield from _turning_at(exact, ExactRoot(polynomial, ChartRoot(*root)))
 
 
-def _turning_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
+def _turning_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]:
     values = tuple(map(balls.exact, exact))
-    s = balls.between(sine.low, sine.high)
+    s = sine.root.interval()
     numerator, denominator = _catastrophe.turning_sine(s, *values)
     s0 = numerator / denominator
 
@@ -132,14 +131,13 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     level = Fraction(1), Fraction(0)
     without, change = kernel.f_along("mu0", *level, Fraction(0), *exact)
     polynomial = polynomials.primitive(kernel.fold_sextic(*without, *change))
-    repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     values = tuple(map(balls.exact, exact))
-    for root in roots_on_the_line(polynomials.without(polynomial, repeated), bits - 32, positive=True):
-        c, s, _ = on_circle(root.interval())
+    for _, direction in with_multiplicity(polynomial, [], bits):
+        c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, *map(balls.exact, level))
         mu0 = _catastrophe.surface(*angles, *values)
         curvature = kernel.f_curvature(c, s, *kernel.f_coefficients(angles.c0, angles.s0, mu0, *values, 1))
-        end = sign_or_zero(curvature, "f″ = 0 on a fold at θ₀ = 0", partial(root.is_of, repeated))
+        end = sign(curvature) if direction.multiplicity > 1 else decided(curvature, "f″ = 0 on a fold at θ₀ = 0")
         if end == 0:
             (by_angle, slope), (by_friction, other), *_ = _catastrophe.unfolding(*angles, mu0, *values)
             end = -decided(by_friction * slope - by_angle * other, "how a cusp at θ₀ = 0 opens")

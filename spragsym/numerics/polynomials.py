@@ -138,7 +138,7 @@ class ChartRoot:
 
     low: Fraction
     high: Fraction
-    backward: bool
+    backward: bool = False
 
     def interval(self) -> Interval:
         """An interval that holds the root."""

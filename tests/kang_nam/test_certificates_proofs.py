@@ -1,5 +1,6 @@
 """Folds and cusps with proofs: enclosed, none missed, and what can't be decided is not."""
 
+import itertools
 import math
 from collections.abc import Iterator
 from fractions import Fraction
@@ -12,10 +13,11 @@ import sympy as sp
 
 import spragsym as ss
 from spragsym.kang_nam import cusps, folds
-from spragsym.kang_nam.folds import Angles, Point, SineRoot
+from spragsym.kang_nam.folds import Angles, ExactRoot, Point
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
+from spragsym.numerics.polynomials import ChartRoot
 from tests.oracles import reference
 from tests.support import as_mpf
 
@@ -172,11 +174,12 @@ def test_sines_of_cusps_are_all_real_roots_inside(values: list[Fraction]) -> Non
 def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
     """At sin θ = 1/√3 and 3/5, which no interval of dyadic ends is: polynomials of degree 10."""
     polynomial = (Fraction(-3), Fraction(5), Fraction(9), Fraction(-15))  # (5 s − 3)(1 − 3 s²)
-    third = SineRoot(polynomial, Fraction(577, 1000), Fraction(578, 1000))
-    rational = SineRoot(polynomial, Fraction(599, 1000), Fraction(601, 1000))
-    exact = SineRoot(polynomial, Fraction(3, 5), Fraction(3, 5))
+    third, rational, exact = (
+        ExactRoot(polynomial, ChartRoot(*ends))
+        for ends in ((Fraction(n, 1000), Fraction(m, 1000)) for n, m in ((577, 578), (599, 601), (600, 600)))
+    )
 
-    def is_zero(root: SineRoot, numerator: Any) -> bool:
+    def is_zero(root: ExactRoot, numerator: Any) -> bool:
         with balls.precision(100):
             try:
                 open_ = balls.between(Fraction(-1), Fraction(1))
@@ -261,7 +264,7 @@ def test_too_few_bits_find_no_folds_and_deny_none(vary: str) -> None:
 
 
 def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: pytest.MonkeyPatch) -> None:
-    """g(v) (t² − 2) with g of both signs, and 0 at some of the angles; what depends on both; and nothing at all."""
+    """g(v) (t² − 2) with g of both signs, and 0 at some of the angles; and what depends on both."""
     exact = dict.fromkeys(NAMES, Fraction(1))
 
     def eliminated(of: Any) -> None:
@@ -276,12 +279,6 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
     for of in (lambda v, t: t * t - v, lambda v, t: (7 * v - 5) * t + (7 * v - 1) * (7 * v - 2) * (7 * v - 3) * (7 * v - 4)):
         eliminated(of)
         assert folds._independent_of_theta0("kappa", exact) is None
-    eliminated(lambda v, t: Fraction(0))
-    monkeypatch.setattr(folds, "_lines_meet", lambda *_: False)
-    assert folds._independent_of_theta0("kappa", exact) == ()
-    monkeypatch.setattr(folds, "_lines_meet", lambda *_: True)
-    with pytest.raises(ss.ConvergenceError, match="not isolated"):
-        folds._independent_of_theta0("kappa", exact)
 
 
 def test_a_pitchfork_has_no_upper_pair() -> None:
@@ -293,14 +290,19 @@ def test_a_pitchfork_has_no_upper_pair() -> None:
     assert not any(fold.upper for fold in forks)
 
 
-def test_what_is_not_isolated_along_theta0_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where all of the eliminated polynomial vanishes: no fold for μ₀ = 0 and α = 1 + β, else no answer."""
-    monkeypatch.setattr(folds, "in_t", lambda *_: lambda t: Fraction(0))
-    for mu0, alpha, none in ((0, "3/2", True), (1, "3/2", False), (0, "1/2", False), (0, 1, False)):
-        exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (mu0, "1/10", alpha, 1, "1/2"))), strict=True))
+@pytest.mark.parametrize("vary", NAMES)
+def test_all_of_the_eliminated_polynomial_vanishes_where_there_is_no_fold_only(
+    vary: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Along σ for μ₀ = 0 and α = 0 or 1 + β, and along θ₀ for μ₀ = 0 and α = 1 + β."""
+    seen: list[Any] = []
+    plain = folds.with_multiplicity
+    monkeypatch.setattr(folds, "with_multiplicity", lambda one, *rest: seen.append(one) or plain(one, *rest))
+    for mu0, alpha in itertools.product((0, 1), (0, Fraction(1, 2), Fraction(3, 2))):
+        exact = dict(zip(NAMES, map(Fraction, (1, mu0, "1/10", alpha, 1, "1/2")), strict=True))
+        none = mu0 == 0 and alpha in {"sigma": (0, Fraction(3, 2)), "theta0": (Fraction(3, 2),)}.get(vary, ())
         with balls.precision(200):
-            if none:
-                assert list(folds.proved_folds("theta0", exact, 200)) == []
-                continue
-            with pytest.raises(ss.ConvergenceError, match="not isolated"):
-                list(folds.proved_folds("theta0", exact, 200))
+            found = list(folds.proved_folds(vary, exact, 200))
+        assert (() in seen) == none
+        assert not (none and found)
+        seen.clear()

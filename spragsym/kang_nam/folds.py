@@ -263,8 +263,8 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation.
 
-    It holds at every θ for μ₀ = 0 and α = 1 + β only, as θ = 0, π and ±π/2 show: there f = b cos θ + d sin θ with b < 0 has no
-    fold.
+    It holds at every θ for μ₀ = 0 and α = κ = 1 + β only, as θ = 0, π and ±π/2 show: there f = b cos θ + d sin θ with b < 0 has
+    no fold.
     """
     given = tuple(exact[name] for name in NAMES[1:])
     mu0, kappa, alpha, sigma, beta = given

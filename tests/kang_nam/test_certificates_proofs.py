@@ -294,12 +294,12 @@ def test_a_pitchfork_has_no_upper_pair() -> None:
 def test_all_of_the_eliminated_polynomial_vanishes_where_there_is_no_fold_only(
     vary: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Along σ for μ₀ = 0 and α = 0 or 1 + β, and along θ₀ for μ₀ = 0 and α = 1 + β."""
+    """Along σ for μ₀ = 0 and α = 0 or 1 + β, and along θ₀ for μ₀ = 0 and α = κ = 1 + β."""
     seen: list[Any] = []
     plain = folds.with_multiplicity
     monkeypatch.setattr(folds, "with_multiplicity", lambda one, *rest: seen.append(one) or plain(one, *rest))
     for mu0, alpha in itertools.product((0, 1), (0, Fraction(1, 2), Fraction(3, 2))):
-        exact = dict(zip(NAMES, map(Fraction, (1, mu0, "1/10", alpha, 1, "1/2")), strict=True))
+        exact = dict(zip(NAMES, map(Fraction, (1, mu0, "3/2", alpha, 1, "1/2")), strict=True))
         none = mu0 == 0 and alpha in {"sigma": (0, Fraction(3, 2)), "theta0": (Fraction(3, 2),)}.get(vary, ())
         with balls.precision(200):
             found = list(folds.proved_folds(vary, exact, 200))

@@ -1,6 +1,7 @@
-"""Cycles that turn around: a driven pendulum, against Liouville's theorem and the homoclinic orbit by shooting with SciPy."""
+"""Cycles that turn around, and what parts them from rest: a driven pendulum, against Liouville's theorem and SciPy."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,6 +11,8 @@ from scipy.optimize import brentq
 import spragsym as ss
 from tests.oracles.user_pages import model_of
 from tests.support import needs_a_quick_integrator
+
+pytestmark = [pytest.mark.thorough, needs_a_quick_integrator]
 
 PENDULUM = '''"""A driven pendulum."""
 from spragsym.derive.model import Page, cos
@@ -29,26 +32,29 @@ page.force(T, along=phi)
 SADDLE = math.pi - math.asin(0.8)
 
 
-def missed(c: float) -> float:
-    """By how much the motion that leaves the saddle misses it after a turn: by speed beyond it, by angle before it."""
-    growth = (-c + math.sqrt(c * c - 4 * math.cos(SADDLE))) / 2
-
-    def turned(_: float, state: np.ndarray) -> float:
-        return float(state[0] - SADDLE - 2 * math.pi)
-
-    def stopped(_: float, state: np.ndarray) -> float:
-        return float(state[1])
-
-    turned.terminal = stopped.terminal = True  # type: ignore[attr-defined]
-    start = [SADDLE + 1e-6, growth * 1e-6]
-    course = solve_ivp(
-        lambda _, s: [s[1], 0.8 - c * s[1] - math.sin(s[0])], (0, 200), start, events=[turned, stopped], rtol=1e-10, atol=1e-12
+def motion(c: float, start: Any, t_end: float, event: Any = None) -> Any:
+    """The motion from a state, by SciPy."""
+    return solve_ivp(
+        lambda _, s: [s[1], 0.8 - c * s[1] - math.sin(s[0])], (0, t_end), start, events=event, rtol=1e-10, atol=1e-12
     )
-    return float(course.y[1, -1] if course.t_events[0].size else course.y[0, -1] - SADDLE - 2 * math.pi)
 
 
-@pytest.mark.thorough
-@needs_a_quick_integrator
+def growing(c: float) -> float:
+    """The eigenvalue of the saddle that is positive."""
+    return (-c + math.sqrt(c * c - 4 * math.cos(SADDLE))) / 2
+
+
+def missed(c: float, *start: float) -> float:
+    """By how much a motion with positive speed misses the saddle: by speed beyond it, by angle before it."""
+
+    def met(_: float, state: np.ndarray) -> float:
+        return float(min(SADDLE - state[0], state[1]))
+
+    met.terminal, met.direction = True, -1  # type: ignore[attr-defined]
+    angle, speed = motion(c, start, 200.0, met).y[:, -1]
+    return float(angle - SADDLE + speed)
+
+
 def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
     p = model_of(PENDULUM, "driven_pendulum").Parameters()
     found = ss.cycle(p, near=(0.0, 3.0))
@@ -57,5 +63,24 @@ def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
     assert found.trajectory().phi[-1] - found.state[0] == pytest.approx(2 * math.pi, abs=1e-9)
     branch = ss.cycle_branch(found, "c", (0.29, 0.8))
     (end,) = (event for event in branch.events if event.kind == "homoclinic")
-    assert end.value == pytest.approx(brentq(missed, 0.6, 0.8, xtol=1e-8), abs=2e-4)
+    leaving = brentq(lambda c: missed(c, SADDLE - 2 * math.pi + 1e-6, growing(c) * 1e-6), 0.6, 0.8, xtol=1e-8)
+    assert end.value == pytest.approx(leaving, abs=2e-4)
     assert branch.stable.all()
+
+
+def test_fates_change_where_a_motion_ends_at_the_saddle() -> None:
+    p = model_of(PENDULUM, "driven_pendulum").Parameters()
+    found = ss.fate_boundary(p, vary="c", bracket=(0.1532, 0.1534))
+    assert found.value == pytest.approx(brentq(lambda c: missed(c, 0.0, 0.0), 0.15, 0.16, xtol=1e-11), abs=1e-8)
+    assert (found.below.limit, found.above.limit) == (ss.Regime.LIMIT_CYCLE, ss.Regime.EQUILIBRIUM)
+    assert [*found.state, found.growth] == pytest.approx([SADDLE, 0.0, growing(found.value)], abs=1e-9)
+
+
+def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation() -> None:
+    p = model_of(PENDULUM, "driven_pendulum").Parameters()
+    found = ss.basin_boundary(p, step=0.2, points=2)
+    assert found.boundary.tolist() == [True] * 5
+    for point, sides in zip(found.points, found.sides, strict=True):
+        assert motion(0.3, point, 15.0).y[:, -1] == pytest.approx([SADDLE, 0.0], abs=1e-5)
+        ends = [motion(0.3, point + aside, 60.0).y[0, -1] for aside in (-1e-6, 1e-6)]  # across the curve, which falls
+        assert [end > 2 * math.pi for end in ends] == ["cycle" in side for side in sides] == [False, True]

@@ -26,7 +26,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..questions import NotInClosedForm
 from ..results.equilibria import Stability
 from . import kernel
-from .jump_values import first_jumps, point_at, require_usual, small
+from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction
 from .quartic.solver import count, equilibria
 
 
@@ -150,13 +150,9 @@ def _followed_with(boxes: Boxes, margin: float) -> tuple[BoolArray, FloatArray]:
 def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, BoolArray]:
     """A direction below the state at μ₀ = 0, one above it, one above the state at the largest friction; where they exist."""
     middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
-    bare = equilibria(Parameters(**middle).replace(mu0=0.0))
-    full = equilibria(Parameters(**middle))
-    first = np.take_along_axis(bare.theta, small(bare)[:, None], axis=-1)
-    later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
+    *_, first, later, known = with_and_without_friction(middle)
     low, above = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
     high = _moved(boxes, middle, later, margin)
-    known = np.isfinite(later) & bare.decided & full.decided
     known &= (low.value - low.reach() > 0) & (high.value + high.reach() < math.pi)
     return low, above, high, known
 
@@ -240,7 +236,7 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> BoolArray:
 def _jumps(p: Parameters) -> BoolArray:
     """The first of some points whose state jumps below its friction, by its path too."""
     out = np.zeros(p.shape, dtype=np.bool_)
-    for i in np.flatnonzero(first_jumps(p, "mu0", apart_from=p.mu0).value < p.mu0 * (1 - 1e-11))[:1]:
+    for i in np.flatnonzero(first_jumps(p, "mu0", sides=True).value < p.mu0 * (1 - 1e-11))[:1]:
         point = Parameters(**point_at({name: getattr(p, name) for name in NAMES}, i))
         out[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
     return out

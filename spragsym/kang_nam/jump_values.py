@@ -59,16 +59,18 @@ def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) ->
         raise NotInClosedForm
 
 
-def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> Ends:
+def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool = False) -> Ends:
     """Where the reference state jumps first.
 
-    With ``apart_from``, numbers of the shape of the points, a value need only be known well enough to say on which side of its
-    number it lies.
+    With ``sides`` a value need only be known well enough to say on which side of that of its own point in ``p`` it lies.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
+    own, whole = getattr(p, vary), p.shape
     if vary in FROM_LOWER_END:
         p = p.replace(**{vary: None})
     forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
+    # A jump that several points share is sharpened once.
+    apart_from = np.broadcast_to(own, shape).reshape(-1) if sides and shape == whole else None
     value, state, hopeless = np.empty(size), np.empty((2, size)), dict[int, str]()
     for here, given in _blocks(p):
         marks = None if apart_from is None else apart_from[here]
@@ -202,33 +204,43 @@ def have_jumped(
     if vary not in FROM_LOWER_END:
         raise NotInClosedForm
     p.require("theta0", "mu0")
+    if vary == "theta0":
+        return _at_or_below(p, vary)
     out = np.zeros(math.prod(p.shape))
     for here, given in _blocks(p):
         yes = out[here]
-        left = np.arange(yes.size)
-        if vary == "mu0":
-            yes[:], left = _decided(given)
+        yes[:], left = _decided(given)
         if left.size:
-            some = {name: column[left] for name, column in given.items()}
-            found = first_jumps(Parameters(**some), vary, apart_from=some[vary])
-            yes[left] = found.value <= some[vary]
-            yes[left[list(found.reasons)]] = np.nan
+            yes[left] = _at_or_below(Parameters(**{name: column[left] for name, column in given.items()}), vary)
     return out.reshape(p.shape)
+
+
+def _at_or_below(p: Parameters, vary: str) -> FloatArray:
+    """1 where the jump of a point is at or below its own value, else 0; NaN where that is not known."""
+    found = first_jumps(p, vary, sides=True)
+    unknown = np.zeros(found.value.size)
+    unknown[list(found.reasons)] = np.nan
+    return np.asarray((found.value <= getattr(p, vary)) + unknown.reshape(found.value.shape))
+
+
+def with_and_without_friction(
+    given: dict[str, FloatArray],
+) -> tuple[Equilibria, Equilibria, IndexArray, FloatArray, FloatArray, BoolArray]:
+    """Equilibria of points without friction and with theirs; the slot and θ of the state that begins, the first θ from there on
+    among those with friction, and where all this is known."""
+    bare, full = (equilibria(Parameters(**given | {"mu0": share * given["mu0"]})) for share in (0.0, 1.0))
+    slot = small(bare)[:, None]
+    first = np.take_along_axis(bare.theta, slot, axis=-1)
+    later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
+    return bare, full, slot, first, later, np.isfinite(later) & bare.decided & full.decided
 
 
 def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     """1 for points that have jumped, else 0, and those of which the signs do not tell."""
-    bare = equilibria(Parameters(**given | {"mu0": 0.0 * given["mu0"]}))
-    full = equilibria(Parameters(**given))
-    slot = small(bare)[:, None]
-    first, error = (np.take_along_axis(one, slot, axis=-1) for one in (bare.theta, bare.error))
-    kind = np.take_along_axis(bare.stability, slot, axis=-1)
-    off = full.theta - first
-    with np.errstate(invalid="ignore"):
-        later = np.where(off > 0, full.theta, np.inf).min(axis=-1)
-        near = (np.abs(off) <= _NEAR).any(axis=-1)
-        clear = ~near & (kind[:, 0] == Stability.STABLE)
-    clear &= np.isfinite(later) & bare.decided & full.decided & ~bare.fold & ~full.fold
+    bare, full, slot, first, later, clear = with_and_without_friction(given)
+    error, kind = (np.take_along_axis(one, slot, axis=-1) for one in (bare.error, bare.stability))
+    near = (np.abs(full.theta - first) <= _NEAR).any(axis=-1)
+    clear &= ~near & (kind[:, 0] == Stability.STABLE) & ~bare.fold & ~full.fold
     ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
     # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are the rounding of w.
     off = np.where(clear, 4.0 * np.maximum(error[:, 0], np.nan_to_num(full.error, nan=0.0).max(axis=-1)), 0.0) + 8 * UNIT

@@ -279,8 +279,8 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
             yield pair[0], pair[1]
 
 
-#: Degrees in sin θ of what is 0 at an event.
-_DEGREES, _DEGREES_WITHOUT_ALPHA = (15, 6, 6), (6, 3, 3)
+#: Degrees in sin θ of what is 0 at an event, at most.
+_DEGREES = 15, 6, 6
 #: Bits of t at an event, at first, and how far beside it directions are taken, over t.
 _BITS, _BESIDE = 64, 4e-14
 
@@ -349,7 +349,7 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
         return values(s)[place]
 
     found: list[Polynomial] = []
-    for place, degree in enumerate(_DEGREES if exact.alpha else _DEGREES_WITHOUT_ALPHA):
+    for place, degree in enumerate(_DEGREES):
         in_sine = polynomials.interpolate(partial(one, place), degree)
         if in_sine:  # else the same at every θ
             condition = polynomials.squarefree(of_sine_in_t(in_sine))

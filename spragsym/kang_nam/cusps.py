@@ -34,14 +34,14 @@ def cusps(
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
-    exact = tuple(map(Fraction, p.scalars(*FIXED)))
+    exact, plane = tuple(map(Fraction, p.scalars(*FIXED))), ("theta0", "mu0")
 
     def attempt(bits: int) -> list[tuple[float, ...]]:
-        return [point.row() for point in proved_cusps(exact, bits)]
+        return [point.row(*plane) for point in proved_cusps(exact, bits)]
 
-    rows = sorted(with_enough_bits(20, attempt, "cusps"), key=lambda row: (row[1], row[0], row[6:]))
+    rows = sorted(with_enough_bits(20, attempt, "cusps"), key=lambda row: (row[1], *row))
     spans = (-math.pi, math.pi), (-math.inf, math.inf)
-    return listed(Points, p, ("theta0", "mu0"), np.full(len(rows), "cusp"), rows, between, spans=spans)
+    return listed(Points, p, plane, np.full(len(rows), "cusp"), rows, between, spans=spans)
 
 
 def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int) -> CuspProof:

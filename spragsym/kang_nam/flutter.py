@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -59,12 +59,12 @@ def flutter_onsets(
     exact = Elimination(*map(Fraction, p.scalars("mu0", *FIXED)))
 
     def attempt(bits: int) -> list[tuple[tuple[float, ...], Onset]]:
-        return sorted(((onset.row(), onset) for onset in onsets(exact, bits)), key=lambda one: one[0])
+        return sorted(((onset.row("theta0"), onset) for onset in onsets(exact, bits)), key=lambda one: one[0])
 
-    found = with_enough_bits(20, attempt, "flutter_onsets") if exact.mu0 else []
+    found = with_enough_bits(20, attempt, "flutter_onsets") if exact.values[0] else []
     rows = [row for row, _ in found]
     branch, count, side = np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64).reshape(-1, 3).T
-    theta, L = np.array([row[6:8] for row in rows]).reshape(-1, 2).T
+    theta, L = np.array([row[1:3] for row in rows]).reshape(-1, 2).T
     # ω² of the two modes that meet is half the trace of K, which has no friction.
     K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, *[*p.scalars(*FIXED[1:]), 1])
     omega = np.sqrt(0.5 * _stability.invariants(*K[0], *K[1])[0])
@@ -174,9 +174,9 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
         return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)
 
 
-#: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.
-_DEGREE, _DEGREE_OF_LENGTH = 8, 4
-_DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH_WITHOUT_ALPHA = 4, 1
+#: Degrees in cos θ, sin θ, half of those in v: of the resultant, of that for α = 0, and at most of X and Y in L = X/Y over one
+#: denominator.
+_DEGREE, _DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH = 8, 4, 4
 
 
 @dataclass(frozen=True)
@@ -195,15 +195,11 @@ class Onset(Point):
         return self.parameters[0]
 
 
-@dataclass(frozen=True)
 class Elimination:
     """Exact parameters μ₀ > 0, κ, α, σ, β and what is left of the conditions for an onset."""
 
-    mu0: Fraction
-    kappa: Fraction
-    alpha: Fraction
-    sigma: Fraction
-    beta: Fraction
+    def __init__(self, *values: Fraction) -> None:
+        self.values, self.alpha = values, values[2]
 
     @cached_property
     def full(self) -> tuple[int, ...]:
@@ -215,8 +211,8 @@ class Elimination:
                 return X * X - Y * Z
 
             return self.polynomial(resultant, _DEGREE)
-        others = self.mu0, self.kappa, self.sigma, self.beta
-        return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, *others), _DEGREE_WITHOUT_ALPHA)
+        mu0, kappa, _, *springs = self.values
+        return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, mu0, kappa, *springs), _DEGREE_WITHOUT_ALPHA)
 
     @cached_property
     def simple(self) -> tuple[int, ...]:
@@ -227,16 +223,6 @@ class Elimination:
         """All of them in 0 ≤ v < 1, to a width below 2^−bits."""
         upright = [Root(Fraction(0), Fraction(0))] if self.simple[0] == 0 else []
         return upright + [root for root in real_roots(self.simple, Fraction(0), Fraction(1), bits) if root.low < 1]
-
-    @property
-    def values(self) -> tuple[Fraction, ...]:
-        """The parameters in the order of generated functions."""
-        return self.mu0, self.kappa, self.alpha, self.sigma, self.beta
-
-    @property
-    def degree_of_length(self) -> int:
-        """Degree in cos θ, sin θ of X and Y, over one denominator, in L = X/Y."""
-        return _DEGREE_OF_LENGTH if self.alpha else _DEGREE_OF_LENGTH_WITHOUT_ALPHA
 
     def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> tuple[int, ...]:
         """A polynomial of that degree in cos θ and sin θ, as one in v."""
@@ -273,26 +259,16 @@ def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
     """Every onset with 0 < θ₀ < π, in contact."""
     values = tuple(map(balls.exact, elimination.values))
     for root in elimination.roots(bits - 32):
-        spring = _Spring(root, balls.between(*root), *direction(balls.between(*root)))
-        lengths = _lengths(elimination, spring, values)
+        lengths = _lengths(elimination, root, values)
         for L in lengths:
-            yield from _at_length(elimination, spring, L, values, bits, alone=len(lengths) == 1)
+            yield from _at_length(elimination, root, L, values, bits, alone=len(lengths) == 1)
 
 
-class _Spring(NamedTuple):
-    """A direction of the spring: a root of the polynomial, v around it, cos θ and sin θ."""
-
-    root: Root
-    v: Interval
-    c: Interval
-    s: Interval
-
-
-def _lengths(elimination: Elimination, spring: _Spring, values: tuple[Interval, ...]) -> list[Interval]:
+def _lengths(elimination: Elimination, root: Root, values: tuple[Interval, ...]) -> list[Interval]:
     """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
-    root, _, c, s = spring
+    c, s = direction(balls.between(*root))
     X, Y = elimination.length(c, s, values)
-    if sign_or_zero(Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
+    if sign_or_zero(Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, _DEGREE_OF_LENGTH)):
         L = X / Y
         return [L] if decided(L, "L = 0") > 0 else []
     mu0, _, *springs = values
@@ -304,7 +280,7 @@ def _lengths(elimination: Elimination, spring: _Spring, values: tuple[Interval, 
 
 
 def _at_length(
-    elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], bits: int, *, alone: bool
+    elimination: Elimination, root: Root, L: Interval, values: tuple[Interval, ...], bits: int, *, alone: bool
 ) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
 
@@ -312,7 +288,8 @@ def _at_length(
     α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0,
     −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
     """
-    root, v, c, s = spring
+    v = balls.between(*root)
+    c, s = direction(v)
     mu0, kappa, *springs = values
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
     s0 = u1 + w1 * L
@@ -321,8 +298,8 @@ def _at_length(
         u1, w1, _, _ = _stability.reference_lines(c, s, *elimination.values)
         return u1 * Y + w1 * X
 
-    degree, stationary = elimination.degree_of_length, False
-    if sign_or_zero(s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
+    stationary = False
+    if sign_or_zero(s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, _DEGREE_OF_LENGTH + 1)) <= 0:
         return
     if elimination.alpha:
         cosines = [(u2 + w2 * L) / springs[0]]
@@ -331,7 +308,7 @@ def _at_length(
         def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
             return Y * Y - sine(c, s, X, Y) ** 2
 
-        above = sign_or_zero(1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (degree + 1)))
+        above = sign_or_zero(1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (_DEGREE_OF_LENGTH + 1)))
         width = balls.sqrt(1 - s0 * s0) if above > 0 else balls.exact(Fraction(0))
         cosines = {1: [width, -width], 0: [width], -1: []}[above]
         stationary = above == 0

@@ -58,7 +58,7 @@ def folds(
         found = []
         for fold in proved_folds(vary, exact, bits):
             value = fold.point.parameters[place]
-            if decided(value, f"{vary} = 0 on a fold") > 0 and (row := fold.point.row())[place] < RANGES[vary].high:
+            if decided(value, f"{vary} = 0 on a fold") > 0 and (row := fold.point.row(vary))[0] < RANGES[vary].high:
                 low, high = balls.ends(value)
                 if high - low > low / 10**25:
                     raise Undecided("a fold to 25 digits")
@@ -90,13 +90,13 @@ def listed(
     ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Sequence[tuple[float, float]] | None = None,
 ) -> PointsT:  # fmt: skip
     """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where it is given, ``between``."""
-    names = (*NAMES, *STATE, "error")
-    columns = dict(zip(names, np.array(rows, dtype=float).reshape(-1, len(names)).T.copy(), strict=True))
-    values = {name: columns[name] for name in (*vary, *STATE)} | dict(more or {})
+    names = *vary, *STATE
+    *columns, error = np.array(rows, dtype=float).reshape(-1, len(names) + 1).T.copy()
+    values = dict(zip(names, columns, strict=True)) | dict(more or {})
     allowed = spans or [(RANGES[name].low, RANGES[name].high) for name in vary]
     region = np.array([(-np.inf, np.inf)] * len(p.model.coordinates) + [*allowed])
     none = np.empty((0, len(region), 2))
-    every = kind_of(p, vary, kind, columns["error"], region, True, (), none, (), values, ended)
+    every = kind_of(p, vary, kind, error, region, True, (), none, (), values, ended)
     if between is None:
         return every
     from ..bifurcation.defining_systems import ranges  # which loads the search
@@ -321,9 +321,10 @@ class Point:
     x: Interval
     y: Interval
 
-    def row(self) -> tuple[float, ...]:
-        """Middles as floats, and the largest error, the rounding to float included."""
-        values, error = as_floats((*self.parameters, self.theta, self.L, self.x, self.y))
+    def row(self, *vary: str) -> tuple[float, ...]:
+        """Middles as floats, of these parameters and of the state, and the largest error, the rounding to float included."""
+        moving = (self.parameters[NAMES.index(name)] for name in vary)
+        values, error = as_floats((*moving, self.theta, self.L, self.x, self.y))
         return (*values, error)
 
 

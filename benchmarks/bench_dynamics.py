@@ -22,7 +22,7 @@ from spragsym.motion.classify import classify
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
 from spragsym.motion.sweeps.workers import pool
-from spragsym.motion.with_heyoka import taylor_for
+from spragsym.motion.with_heyoka import Traveller, compiled
 
 V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))
@@ -132,7 +132,9 @@ def overhead_table() -> None:
         return min(timed(lambda: [function() for _ in range(times)], time.process_time)[0] for _ in range(7)) / times * 1e6
 
     def bare(problem: Problem) -> None:
-        taylor_for(problem).begun(problem).solver.propagate_until(problem.t_end)
+        carrier = compiled(problem.field, problem.rtol)
+        carrier.begin([Traveller(problem)], 0.0)
+        carrier.solver.propagate_until(problem.t_end)
 
     print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")
     print("| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | over integration |")

@@ -19,7 +19,6 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..interrupts import held
-from ..numerics.interval_arrays import BoolArray
 from . import forces
 from .parameters import FloatArray
 
@@ -123,7 +122,7 @@ class Field:
         derivatives by the P parameters.
     borders : tuple of Border
     initial_mode : callable
-        ``initial_mode(state, constants)``; on a border either side is right; of columns for many states.
+        ``initial_mode(state, constants)``; on a border either side is right.
     modes : tuple of Mode
         All there are.
     parameter_set : callable
@@ -190,17 +189,9 @@ class Field:
         n = len(self.coordinates)
         return np.vstack([np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)])
 
-    def initial_modes(self, states: FloatArray, constants: FloatArray) -> list[Mode]:
-        """Modes of many states, a row each."""
-        columns: Any = self.initial_mode(states.T, constants.T)
-        return list(zip(*(np.broadcast_to(numbers, len(states)).tolist() for numbers in columns), strict=True))
-
-    def are_inside(self, states: Any, constants: Any, modes: Any) -> BoolArray:
-        """Whether states, a column each, lie in their modes, or beyond the borders by no more than the gap."""
-        within = np.ones(np.shape(states)[1:], dtype=bool)
-        for border in self.borders:
-            within &= border.sign(modes) * border.level(states, constants, modes) >= -2 * GAP
-        return within
+    def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
+        """Whether a state lies in its mode, or beyond a border by no more than the gap."""
+        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
 
 
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -289,8 +280,8 @@ class _Motion:
 
         return call
 
-    def initial_mode(self, state: Sequence[Any], constants: Sequence[Any]) -> Any:
-        """The mode of a state, or of columns of many."""
+    def initial_mode(self, state: Sequence[Any], constants: Sequence[Any]) -> Mode:
+        """The mode of a state."""
         algebra, n = self.model.algebra, len(self.model.coordinates)
         gap, slip = undecorated(algebra.borders)(*state, *constants)
         side = 2 * (slip >= 0) - 1

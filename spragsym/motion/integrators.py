@@ -24,7 +24,6 @@ from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
 from .solution import Fly, Passage, Solution, events_of, without_chatter
-from .with_heyoka import taylor_of
 from .with_scipy import RTOL, Flight
 
 T = TypeVar("T")
@@ -144,6 +143,6 @@ class Flow:
         """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""
         problem = Problem(constants, tuple(state.tolist()), t_end, 0.0, rtol, None, lambda _: self.field)
         try:
-            return ask(taylor_of(problem, directions) if self.backend == "heyoka" else Flight(problem, directions))
+            return ask(with_heyoka.flight(problem, directions) if self.backend == "heyoka" else Flight(problem, directions))
         except StiffError:
             return ask(Flight(problem, directions, stiff=True))

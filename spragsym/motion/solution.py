@@ -8,7 +8,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..models.field import GAP, Field, Mode
+from ..errors import ConvergenceError
+from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.result import Result
@@ -25,10 +26,18 @@ class Crossing(NamedTuple):
     state: FloatArray
 
 
-def crossed(field: Field, border: int, mode: Mode, t: float, state: FloatArray) -> tuple[Crossing, ...]:
-    """The crossing of a border into a mode; none where there is no kink."""
-    passed = field.borders[border]
-    return (Crossing(t, border, int(passed.sign(mode)), state.copy()),) if passed.kink else ()
+def passed(
+    problem: Problem, row: int, mode: Mode, t: float, state: FloatArray, derivatives: bool
+) -> tuple[Mode, tuple[Crossing, ...]]:  # fmt: skip
+    """How a motion goes on behind a border: its next mode, and the crossing, none where there is no kink.
+
+    An error where ``derivatives`` would be carried across a jump.
+    """
+    border = problem.field.borders[row]
+    if derivatives and border.jumps is not None and border.jumps(state.tolist(), problem.constants):
+        raise ConvergenceError(JUMPED)
+    after = border.beyond(mode)
+    return after, (Crossing(t, row, int(border.sign(after)), state.copy()),) if border.kink else ()
 
 
 class Turn(NamedTuple):

@@ -13,7 +13,7 @@ from ..models.parameters import FloatArray
 from . import with_scipy
 from .lobatto import unit_points
 from .problem import MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Samples, Solution, assembled, crossed
+from .solution import Crossing, Samples, Solution, assembled, passed
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
 CHUNK = 20_000
@@ -76,6 +76,6 @@ def integrate(problem: Problem) -> Solution:
             raise ConvergenceError(f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol")
         if outcome == ENDED:
             break
-        mode = problem.field.borders[border].beyond(mode)
-        crossings += crossed(problem.field, border, mode, elapsed, state)
+        mode, crossed = passed(problem, border, mode, elapsed, state, False)
+        crossings += crossed
     return assembled(pieces, crossings, problem.t_record)

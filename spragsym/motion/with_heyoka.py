@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import threading
-from abc import ABC, abstractmethod
 from collections import defaultdict, deque
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -18,11 +17,11 @@ from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, crossed, parted
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed
 
-#: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so. Steps after
-#: which a stretch of a flow is given up.
-CHUNK, MAX_STEPS = 20_000, 2_000_000
+#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed: at most a second or
+#: so. Steps after which a stretch of a flow is given up.
+BURST, MAX_STEPS = 20_000, 2_000_000
 
 #: Tolerances of flows with derivatives and of plain ones, whose other steps make them a witness of the first.
 TOLERANCE, PLAIN = 1e-17, 1e-16
@@ -41,8 +40,6 @@ FELT = 37.0
 #: of its own, which agrees with that of the state to the tolerance only: where that is not far below the gap behind a border, the
 #: border just crossed would be met again.
 CURVED = 1e-3 * GAP
-
-T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -125,32 +122,53 @@ def _dot(one: Any, other: Any) -> Any:
 #: What stands for a border where x, that comes around, passes a whole turn.
 PASSAGE = -2
 
+#: Motions in flight that are measured. Another number compiles other code, and may give other last bits.
+LANES = 8
+
+#: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
+NEAR = 1e-3
+
 
 @dataclass
 class Traveller:
     """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped, and what is noted of it.
 
-    That is how many events there were of each kind, the states where borders were last crossed, the latest turns of x with their
-    times, by the sign of its second derivative, and where it passes a whole turn; and least and largest x at turns. One that may
-    be ``resting`` on a border has events that are told from chatter by samples only.
+    Of one by itself that is all crossings and turns. Of one among others it is how many events there were of each kind, and the
+    states where borders were last crossed; the ``latest`` turns of x, by the sign of its second derivative, and where it passes a
+    whole turn; and least and largest x at turns. One that may be ``resting`` on a border has events that are told from chatter by
+    samples only. Its ``further`` parameters are directions, or what a course is measured with.
     """
 
     problem: Problem
-    carried: FloatArray
-    mode: Mode
+    further: Sequence[float] | FloatArray = ()
+    carried: FloatArray = field(init=False)
+    mode: Mode = field(init=False)
     steps: int = 0
     error: Exception | None = None
+    crossings: list[Crossing] = field(default_factory=list)
     counts: list[int] = field(default_factory=lambda: [0] * len(Event))
     crossed: dict[int, list[float]] = field(default_factory=dict)
-    turns: dict[int, deque[list[float]]] = field(default_factory=partial(defaultdict, partial(deque, maxlen=KEPT)))
+    turns: list[Turn] = field(default_factory=list)
+    latest: dict[int, deque[Turn]] = field(default_factory=partial(defaultdict, partial(deque, maxlen=KEPT)))
     reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
     resting: bool = False
 
+    def __post_init__(self) -> None:
+        """At the start."""
+        self.carried = np.array(self.problem.start)
+        self.mode = self.problem.field.initial_mode(self.problem.start, self.problem.constants)
 
-class Carrier(ABC):
+    @property
+    def most(self) -> int:
+        """Steps after which it is given up."""
+        return self.problem.max_steps or MAX_STEPS
+
+
+class Carrier:
     """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border.
 
-    ``turning`` is that turns are told, of the first coordinate and of levels, and with ``watch`` those of the first coordinate.
+    ``turning`` is that turns are told, of the first coordinate and of levels. With ``watch`` those of the first coordinate are,
+    and the integrals of a :class:`~spragsym.motion.measures.Course` are carried along.
     """
 
     def __init__(
@@ -158,7 +176,8 @@ class Carrier(ABC):
         turning: bool = False,
     ) -> None:  # fmt: skip
         hy = library()
-        self.field, self.m, self.tol, self.derivatives = field, field.size, tol, directions is not None
+        self.field, self.m, self.lanes, self.derivatives = field, field.size, lanes, directions is not None
+        self.kinds = kinds_of(field) if watch else {}
         #: What is in the first lanes.
         self.some: Sequence[Traveller] = ()
         system, seen, accelerations, approaches = equations(field, watch=watch, directions=directions)
@@ -177,7 +196,9 @@ class Carrier(ABC):
             nt_events=[hy.nt_event_batch(1e-3 * rate, partial(self._turn, row)) for row, rate in rates],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
-        self.state, self.pars, self.times = self.solver.state, self.solver.pars, self.solver.time
+        self.state, self.pars, self.times, self.dense = (
+            getattr(self.solver, name) for name in ("state", "pars", "time", "d_output")
+        )
         #: How many numbers of a mode are parameters: heyoka has none beyond the last that a field takes.
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
 
@@ -200,51 +221,41 @@ class Carrier(ABC):
 
     def _cross(self, row: int, _: Any, direction: int, lane: int) -> bool:
         """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
-        one, border, state = self.some[lane], self.field.borders[row], self.state[: self.m, lane]
-        if direction > 0:
-            one.error = missed(float(self.times[lane]))
+        one, t, state = self.some[lane], float(self.times[lane]), self.state[: self.m, lane]
+        try:
+            if direction > 0:
+                raise missed(t)
+            one.mode, crossings = passed(one.problem, row, one.mode, t, state, self.derivatives)
+        except ConvergenceError as error:
+            one.error = error
             return False
-        if self.derivatives and border.jumps is not None and border.jumps(state.tolist(), one.problem.constants):
-            one.error = ConvergenceError(JUMPED)
-        one.mode = border.beyond(one.mode)
         self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
-        self._crossed(row, lane, state)
-        return one.error is None
+        for crossing in crossings:
+            if self.lanes == 1:
+                one.crossings.append(crossing)
+            elif (kind := self.kinds.get((row, crossing.sign))) is not None:
+                one.counts[kind] += 1
+                self._rest(one, row, state)
+        return True
 
-    def _begin(self, some: Sequence[Traveller], begin: float, further: Sequence[Any]) -> None:
-        """Motions into the first lanes, where nothing was crossed yet, with ``further`` parameters of each."""
-        self.some = some
-        pars = [(*one.problem.constants, *one.mode, *more) for one, more in zip(some, further, strict=True)]
-        self.solver.set_time(begin)
-        self.state[:] = 0.0
-        self.state[: self.m, : len(some)] = np.array([one.carried[: self.m] for one in some], dtype=float).T
-        self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
-        if self.solver.with_events:  # heyoka has no cooldowns where there are none
-            self.solver.reset_cooldowns()
+    def _rest(self, one: Traveller, row: int, state: FloatArray) -> None:
+        """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
+        here = state.tolist()
+        before, one.crossed[row] = one.crossed.get(row), here
+        if before and max(abs(a - b) for a, b in zip(here, before, strict=True)) <= NEAR * max(map(abs, here)):
+            one.resting = True
 
-    @abstractmethod
-    def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
-        """Note a border that was passed."""
-
-    @abstractmethod
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
-        """Note a turn of a border's level, or (−1) of the first coordinate."""
-
-    def _count(self, lane: int, begun: float) -> None:
-        """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on."""
-        outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
-        one, problem = self.some[lane], self.some[lane].problem
-        one.steps, most = one.steps + int(made), problem.max_steps or MAX_STEPS
-        if one.error:
-            raise one.error
-        if outcome == outcomes.err_nf_state:
-            raise out_of_range()
-        if one.steps > most:
-            raise too_many_steps(problem, most, t)
-        if outcome == outcomes.step_limit:
-            check_stiffness(problem, self.state[: self.m, lane], (t - begun) / max(made, 1), problem.t_end - t)
-        elif outcome != outcomes.time_limit and len(self.some) == 1:  # of many, another lane may have stopped this one
-            raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
+        """Note a turn of a border's level, or (−1) of the first coordinate, or that this one passes a whole turn."""
+        self.solver.update_d_output(t)
+        one, turn = self.some[lane], Turn(t, border, direction, *self._split(self.dense[:, lane]))
+        if self.lanes == 1:
+            one.turns.append(turn)
+            return
+        kind, bound = (-1, max) if direction < 0 else (1, min)  # the direction is 0 where both derivatives are
+        one.latest[PASSAGE if border == PASSAGE else kind].append(turn)
+        if border != PASSAGE:
+            one.reach[kind] = bound(one.reach[kind], float(turn.state[0]))
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         state = self.state[: self.m, lane].copy()
@@ -254,63 +265,109 @@ class Carrier(ABC):
             self.some[lane].error = ConvergenceError(JUMPED)
         return self.some[lane].error is None
 
-
-class Taylor(Carrier):
-    """The integrator of one motion."""
-
-    def __init__(self, field: Field, tol: float, **options: Any) -> None:
-        super().__init__(field, tol, **options)
-        self.one = self.state[:, 0]
-
-    def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
-        self.crossings += crossed(self.field, row, self.some[lane].mode, float(self.times[lane]), state)
-
-    def _turn(self, border: int, solver: Any, t: float, direction: int, lane: int) -> None:
-        solver.update_d_output(t)
-        self.turns.append(Turn(t, border, direction, *self._split(solver.d_output[:, 0])))
-
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         m = self.m
         return parted(values[:m], values[m:-2].reshape(-1, m).T / UNIT if self.derivatives else None)
 
-    def begun(self, problem: Problem, directions: Any = ()) -> Taylor:
-        """It stands at the start of a motion, with no events recorded."""
-        self.crossings, self.turns = list[Crossing](), list[Turn]()
-        mode = self.field.initial_mode(problem.start, problem.constants)
-        self._begin([Traveller(problem, np.array(problem.start), mode)], 0.0, [np.ravel(directions)])
+    def begin(self, some: Sequence[Traveller], t: float) -> None:
+        """Motions into the first lanes, where nothing was crossed yet."""
+        self.some = some
+        pars = [(*one.problem.constants, *one.mode, *one.further) for one in some]
+        self.solver.set_time(t)
+        self.state[:] = 0.0
+        self.state[: self.m, : len(some)] = np.array([one.carried[: self.m] for one in some], dtype=float).T
+        self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.derivatives:
-            self.one[self.m : self.m + self.m**2 : self.m + 1] = UNIT
-        return self
+            self.state[self.m : self.m + self.m**2 : self.m + 1] = UNIT
+        if self.solver.with_events:  # heyoka has no cooldowns where there are none
+            self.solver.reset_cooldowns()
 
-    def go(self, t: float, *, record: bool = False) -> list[Samples]:
-        """Go on to ``t``; the samples of every chunk if asked for."""
-        one, pieces = self.some[0], list[Samples]()
-        while self.times[0] < t:
-            begun, left = float(self.times[0]), (one.problem.max_steps or MAX_STEPS) - one.steps
-            output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, left + 1))
-            self._count(0, begun)
+    def carry(self, motions: Sequence[Traveller], begin: float, end: float, *, record: bool = False) -> list[Samples]:
+        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way; samples if asked for."""
+        going, pieces = [one for one in motions if one.error is None], list[Samples]()
+        for first in range(0, len(going), self.lanes):
+            self.begin(going[first : first + self.lanes], begin)
+            pieces += self._through(end, record)
+        return pieces
+
+    def _through(self, end: float, record: bool) -> list[Samples]:
+        """Carry on what is in the lanes; in a free lane a copy of one that goes on stands still, at the end."""
+        going, pieces = [*range(len(self.some))], list[Samples]()
+        while going:
+            if free := [lane for lane in range(self.lanes) if lane not in going]:
+                late, early = (part.copy() for part in self.solver.dtime)
+                late[free], early[free] = end, 0.0
+                self.solver.set_dtime(late, early)
+                for values in (self.state, self.pars):
+                    values[:, free] = values[:, going[:1]]
+            begun, left = self.times.copy(), min(self.some[lane].most - self.some[lane].steps for lane in going)
+            output, _ = self.solver.propagate_until(end, c_output=record, max_steps=min(BURST, left + 1))
             if output is not None:  # to the Lobatto points of its steps
                 ends, series = output.times[:, 0], output.tcs[..., 0]
                 step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
                 states = (series * step**order) @ unit_points() ** order[:, None]
                 pieces.append((sample_times(ends[:-1], ends[1:]), states))
-        if not np.isfinite(self.one).all():
+            for lane in going.copy():
+                one = self.some[lane]
+                try:
+                    self._count(one, lane, float(begun[lane]), end)
+                except ConvergenceError as error:
+                    one.error = error
+                if one.error or not self.times[lane] < end:
+                    going.remove(lane)
+                    one.carried = self.state[:, lane].copy()
+                    for border in [*one.crossed]:
+                        self._rest(one, border, one.carried[: self.m])
+        return pieces
+
+    def _count(self, one: Traveller, lane: int, begun: float, end: float) -> None:
+        """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on, or has passed a border unseen."""
+        outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
+        problem, state = one.problem, self.state[: self.m, lane]
+        one.steps += int(made)
+        if one.error:
+            raise one.error
+        if outcome == outcomes.err_nf_state:
             raise out_of_range()
-        if not self.field.are_inside(self.one[: self.m], one.problem.constants, one.mode):
+        if one.steps > one.most:
+            raise too_many_steps(problem, one.most, t)
+        if made == BURST:
+            check_stiffness(problem, state, (t - begun) / made, problem.t_end - t)
+        elif (
+            outcome not in (outcomes.time_limit, outcomes.step_limit) and len(self.some) == 1
+        ):  # of many, another may have stopped it
+            raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
+        if not t < end and not self.field.is_inside(state, problem.constants, one.mode):
             raise missed(t)
+
+    # ------------------------------------------------------------------------------------------ a motion by itself
+
+    def begun(self, problem: Problem, directions: Any = ()) -> Carrier:
+        """It is to carry one motion."""
+        self.some = [Traveller(problem, np.ravel(directions))]
+        return self
+
+    def _go(self, begin: float, end: float, *, record: bool = False) -> list[Samples]:
+        """Carry it on; what stops it is raised."""
+        pieces = self.carry(self.some, begin, end, record=record)
+        if error := self.some[0].error:
+            raise error
         return pieces
 
     def motion(self) -> Solution:
         """The motion by its samples, from ``t_record`` on."""
-        problem = self.some[0].problem
-        self.go(problem.t_record)
-        return assembled(self.go(problem.t_end, record=True), self.crossings, problem.t_record)
+        (one,) = self.some
+        begin = one.problem.t_record
+        if begin > 0:
+            self._go(0.0, begin)
+        return assembled(self._go(begin, one.problem.t_end, record=True), one.crossings, begin)
 
     def fly(self) -> Passage:
         """Carry the state on to the end."""
-        self.go(self.some[0].problem.t_end)
-        integrals = (float(self.one[-2]) / UNIT, float(self.one[-1]) / UNIT) if self.derivatives else None
-        return Passage(*self._split(self.one), tuple(self.crossings), tuple(self.turns), integrals)
+        (one,) = self.some
+        self._go(0.0, one.problem.t_end)
+        integrals = (float(one.carried[-2]) / UNIT, float(one.carried[-1]) / UNIT) if self.derivatives else None
+        return Passage(*self._split(one.carried), tuple(one.crossings), tuple(one.turns), integrals)
 
 
 def missed(t: float) -> ConvergenceError:
@@ -321,118 +378,24 @@ def missed(t: float) -> ConvergenceError:
 _CACHE = threading.local()
 
 
-def compiled(kind: Callable[..., T], field: Field, tol: float, **options: Any) -> T:
+def compiled(field: Field, tol: float, **options: Any) -> Carrier:
     """An integrator that is compiled once per field, tolerance and thread."""
-    known: dict[Any, T] = _CACHE.__dict__.setdefault("compiled", {})
-    key = kind, field.name, tol, *options.items()
+    known: dict[Any, Carrier] = _CACHE.__dict__.setdefault("compiled", {})
+    key = field.name, tol, *options.items()
     if key not in known:
-        known[key] = kind(field, tol, **options)
+        known[key] = Carrier(field, tol, **options)
     return known[key]
 
 
-def taylor_of(problem: Problem, directions: FloatArray | None) -> Taylor:
+def flight(problem: Problem, directions: FloatArray | None) -> Carrier:
     """What carries a flow, with turns, and unless they are None its derivatives by the start and along ``directions``."""
     tol, count = (PLAIN, None) if directions is None else (TOLERANCE, len(directions))
-    carried = compiled(Taylor, problem.field, tol, directions=count, turning=True)
-    return carried.begun(problem, () if directions is None else directions)
-
-
-def taylor_for(problem: Problem) -> Taylor:
-    """What carries a motion."""
-    return compiled(Taylor, problem.field, problem.rtol)
+    return compiled(problem.field, tol, directions=count, turning=True).begun(problem, () if directions is None else directions)
 
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    return taylor_for(problem).begun(problem).motion()
-
-
-#: Motions in flight. Another number compiles other code, and may give other last bits.
-LANES = 8
-
-#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed.
-BURST = 20_000
-
-#: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
-NEAR = 1e-3
-
-
-class Lanes(Carrier):
-    """A compiled integrator of :data:`LANES` motions, used again and again.
-
-    With ``watch`` it also carries the integrals of a :class:`~spragsym.motion.measures.Course`, and notes where x' = 0.
-    """
-
-    def __init__(self, field: Field, rtol: float, watch: bool) -> None:
-        super().__init__(field, rtol, lanes=LANES, watch=watch)
-        self.kinds = kinds_of(field) if watch else {}
-        self.dense, self.look = self.solver.d_output, self.solver.update_d_output
-
-    def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
-        one = self.some[lane]
-        kind = self.kinds.get((row, self.field.borders[row].sign(one.mode)))
-        if kind is not None:
-            one.counts[kind] += 1
-            self._rest(lane, row)
-
-    def _rest(self, lane: int, row: int) -> None:
-        """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
-        one, state = self.some[lane], self.state[: self.m, lane].tolist()
-        before, one.crossed[row] = one.crossed.get(row), state
-        if before and max(abs(a - b) for a, b in zip(state, before, strict=True)) <= NEAR * max(map(abs, state)):
-            one.resting = True
-
-    def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
-        self.look(t)
-        one, state = self.some[lane], self.dense[: self.m, lane].tolist()
-        kind, bound = (-1, max) if direction < 0 else (1, min)  # the direction is 0 where both derivatives are
-        one.turns[PASSAGE if border == PASSAGE else kind].append([t, *state])
-        if border != PASSAGE:
-            one.reach[kind] = bound(one.reach[kind], state[0])
-
-    def carry(self, motions: Sequence[Traveller], begin: float, end: float) -> None:
-        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way."""
-        going = [one for one in motions if one.error is None]
-        for first in range(0, len(going), LANES):
-            self._through(going[first : first + LANES], begin, end)
-        if not (arrived := [one for one in going if one.error is None]):
-            return
-        states, constants, modes = (
-            np.array(column).T
-            for column in zip(*((one.carried[: self.m], one.problem.constants, one.mode) for one in arrived), strict=True)
-        )
-        for one, inside in zip(arrived, self.field.are_inside(states, constants, modes), strict=True):
-            if not inside:
-                one.error = missed(end) if np.isfinite(one.carried[: self.m]).all() else out_of_range()
-
-    def _through(self, some: Sequence[Traveller], begin: float, end: float) -> None:
-        """Carry on as many as there are lanes, or fewer; in a free lane a copy of one that goes on stands still, at the end."""
-        scale, going = _scale(end - begin), [*range(len(some))]
-        self._begin(some, begin, [(one.carried[0], scale) for one in some])
-        while going:
-            free = [lane for lane in range(LANES) if lane not in going]
-            late, early = (part.copy() for part in self.solver.dtime)
-            late[free], early[free] = end, 0.0
-            self.solver.set_dtime(late, early)
-            for values in (self.state, self.pars):
-                values[:, free] = values[:, going[:1]]
-            self.solver.propagate_until(end, max_steps=BURST)
-            for lane in going.copy():
-                one = some[lane]
-                try:
-                    self._count(lane, float(late[lane]))
-                except ConvergenceError as error:
-                    one.error = error
-                if one.error or not self.times[lane] < end:
-                    going.remove(lane)
-                    one.carried = self.state[:, lane].copy()
-                    for border in [*one.crossed]:
-                        self._rest(lane, border)
-
-
-def _scale(duration: float) -> float:
-    """What the integrals are multiplied by."""
-    return 1e-3 / duration
+    return compiled(problem.field, problem.rtol).begun(problem).motion()
 
 
 def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[int]]:
@@ -441,18 +404,21 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
     And the rows of those that are to be measured from samples.
     """
     one = problems[0]
-    begin, end, scale, size = one.t_record, one.t_end, _scale(one.t_end - one.t_record), one.field.size
-    starts, constants = (np.array([getattr(each, name) for each in problems], dtype=float) for name in ("start", "constants"))
-    modes = one.field.initial_modes(starts, constants)
-    motions = [Traveller(*given) for given in zip(problems, starts, modes, strict=True)]
+    begin, end, size = one.t_record, one.t_end, one.field.size
+    scale, motions = 1e-3 / (end - begin), [Traveller(each) for each in problems]
     if begin > 0:
-        compiled(Lanes, one.field, one.rtol, watch=False).carry(motions, 0.0, begin)
+        compiled(one.field, one.rtol, lanes=LANES).carry(motions, 0.0, begin)
     first = [each.carried[:size] for each in motions]
-    compiled(Lanes, one.field, one.rtol, watch=True).carry(motions, begin, end)
+    for each in motions:
+        each.further = each.carried[0], scale
+    compiled(one.field, one.rtol, lanes=LANES, watch=True).carry(motions, begin, end)
 
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, reach = motion.carried, motion.reach
-        tops, lows, passed = (np.array(motion.turns[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE))
+        tops, lows, passed = (
+            np.array([[turn.t, *turn.state.tolist()] for turn in motion.latest[kind]]).reshape(-1, 1 + size)
+            for kind in (-1, 1, PASSAGE)
+        )
         low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, reach[1]), (max, reach[-1])))
         return Course(
             begin, end, first, last[:size], tops[:, 0], tops[:, 1:], last[size:] / scale, lows[:, 1:],

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Mode
+from ..models.field import GAP, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, crossed, parted
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
@@ -138,18 +138,16 @@ class Flight:
             if found is None:
                 return
             at, row = found
-            first, border = solver.step_size, field.borders[row]
+            first = solver.step_size
             whole = dense(at) if self.interpolated else self._stepped(mode, before, begin, at)
             for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
                 clear, rate = self._levels(mode, whole[:m], inside=True)[row].tolist()
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
-            if self.directions is not None and border.jumps is not None and border.jumps(whole[:m].tolist(), constants):
-                raise ConvergenceError(JUMPED)
-            after, reached_at = border.beyond(mode), clock + at
-            yield _Piece(clock, begin, at, whole, dense, mode, crossed(field, row, after, reached_at, whole[:m]))
-            clock, mode = reached_at, after
+            after, crossings = passed(self.problem, row, mode, clock + at, whole[:m], self.directions is not None)
+            yield _Piece(clock, begin, at, whole, dense, mode, crossings)
+            clock, mode = clock + at, after
 
     def _stepped(self, mode: Mode, state: FloatArray, begin: float, end: float) -> FloatArray:
         """A state carried on to the end of a part of a step."""

@@ -8,11 +8,10 @@ import pytest
 
 import spragsym as ss
 from spragsym.errors import SweepError
-from spragsym.models.field import Field
 from spragsym.motion import Event, integrators, simulate, with_heyoka
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep
-from spragsym.motion.with_heyoka import taylor_for
+from spragsym.motion.with_heyoka import compiled
 
 pytest.importorskip("heyoka")
 BELT = {"V": 0.5, "d": 10.0}
@@ -76,18 +75,13 @@ def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.Monkey
         assert_same(found[row], expected[place])
 
 
-def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missed_crossing_is_the_failure_of_its_motion() -> None:
     """A motion that begins in another mode than its own passes y = 0 in the wrong direction."""
     some = problems(9)
     some[4] = replace(some[4], start=(0.0, 0.2, 0.0, -0.3))
-    expected, initial_modes = watched(some), Field.initial_modes
-
-    def wrong(*arguments: Any) -> list[tuple[int, ...]]:
-        modes = initial_modes(*arguments)
-        return [*modes[:4], (1, *modes[4][1:]), *modes[5:]]
-
-    monkeypatch.setattr(Field, "initial_modes", wrong)
-    found = watched(some)
+    expected, field = watched(some), some[4].field
+    wrong = replace(field, initial_mode=lambda *of: (1, *field.initial_mode(*of)[1:]))
+    found = watched([*some[:4], replace(some[4], field_of=lambda _: wrong), *some[5:]])
     assert "missed a kink" in str(found[4])
     for row in (0, 1, 2, 3, 5, 6, 7, 8):
         assert_same(found[row], expected[row])
@@ -95,9 +89,8 @@ def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.Monk
 
 def simulate_steps(problem: Problem) -> int:
     """Steps of the integrator of one motion."""
-    carried = taylor_for(problem).begun(problem)
-    carried.go(problem.t_record)
-    carried.go(problem.t_end)
+    carried = compiled(problem.field, problem.rtol).begun(problem)
+    carried.motion()
     return carried.some[0].steps
 
 

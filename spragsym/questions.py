@@ -42,7 +42,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         model = model_of(*args, *options.values())
         if method not in WAYS:
             raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
-        asked = {"auto": model, "closed": model.whole, "search": model.search}[method]
+        asked = model if method == "auto" else model.whole if method == "closed" else model.search
         if asked is not model:
             args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
         if (closed := _closed_form(asked, name, args, options)) is not None:

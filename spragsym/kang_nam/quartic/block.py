@@ -31,6 +31,7 @@ _STORED = 4 * 2.0**-53
 A_THREAD, A_COUNTING_THREAD = 1 << 16, 1 << 19
 
 
+@np.errstate(all="ignore")
 def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
 
@@ -42,6 +43,7 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
 
 
+@np.errstate(all="ignore")
 def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
@@ -63,6 +65,7 @@ def _solved(point: kernel.Point, line: kernel.Balance, u: np.floating[Any], out:
     return np.flatnonzero(~settled)
 
 
+@np.errstate(all="ignore")
 def count(values: list[FloatArray], size: int) -> Int8Array:
     """The number of equilibria in contact, 0 where that is open."""
     found = kernel.one_or_three(_point(values, True), np.float64(2.0**-53))
@@ -163,9 +166,9 @@ class Slots:
 
     def clear(self) -> None:
         """Empty the first slot of points that have no equilibrium: memory holds anything before it is written."""
-        rows = np.flatnonzero(self.count == 0)
-        for name, values in self.first.items():
-            values[rows] = _NOTHING[name]
+        if not self.count.all():
+            for name, values in self.first.items():
+                values[self.count == 0] = _NOTHING[name]
 
 
 def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:

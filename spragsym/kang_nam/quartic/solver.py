@@ -151,8 +151,7 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
 
     def one(begin: int) -> T:
         part = slice(begin, begin + length)
-        with np.errstate(all="ignore"):
-            return work([values if values.size == 1 else values[part] for values in given], begin, min(length, size - begin))
+        return work([values if values.size == 1 else values[part] for values in given], begin, min(length, size - begin))
 
     # glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that
     # has to be more than all arrays in between take.
@@ -215,8 +214,7 @@ def _solve_widely(
     left = []
     for begin in range(0, rows.size, WIDE_BLOCK):
         values = [value[begin : begin + WIDE_BLOCK] for value in given]
-        with np.errstate(all="ignore"):
-            left.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
+        left.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
     out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
     return np.concatenate(left)
 

@@ -112,7 +112,8 @@ def _block(
     if marks is not None:
         near = np.flatnonzero(~(np.abs(value[points] - marks[points]) > 1.01 * there.value.error))
         points, there = points[near], there.rows(near)
-    t, best = fold_arrays.sharpened(vary, {name: column[points] for name, column in given.items()}, there)
+    theirs = {name: column[points] if column.ndim else column for name, column in others.items()}
+    t, best = fold_arrays.sharpened(vary, theirs, there)
     value[points] = best.value
     for k in np.flatnonzero(~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))):
         point = point_at(given, points[k])

@@ -7,8 +7,8 @@ The same folds as of :mod:`.folds`, by the same polynomials in t = tan(θ/2): th
 from __future__ import annotations
 
 import functools
-import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -18,6 +18,7 @@ import numpy as np
 from ..models.parameters import NAMES, FloatArray
 from ..numerics import balls, bernstein
 from ..numerics.affine import Rounded, cosine_and_sine
+from ..numerics.arithmetic import Polynomial
 from ..numerics.balls import Ball, as_floats, ends
 from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array
 from ..numerics.polynomials import on_circle
@@ -79,8 +80,8 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     values = [Rounded(given[name]) for name in NAMES[1:]]
     polynomial, free = _circle(values), np.broadcast_to(given["alpha"] == 0, size)
     if free.any():
-        relation = functools.reduce(_product, [[1, 0, 1]] * 3, _rounded(kernel.fold_cubics(*values)[1]))
-        polynomial = [_where(free, one, other) for one, other in zip(relation, polynomial, strict=True)]
+        relation = math.prod([Polynomial([1, 0, 1])] * 3, start=Polynomial(_rounded(kernel.fold_cubics(*values)[1])))
+        polynomial = [_where(free, one, other) for one, other in zip(relation.coefficients, polynomial, strict=True)]
     roots = bernstein.positive_roots(polynomial, size)
     twice = np.flatnonzero(free[roots.row])
     index = np.append(np.arange(roots.row.size), twice)
@@ -107,18 +108,10 @@ def _circle(values: list[Rounded]) -> list[Rounded]:
     _, _, alpha, sigma, beta = values
     width = alpha * (beta + 1 + sigma)
     scale = (alpha + sigma) * (beta + 1) * width
-    powers, others = (_product(one, one) for one in map(_rounded, kernel.fold_cubics(*values)))
+    powers, others = ((one * one).coefficients for one in map(Polynomial, map(_rounded, kernel.fold_cubics(*values))))
     result = [width * width * one + other for one, other in zip(powers, others, strict=True)]
     for half, binomial in enumerate((1, 6, 15, 20, 15, 6, 1)):
         result[2 * half] = result[2 * half] - scale * scale * binomial
-    return result
-
-
-def _product(one: Sequence[Any], other: Sequence[Any]) -> list[Any]:
-    """The product of two polynomials."""
-    result: list[Any] = [0] * (len(one) + len(other) - 1)
-    for (i, left), (j, right) in itertools.product(enumerate(one), enumerate(other)):
-        result[i + j] = left * right + result[i + j]
     return result
 
 

@@ -107,14 +107,14 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
     decided = np.ones(p.shape, dtype=np.bool_)
-    undecided: list[Undecided] = []
-    for number, reason in reasons.items():
-        decided.reshape(-1)[number] = False
-        place = tuple(map(int, np.unravel_index(number, p.shape)))
-        undecided.append(Undecided(place, (-math.inf,) * 2, (math.inf,) * 2, reason))
-    remarks = [f"{len(reasons)} of {decided.size} points have no answer; the first: {one.reason}" for one in undecided[:1]]
+    decided.flat[list(reasons)] = False
+    undecided = tuple(
+        Undecided(tuple(map(int, np.unravel_index(number, p.shape))), (-math.inf,) * 2, (math.inf,) * 2, reason)
+        for number, reason in reasons.items()
+    )
+    remarks = (f"{len(reasons)} of {decided.size} points have no answer; the first: {one.reason}" for one in undecided[:1])
     source = _Closed(p, contact, out, left, fold)
-    return Equilibria(p, contact, out.count.reshape(p.shape), decided, tuple(undecided), tuple(remarks), source)
+    return Equilibria(p, contact, out.count.reshape(p.shape), decided, undecided, tuple(remarks), source)
 
 
 def count(p: Parameters) -> Int8Array:
@@ -131,7 +131,7 @@ def count(p: Parameters) -> Int8Array:
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
-        some = Parameters(*(np.broadcast_to(getattr(p, name), p.shape).flat[open_ones] for name in NAMES))
+        some = Parameters(*(column.flat[open_ones] for column in p.broadcast(*NAMES)))
         counts[open_ones] = equilibria(some).require_decided().count
     return counts.reshape(p.shape)
 
@@ -183,7 +183,7 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple
 
     Returns which of them are folds, and why points are left without an answer, by row.
     """
-    given = [np.ascontiguousarray(np.broadcast_to(getattr(p, name), p.shape).flat[rows]) for name in NAMES]
+    given = [column.flat[rows] for column in p.broadcast(*NAMES)]
     left = _solve_widely(given, contact, out, rows)
     folds: list[int] = []
     reasons: dict[int, str] = {}

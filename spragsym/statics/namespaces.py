@@ -148,7 +148,7 @@ class _ScaledFunctions:
 
     def __getattr__(self, name: str) -> Callable[[Any], Any]:
         function: Callable[[Any], Any] = getattr(XP, name)
-        return lambda value: function(value.finite() if isinstance(value, Scaled) else value)
+        return lambda value: Scaled(function(value.finite()), 0, value.w) if isinstance(value, Scaled) else function(value)
 
 
 #: ``xp`` at infinity.

@@ -18,8 +18,7 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
     model = ss.load(name).search
     p = model.Parameters(**({"theta0": 1.0} if "theta0" in model.parameters else {}))
     found = ss.flutter_onsets(p, vary)
-    assert found.decided
-    assert len(found) == onsets
+    assert (found.decided, len(found)) == (True, onsets)
     assert (getattr(found, vary) > 1e-3).all()
 
 
@@ -45,8 +44,7 @@ def test_beside_a_line_of_equilibria_all_is_decided(name):
     model = ss.load(name).search
     angle = {"theta0": 1.0} if name == "kang_nam" else {}
     found = ss.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
-    assert found.decided
-    assert len(found) == 0
+    assert (found.decided, len(found)) == (True, 0)
     assert (0 if name == "mode_coupling" else 1e-99) <= found.region[-1, 0] < 1e-90  # forces without springs are affine
 
 

@@ -70,6 +70,5 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     rise, fall = d * np.exp(-d * V), np.exp(-V / v_s)
     more = mu_k * rise / (fall * ((1 - np.exp(-d * V)) / v_s - rise))
     found = ss.flutter_onsets(pad.Parameters(zeta=0.0), "mu_s", between={"mu_s": (0.1, 0.4)})
-    assert found.complete
-    assert len(found) == 4
+    assert (found.complete, len(found)) == (True, 4)
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)

@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.design.jumps import have_jumped
-from tests.oracles.user_pages import derived
+from tests.oracles.user_pages import derived, replaced
 
 pytest.importorskip("sympy")
 
@@ -53,6 +53,12 @@ def test_steady_sliding_ends_where_the_state_runs_to_infinity(run: Any) -> None:
         ss.quasi_static_path(p, "mu0", [0.1, 0.5, 1.2])
     assert "none, proved" in run("equilibria", "--model", str(folder), "--mu0", "1")
     assert have_jumped(p.replace(mu0=ends + np.array([-1e-3, 1e-3]))).tolist() == [0, 1]  # as margins and probabilities ask
+
+
+def test_along_the_speed_of_a_falling_law() -> None:
+    page = replaced(ROD, ("mu0 * (1 - exp", "(psi + (mu0 - psi) * exp(-d * Abs(v) / 5)) * (1 - exp"), (", at_rest=mu0", ""))
+    with pytest.raises(ss.ConvergenceError, match=r"runs to infinity at V = 0\.1"):
+        ss.quasi_static_path(ss.load(derived(page, "falling_rod")).Parameters(mu0=1.6), "V", [0.05, 0.5])
 
 
 @pytest.mark.thorough

@@ -179,7 +179,7 @@ def _turns(at: State) -> Sequence[Any]:
     A row of the adjugate stands for w: points where that row is 0 are roots as well.
     """
     K, rows = at.slopes(), at.forces()
-    pushed = [_slope(row, len(K)) * cofactor(K, i, 0) for i, row in enumerate(rows)]
+    pushed = [slope(row, len(K)) * cofactor(K, i, 0) for i, row in enumerate(rows)]
     return determinant(K), sum(pushed)
 
 
@@ -191,7 +191,7 @@ def _touch_turns(at: State) -> Sequence[Any]:
     """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first parameter."""
     gap = at.gap()
     rows, n = [*at.forces(), gap], len(at.q)
-    return gap, determinant([[_slope(row, k) for k in range(n + 1)] for row in rows])
+    return gap, determinant([[slope(row, k) for k in range(n + 1)] for row in rows])
 
 
 #: The gap is 0, and the curve on which it is turns back in the second parameter.
@@ -265,20 +265,20 @@ def of_kind(kind: str, along: int | None) -> Condition:
 def change(K: Matrix, column: int) -> Any:
     """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
     value = determinant(K)
-    moved = [_slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
+    moved = [slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
     return sum(moved)
 
 
-def _slope(value: Any, variable: int) -> Any:
+def slope(value: Any, variable: int) -> Any:
     """The derivative of what may be a number."""
     return value.differentiated(variable) if isinstance(value, Jet) else 0
 
 
-class Augmented(StateSystem):
-    """Balance and condition; unknowns are the coordinates, then the parameters that vary."""
+class OfFamily(StateSystem):
+    """A system whose unknowns are the coordinates, then the parameters that vary."""
 
-    def __init__(self, family: Family, condition: Condition) -> None:
-        self.family, self.balance, self.condition = family, family.balance, condition
+    def __init__(self, family: Family) -> None:
+        self.family, self.balance = family, family.balance
         self.n = self.balance.n + len(family.vary)
         self.limits = np.pad(self.balance.limits, ((0, 0), (0, len(family.vary))), constant_values=np.inf)
 
@@ -290,6 +290,20 @@ class Augmented(StateSystem):
         """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
         with np.errstate(all="ignore"):
             return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
+
+    def parted(self, unknowns: Sequence[Any], fixed: Mapping[str, Any], xp: Any = XP) -> tuple[list[Any], dict[str, Any]]:
+        """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""
+        n = self.balance.n
+        changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
+        return list(unknowns[:n]), {**fixed, **self.balance.with_angles(changed, xp)}
+
+
+class Augmented(OfFamily):
+    """Balance and condition."""
+
+    def __init__(self, family: Family, condition: Condition) -> None:
+        super().__init__(family)
+        self.condition = condition
 
     def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation at intervals or jets of them."""
@@ -304,10 +318,8 @@ class Augmented(StateSystem):
         sides: Sequence[int] | None = None,
     ) -> State:  # fmt: skip
         """The evaluation at unknowns of any number type, from arguments of which those that vary are replaced."""
-        n = self.balance.n
-        changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
-        values = {**fixed, **self.balance.with_angles(changed, xp)}
-        return State(self.balance, unknowns[:n], values, shape, xp=xp, sides=sides)
+        q, values = self.parted(unknowns, fixed, xp)
+        return State(self.balance, q, values, shape, xp=xp, sides=sides)
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces and condition over boxes."""

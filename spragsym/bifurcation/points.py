@@ -6,14 +6,14 @@ at that end are on the border of stability, and none of them is an onset that a 
 such an end at 0 no search decides anything: in the logarithm of a parameter that is larger than 0 all of its sizes are alike, and
 each is decided on its own, down to :data:`LEAST`.
 
-A state runs to infinity at a root of the balance in a chart at infinity. With q = u/w and one |u_i| = 1, the rows of the balance
-are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular root of G = 0 with w = 0 in the
-other u and λ one curve of states begins, λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that
-λ' says.
+A state runs to infinity at a root of the balance at infinity. With q = u/w and |u| = 1, the rows of the balance are G(u, w, λ)
+but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular root of G = 0, |u|² = 1 with w = 0 in u and λ one curve
+of states begins, λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that λ' says.
 """
 
 import itertools
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -30,13 +30,13 @@ from ..remarks import At, Remark
 from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance
-from ..statics.forces import TURN, State
+from ..statics.forces import TURN, State, as_intervals
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_its_side, once_around
 from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
-from .defining_systems import Augmented, Condition, Family, settled
+from .defining_systems import Augmented, Condition, Family, OfFamily, settled, slope
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
 BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
@@ -52,9 +52,9 @@ LEAST = 2.0**-300
 HIGH, LOW = 2.0**-9, 2.0**-10
 #: Boxes looked at there.
 LOGARITHMIC_BUDGET = 100_000
-#: Directions at infinity that are searched, beyond those of 45 degrees; boxes of one chart.
-BESIDE, CHART_BUDGET = 1.0 + 2.0**-6, 4000
-#: Two directions nearer than this are the same one, found in two charts.
+#: Half-width of the box in which directions at infinity are searched, which holds the unit sphere; boxes looked at there.
+BESIDE, FAR_BUDGET = 1.0 + 2.0**-6, 16_000
+#: Part of a direction below which its coordinate stays.
 SAME = 1e-6
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
@@ -249,9 +249,9 @@ def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> 
 class Logarithmic(Augmented):
     """A defining system with the logarithm of its parameter as unknown."""
 
-    def evaluated(self, unknowns: Sequence[Any], *given: Any, **more: Any) -> State:
-        """The evaluation at coordinates and logarithm."""
-        return super().evaluated([*unknowns[:-1], XP.exp(unknowns[-1])], *given, **more)
+    def parted(self, unknowns: Sequence[Any], *given: Any) -> tuple[list[Any], dict[str, Any]]:
+        """Coordinates, and arguments with the parameter of this logarithm."""
+        return super().parted([*unknowns[:-1], XP.exp(unknowns[-1])], *given)
 
 
 def begins(system: Augmented, around: FloatArray) -> bool:
@@ -300,87 +300,68 @@ def escapes(family: Family) -> Points:
     The kind is ``"infinity up"`` where the state is there above the value, else ``"infinity down"``; coordinates are infinite,
     NaN those that stay. What is not proved is missing: a state runs to infinity there, others may elsewhere.
     """
-    balance = family.balance
-    found, known = list[list[float]](), list[FloatArray]()
-    for pivot in (i for i in range(balance.n) if i not in balance.around):
-        for sign in (1, -1):
-            for middle, error, side in _of_chart(_Chart(family, pivot, sign), family):
-                z = np.concatenate([np.insert(middle[: balance.n - 1], pivot, float(sign)), middle[balance.n - 1 :]])
-                z[: balance.n] /= np.abs(np.delete(z[: balance.n], balance.around)).max()
-                if any(np.abs(z - other).max() < SAME for other in known):
-                    continue
-                known.append(z)
-                away = np.where(np.abs(z[: balance.n]) < SAME, np.nan, np.copysign(np.inf, z[: balance.n]))
-                away[balance.around] = np.nan
-                found.append([*z[balance.n :], *away, error, side])
-    names = (*family.vary, *balance.coordinates)
-    *places, errors, sides = np.array(found).reshape(-1, len(names) + 2).T
-    columns = dict(zip(names, places, strict=True))
-    kind = np.select([sides > 0, sides < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
-    return Points(family.p, family.vary, kind, errors, family.spans, True, (), np.empty((0, len(names), 2)), (), columns)
+    balance, system, fixed = family.balance, _AtInfinity(family), family.begin
+    n, sides = balance.n, np.full((2, balance.n, 1), BESIDE)
+    sides[:, balance.around] = TURN
+    found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
+    with suppress(NoChart), np.errstate(all="ignore"):
+        found = certified_roots.search(system, with_sides(sides, family.spans), fixed, fixed, budget=FAR_BUDGET)
+        side = system.side(Intervals(found.ends), system.fixed(found.point.size))
+    z = found.middle
+    away = np.where(np.abs(z[:n]) < SAME, np.nan, np.copysign(np.inf, z[:n]))
+    away[balance.around] = np.nan
+    kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
+    columns = family.named(np.concatenate([away, z[n:]]))
+    return Points(family.p, family.vary, kind, found.error, family.spans, True, (), np.empty((0, len(z), 2)), (), columns)
 
 
-class _Chart(boxes.System):
-    """G at w = 0 with u_pivot = ±1; unknowns are the other u, angles that come around, and one parameter or two.
+class _AtInfinity(OfFamily):
+    """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and one parameter or two.
 
-    With two the curve of values at infinity turns back in the last one: ∂G/∂(u, first) is singular.
+    With two the curve of values at infinity turns back in the last one: the derivative of both by u and the first is singular.
     """
 
-    def __init__(self, family: Family, pivot: int, sign: int) -> None:
-        self.balance, self.vary, self.pivot, self.sign = family.balance, family.vary, pivot, sign
-        self.others = [i for i in range(self.balance.n) if i != pivot]
-        self.n, self.order = len(self.others) + len(self.vary), len(self.vary) - 1
+    def __init__(self, family: Family) -> None:
+        super().__init__(family)
+        self.order, self.limits = len(family.vary) - 1, None
 
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Prepared parameters of the balance."""
-        return self.balance.prepared(bounds)
-
-    def rows(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[list[Any], Any]:
-        """G and the gap but for powers of w, of intervals, or jets of them in which w is one more variable."""
+    def state(self, unknowns: Any, parameters: Intervals) -> State:
+        """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""
         order = max((part.order for part in unknowns if isinstance(part, Jet)), default=0)
         w = Jet.variable(0, self.n, order)
-        arguments = self.balance.arguments(parameters, dict(zip(self.vary, unknowns[len(self.others) :], strict=True)))
+        u, arguments = self.parted(unknowns, self.balance.arguments(parameters))
         values = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
-        q: list[Any] = [Scaled(self.sign, 1, w)] * self.balance.n
-        for i, part in zip(self.others, unknowns, strict=False):
-            q[i] = part if i in self.balance.around else Scaled(part, 1, w)
-        at = self.balance.at(q, values, xp=SCALED)
-        *forces, gap = (row.value if isinstance(row, Scaled) else row for row in (*at.rows("forces"), at.gap()))
-        return forces, gap
+        q = [Scaled(part, int(i not in self.balance.around), w) for i, part in enumerate(u)]
+        return self.balance.at(q, values, xp=SCALED)
+
+    def rows(self, unknowns: Sequence[Any], parameters: Intervals) -> list[Any]:
+        """G, and |u|² − 1."""
+        forces, far = self.state(unknowns, parameters).rows("forces"), set(range(self.balance.n)) - set(self.balance.around)
+        return [*map(_regular, forces), sum((unknowns[i] ** 2 for i in far), -1)]
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """G, and with two parameters the determinant."""
-        forces, _ = self.rows(unknowns, parameters)
+        """These rows, and with two parameters the determinant."""
+        rows = self.rows(unknowns, parameters)
         if not self.order:
-            return forces
-        slopes = [[row.differentiated(k) if isinstance(row, Jet) else 0 for k in range(self.n - 1)] for row in forces]
-        return [*forces, determinant(slopes)]
+            return rows
+        return [*rows, determinant([[slope(row, k) for k in range(self.n - 1)] for row in rows])]
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes of directions in which the contact opens."""
-        _, gap = self.rows(list(unknowns), parameters)
-        return self.balance.sides(stacked([constant(gap)], unknowns.shape[1:])[0])[1]
+        gap = _regular(self.state(list(unknowns), parameters).gap())
+        return self.balance.sides(as_intervals(constant(gap), unknowns.shape[1:]))[1]
 
-    def exists(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
-        """On which side of the value the state is, 1 or −1; 0 where that is not known."""
-        slopes = [gradient(row, self.n + 1) for row in self.rows(variables(list(unknowns), 1), parameters)[0]]
+    def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
+        """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not known, and of two parameters."""
+        if self.order:
+            return np.zeros(unknowns.shape[1], dtype=np.int64)
+        slopes = [gradient(row, self.n + 1) for row in self.rows(variables(list(unknowns), 1), parameters)]
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         sign = (ratio.low > 0).astype(np.int64) - (ratio.high < 0)
         return sign[0] * sign[1]
 
 
-def _of_chart(chart: _Chart, family: Family) -> list[tuple[FloatArray, float, int]]:
-    """Roots in one chart, bounds on their errors, and sides."""
-    balance = chart.balance
-    sides = [TURN if i in balance.around else BESIDE for i in chart.others]
-    around, fixed = with_sides(np.array([sides, sides])[:, :, None], family.spans), family.begin
-    try:
-        with np.errstate(all="ignore"):
-            roots = certified_roots.search(chart, around, fixed, fixed, budget=CHART_BUDGET)
-            unknowns = Intervals(roots.ends)
-            prepared = chart.prepared(Intervals.point(np.repeat(fixed, roots.point.size, axis=1)))
-            side = chart.exists(unknowns, prepared) if len(chart.vary) == 1 and roots.point.size else np.zeros(roots.point.size)
-    except NoChart:
-        return []
-    return [(roots.middle[:, k], float(roots.error[k]), int(side[k])) for k in range(roots.point.size)]
+def _regular(row: Any) -> Any:
+    """A number but for its power of w."""
+    return row.value if isinstance(row, Scaled) else row

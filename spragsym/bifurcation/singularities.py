@@ -29,7 +29,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import Ranges
-from ..numerics import balls, boxes, certified_roots, contractors
+from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
@@ -46,7 +46,7 @@ from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.regions import region
 from ..statics.stability import with_a_zero
-from .defining_systems import FOLD, Augmented, Condition, Family, change, cusp
+from .defining_systems import FOLD, Augmented, Condition, Family, OfFamily, change, cusp
 from .points import Found, arranged, of_ends, search, vanishes, with_sides
 
 #: Undecided boxes beyond which they lie around no points.
@@ -143,53 +143,38 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
 
 def pitchforks(family: Family, mirror: _Mirror) -> Roots:
     """All pitchforks on the mirror along one parameter: boxes of coordinates and parameter."""
-    system, fixed = _OnMirror(family, mirror), family.begin
     around, _ = region(family.balance, family.over)
-    found = certified_roots.search(system, with_sides(around[:, system.even], family.spans), fixed, fixed)
-
-    def whole(ends: FloatArray) -> FloatArray:
-        parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
-        with np.errstate(all="ignore"):
-            q = stacked(system.completed(list(Intervals(ends)), parameters).q, ends.shape[2:])
-        return np.concatenate([q.ends, ends[:, -1:]], axis=1)
-
-    return replace(found, ends=whole(found.ends), alone=whole(found.alone), left=whole(found.left))
+    fixed = family.begin
+    return certified_roots.search(_OnMirror(family, mirror), with_sides(around, family.spans), fixed, fixed)
 
 
-class _OnMirror(boxes.System):
+class _OnMirror(OfFamily):
     """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
 
     def __init__(self, family: Family, mirror: _Mirror) -> None:
-        self.balance, (self.vary,), self.mirror, self.odd = family.balance, family.vary, mirror, mirror.odd
-        self.even = [i for i in range(self.balance.n) if i not in self.odd]
-        self.n = len(self.even) + 1
-        self.limits = np.pad(self.balance.limits[:, self.even], ((0, 0), (0, 1)), constant_values=np.inf)
+        super().__init__(family)
+        self.mirror = mirror
 
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Prepared parameters of the balance."""
-        return self.balance.prepared(bounds)
-
-    def completed(self, unknowns: Sequence[Any], parameters: Intervals) -> State:
-        """The state on the mirror with these even coordinates and this parameter."""
-        values = self.balance.arguments(parameters, {self.vary: unknowns[-1]})
-        q: list[Any] = [0] * self.balance.n
-        for place, i in enumerate(self.even):
-            q[i] = unknowns[place]
+    def state(self, unknowns: Any, parameters: Intervals) -> State:
+        """The state on the mirror with these even coordinates and this parameter, whatever the odd ones are."""
+        q, values = self.parted(unknowns, self.balance.arguments(parameters))
+        for i in self.mirror.odd:
+            q[i] = 0
         image = self.mirror.image(q, values)
-        for i in self.odd:
-            q[i] = image[i] * 0.5 if not isinstance(image[i], int) else image[i] / 2
+        for i in self.mirror.odd:
+            q[i] = image[i] * 0.5
         return State(self.balance, q, values, parameters.shape[1:], upright=self.mirror.upright)
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """Even rows of the balance, and the determinant of the turned block."""
-        at = self.completed(unknowns, parameters)
-        forces, K = at.forces(), at.slopes()
-        return [*(forces[i] for i in self.even), determinant([[K[i][j] for j in self.odd] for i in self.odd])]
+        """Even rows of the balance, the odd coordinates less those on the mirror, and the determinant of the turned block."""
+        at, odd = self.state(unknowns, parameters), self.mirror.odd
+        K = at.slopes()
+        rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(at.forces())]
+        return [*rows, determinant([[K[i][j] for j in odd] for i in odd])]
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border."""
-        at = self.completed(list(unknowns), parameters)
-        return at.beside_border()[1]
+        return self.state(unknowns, parameters).beside_border()[1]
 
 
 def _mirrors(family: Family) -> list[_Mirror]:

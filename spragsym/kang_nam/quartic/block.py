@@ -57,10 +57,10 @@ def _solved(point: kernel.Point, line: kernel.Balance, u: np.floating[Any], out:
     """First the roots that every point has, one in contact and two in lift-off, then all of points that have two more."""
     found, least = kernel.guesses(point, line, u), 1 if point.nbar else 2
     safe = safe & found.certain
-    settled = safe & _some(_stacked(found[:least]), point, line, out, begin + np.arange(safe.size), u)
+    settled = safe & _some(found[:least], point, line, out, slice(begin, begin + safe.size), u)
     rows = np.flatnonzero(safe & (found.count > least))
     if rows.size:
-        t = _stacked([value[rows] for value in found[: least + 2]])
+        t = [value[rows] for value in found[: least + 2]]
         settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
     return np.flatnonzero(~settled)
 
@@ -102,9 +102,14 @@ def _sure(t: Any, root: kernel.Root) -> Any:
     return root.member & root.known & (_error(t, root) <= TOLERANCE)
 
 
-def _some(t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: IntArray, u: np.floating[Any]) -> BoolArray:
+def _some(
+    roots: Sequence[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: IntArray | slice, u: np.floating[Any]
+) -> BoolArray:
     """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
-    root = kernel.at_root(t, point, line, u)  # what depends on the point alone is computed once for all of its roots
+    t, alone = _stacked(roots), len(roots) == 1
+    # What depends on the point alone is computed once for all of its roots; arrays of one root are faster without an axis for it.
+    root = kernel.at_root(roots[0] if alone else t, point, line, u)
+    root = kernel.Root(*(value[None] for value in root)) if alone else root
     sure = _sure(t, root) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
     settled: BoolArray = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
@@ -138,13 +143,13 @@ class Slots:
     slots: int
     count: Int8Array = field(init=False)
     first: dict[str, NDArray[Any]] = field(init=False)
-    further: list[tuple[IntArray, Columns]] = field(init=False, default_factory=list)
+    further: list[tuple[IntArray | slice, Columns]] = field(init=False, default_factory=list)
 
     def __post_init__(self) -> None:
         self.count = np.zeros(self.size, dtype=np.int8)
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
-    def put(self, rows: IntArray, count: NDArray[Any], columns: Columns) -> None:
+    def put(self, rows: IntArray | slice, count: NDArray[Any], columns: Columns) -> None:
         """Store all equilibria of the points in ``rows``, columns of shape (some slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():

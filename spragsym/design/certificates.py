@@ -13,7 +13,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import Any, Self, TypeAlias
+from typing import Any, ClassVar, Self, TypeAlias
 
 import numpy as np
 
@@ -68,6 +68,9 @@ class Certificate(Result):
 class Boxes(ByColumn, ABC):
     """Parts of a box, one a column: their ends, shape (sides, N)."""
 
+    #: Fewer parts than this take as long as so many.
+    few: ClassVar[int] = 0
+
     low: FloatArray
     high: FloatArray
 
@@ -100,9 +103,17 @@ class Boxes(ByColumn, ABC):
         return np.nextafter(self.low, np.inf) < self.high
 
     def divided(self, weight: FloatArray, most: int) -> Self:
-        """Each cut across the side that matters most."""
-        _, high, low = halves(self.low, self.high, weight)
-        return replace(self, high=high).then(replace(self, low=low))
+        """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""
+        parts, weight = self._halved(weight)
+        while 0 < len(parts) < self.few and 2 * len(parts) <= most and parts.divisible().any(axis=0).all():
+            parts, weight = parts._halved(weight)
+        return parts
+
+    def _halved(self, weight: FloatArray) -> tuple[Self, FloatArray]:
+        side, high, low = halves(self.low, self.high, weight)
+        weight = weight.copy()
+        weight[side, np.arange(side.size)] *= 0.5
+        return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
 
 
 @dataclass(frozen=True)
@@ -129,8 +140,8 @@ class Claim(ABC):
     whole: Boxes
 
     @abstractmethod
-    def settled(self, parts: Any, sharp: bool = False) -> tuple[Any, FloatArray]:
-        """The parts with what is proved of them, and how much each side matters; ``sharp`` asks for all that can be known."""
+    def settled(self, parts: Any) -> tuple[Any, FloatArray]:
+        """The parts with what is proved of them, and how much each side matters."""
 
     @abstractmethod
     def point(self, values: FloatArray) -> ParameterSet:
@@ -146,7 +157,7 @@ class Claim(ABC):
         return self.point(points[:, fails[0]]) if fails.size else None
 
     def run(
-        self, share: Callable[[Any], FloatArray], most: int, sharp: bool = False, kept: Callable[[Any], Any] | None = None
+        self, share: Callable[[Any], FloatArray], most: int, kept: Callable[[Any], Any] = lambda parts: parts
     ) -> Iterator[tuple[Any, BoolArray, int]]:
         """Parts in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
 
@@ -157,9 +168,9 @@ class Claim(ABC):
         while len(pending) and seen < most:
             order = np.argsort(-share(pending), kind="stable")
             taken = order[: min(self.batch, most - seen)]
-            some = pending[taken] if kept is None else kept(pending[taken])
+            some = kept(pending[taken])
             with doing("{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)):
-                some, weight = self.settled(some, sharp) if len(some) else (some, some.low)
+                some, weight = self.settled(some) if len(some) else (some, some.low)
             seen += taken.size
             last = (share(some) <= 0) | ~some.divisible().any(axis=0)
             yield some, last, int(taken.size)
@@ -273,7 +284,7 @@ class ClaimOfStates(Claim):
     def fails(self, points: FloatArray) -> BoolArray:
         return self.false(equilibria(self.point(points)))
 
-    def settled(self, parts: Parts, sharp: bool = False) -> tuple[Parts, FloatArray]:
+    def settled(self, parts: Parts) -> tuple[Parts, FloatArray]:
         if parts.holds.all():
             return parts, parts.low
         balance, bounds = self.balance, Intervals.between(parts.low, parts.high)

@@ -303,7 +303,8 @@ def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Sh
         return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
 
     least, most = 0.0, 1.0
-    run = box.run(lambda pieces: of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)), max_boxes, sharp=True)
+    box.sharp = True
+    run = box.run(lambda pieces: of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)), max_boxes)
     for pieces, last, _ in run:
         done = pieces[last]
         least += float((of_free(done) * (1.0 - up_to[1](done.top))).sum())

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes import Place, Tubes, halves
+from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet, as_count
@@ -19,8 +19,6 @@ from ..statics.balance import BalanceInUnits
 from ..statics.reference_state import taken_up
 from .certificates import ENDS, OPEN, SAFE, STATES, Boxes, Certificate, Claim, ClaimOfStates, corner_values
 
-#: Fewer parts than this take as long as so many.
-FEW = 256
 #: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
 WIDE, THIN = 2.0**-6, 2.0**-14
 
@@ -33,6 +31,8 @@ class Pieces(Boxes):
     Up to ``safe`` of what moves the state is proved to go on, and above ``top`` to have ended, for all of the piece; −inf and
     inf where nothing is known.
     """
+
+    few = 256
 
     base: Place
     of: FloatArray
@@ -48,24 +48,13 @@ class Pieces(Boxes):
         """Sides of the free parameters that have floats between their ends."""
         return super().divisible()[:-1]
 
-    def divided(self, weight: FloatArray, most: int) -> Pieces:
-        """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""
-        pieces, weight = self._halved(weight)
-        while 0 < len(pieces) < FEW and 2 * len(pieces) <= most and pieces.divisible().any(axis=0).all():
-            pieces, weight = pieces._halved(weight)
-        return pieces
-
-    def _halved(self, weight: FloatArray) -> tuple[Pieces, FloatArray]:
-        side, high, low = halves(self.low, self.high, weight)
-        weight = weight.copy()
-        weight[side, np.arange(side.size)] *= 0.5
-        return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
-
 
 class Splitting(Claim):
     """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
 
     batch, early = 1024, False
+    #: Whether ``safe`` and ``top`` are to be as narrow as can be; else they only tell where the state ends from the pieces' ends.
+    sharp = False
     whole: Pieces
 
     def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
@@ -117,11 +106,8 @@ class Splitting(Claim):
 
     # ---------------------------------------------------------------------------------------------------- decisions
 
-    def settled(self, pieces: Pieces, sharp: bool = False) -> tuple[Pieces, FloatArray]:
-        """The pieces with what is proved of them and with their own beginnings, and how much each free side matters.
-
-        ``sharp`` asks for the narrowest ``safe`` and ``top``; else they only tell where the state ends from the pieces' ends.
-        """
+    def settled(self, pieces: Pieces) -> tuple[Pieces, FloatArray]:
+        """The pieces with what is proved of them and with their own beginnings, and how much each free side matters."""
         tubes, start = self._begun(pieces)
         goal = pieces.high[-1]
         reached = tubes.followed(start, goal, THIN if (pieces.low == pieces.high).all() else WIDE)
@@ -133,7 +119,7 @@ class Splitting(Claim):
         weight += np.where(np.isfinite(moves), moves, 0.0) * width
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:
-            safe[rows], top[rows], moves = passed(tubes[rows], reached[rows], goal[rows], sharp)
+            safe[rows], top[rows], moves = passed(tubes[rows], reached[rows], goal[rows], self.sharp)
             weight[:, rows] = width[:, rows] * moves
         base = pieces.base[np.arange(len(pieces))]
         base.put(start.sure, start[start.sure])

@@ -67,7 +67,7 @@ class _Closed(Claim):
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
         self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), powers)
 
-    def settled(self, parts: Boxes, sharp: bool = False) -> tuple[Boxes, FloatArray]:
+    def settled(self, parts: Boxes) -> tuple[Boxes, FloatArray]:
         holds, weight = self.prove(parts)
         width = parts.high - parts.low
         known = ((width > 0) & (weight > 0)).any(axis=0)

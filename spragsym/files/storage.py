@@ -206,7 +206,7 @@ def _sha256(data: bytes) -> bytes:
 
 # ------------------------------------------------------------------------------------- whole or not at all
 
-_LEFT = re.compile(r"\.spragsym-(\d+)-[0-9a-f]{16}")
+_LEFT = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
 #: Of a temporary file, with the number of its process; and seconds after which a write has ended, wherever its process runs.
 _AGE = 3600.0
 
@@ -323,8 +323,6 @@ def _runs(process: int) -> bool:
         os.kill(process, 0)
     except OSError as error:
         return error.errno != errno.ESRCH
-    except OverflowError:
-        return False
     return True
 
 

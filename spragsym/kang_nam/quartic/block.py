@@ -158,9 +158,8 @@ class Slots:
 
     def padded(self, name: str) -> NDArray[Any]:
         """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the stability, beyond the count."""
-        kind = _TYPES[name]
         nothing = _NOTHING[name]
-        table: NDArray[Any] = np.empty((self.slots, self.size), dtype=kind)
+        table: NDArray[Any] = np.empty((self.slots, self.size), dtype=_TYPES[name])
         table[0] = self.first[name]
         table[1:] = nothing
         for rows, columns in self.further:

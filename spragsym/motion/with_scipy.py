@@ -59,14 +59,14 @@ class _Piece:
 class Flight:
     """The motion of a problem, with derivatives by its start and along ``directions`` of the parameters unless these are None.
 
-    By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are DOP853's dense output, as in the
-    compiled integrator; else a step of its own leads there, as the interpolant is of lower order than the method.
+    By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are DOP853's dense output, and that
+    the absolute tolerance is a thousandth of the relative one, as in the compiled integrator; else a step of its own leads there,
+    as the interpolant is of lower order than the method.
     """
 
     problem: Problem
     directions: FloatArray | None = None
     stiff: bool = False
-    absolute: float = ABSOLUTE
     interpolated: bool = False
 
     def fly(self) -> Passage:
@@ -101,7 +101,7 @@ class Flight:
         from scipy.integrate import DOP853, Radau
 
         rtol = max(self.problem.rtol, IMPLICIT * self.stiff)
-        options: dict[str, Any] = {"rtol": rtol, "atol": rtol * self.absolute, "first_step": first}
+        options: dict[str, Any] = {"rtol": rtol, "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE), "first_step": first}
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
 
     def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
@@ -177,76 +177,61 @@ class Flight:
         return rates
 
     def _levels(self, mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
-        """Levels of all borders and their rates, (borders, 2, …); or how far ``inside`` those of a mode, negative beyond."""
+        """Levels of all borders, and the first coordinate as the last one, with their rates: (borders + 1, 2, …).
+
+        Or how far ``inside`` those of a mode, negative beyond.
+        """
         field, constants = self.problem.field, self.problem.constants
         accelerations = field.acceleration(states, constants, mode, ARRAYS)
-        found = np.empty((len(field.borders), 2, *states.shape[1:]))
-        for row, border in zip(found, field.borders, strict=True):
+        found = np.empty((len(field.borders) + 1, 2, *states.shape[1:]))
+        for row, border in zip(found, field.borders, strict=False):
             sign = border.sign(mode) if inside else 1
             row[0] = sign * border.level(states, constants, mode) + GAP * (inside and border.kink)
             row[1] = sign * border.rate(states, accelerations, constants, mode)
+        found[-1] = states[0], states[len(field.coordinates)]
         return found
+
+    def _at(self, piece: _Piece, inside: bool, row: int, part: int, t: float) -> float:
+        """A level (part 0) or its rate (part 1) at a time within a step."""
+        states = piece.dense(np.asarray(t))[: self.problem.field.size]
+        return float(self._levels(piece.mode, states, inside=inside)[row, part])
 
     def _first_crossing(self, piece: _Piece) -> tuple[float, int] | None:
         """When the motion first leaves its mode, and through which border."""
-
-        def inside(whole: FloatArray) -> FloatArray:
-            return self._levels(piece.mode, whole[: self.problem.field.size], inside=True)
-
-        def border(row: int, part: int, t: float) -> float:
-            """Distance from one of the borders (part 0), or its rate (part 1)."""
-            return float(inside(piece.dense(np.asarray(t)))[row, part])
-
         found = []
-        for row, (distance, rate) in enumerate(inside(piece.samples)):
-            bracket = _bracket(piece.t, distance, rate, partial(border, row))
-            if bracket is not None:
-                found.append((_root(partial(border, row, 0), *bracket), row))
+        levels = self._levels(piece.mode, piece.samples[: self.problem.field.size], inside=True)
+        for row, (distance, rate) in enumerate(levels[:-1]):
+            if distance.min() > np.abs(rate).max() * np.diff(piece.t).max():
+                continue
+            border = partial(self._at, piece, True, row)
+            for i in np.flatnonzero((distance[1:] < 0) | ((rate[:-1] < 0) & (rate[1:] > 0))).tolist():
+                begin, end = piece.t[i : i + 2].tolist()
+                if not distance[i + 1] < 0:  # it may dip below 0 between two points
+                    end = _root(partial(border, 1), begin, end)
+                if distance[i + 1] < 0 or border(0, end) < 0:
+                    found.append((_root(partial(border, 0), begin, end), row))
+                    break
         return min(found, default=None)
 
     def _turns(self, piece: _Piece) -> list[Turn]:
         """Zeros of the rates within a step: of the first coordinate, numbered −1, and of levels where there is a kink."""
         field, found = self.problem.field, list[Turn]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
-
-        def rates(states: FloatArray) -> FloatArray:
-            of_levels = self._levels(piece.mode, states[: field.size])[:, 1]
-            return np.array([*of_levels, states[len(field.coordinates)]])[watched]
-
-        def rate(row: int, t: float) -> float:
-            return float(rates(piece.dense(np.asarray(t)))[row])
-
-        values = rates(piece.samples)
+        values = self._levels(piece.mode, piece.samples[: field.size])[watched, 1]
         for row, i in np.argwhere((values[:, :-1] < 0) != (values[:, 1:] < 0)).tolist():
-            t = _root(partial(rate, row), *piece.t[i : i + 2].tolist())
+            t = _root(partial(self._at, piece, False, watched[row], 1), *piece.t[i : i + 2].tolist())
             found.append(Turn(piece.clock + t, watched[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))
         return sorted(found, key=lambda turn: turn.t)
 
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    return Flight(problem, absolute=1e-3, interpolated=True).motion()
+    return Flight(problem, interpolated=True).motion()
 
 
 def first_step(problem: Problem, mode: Mode) -> float:
     """The length of the first step, as SciPy chooses it."""
-    return float(Flight(problem, absolute=1e-3).solver(mode, np.array(problem.start), problem.t_end).h_abs)
-
-
-def _bracket(
-    grid: FloatArray, value: FloatArray, rate: FloatArray, border: Callable[[int, float], float]
-) -> tuple[float, float] | None:  # fmt: skip
-    """The first interval where ``value`` goes from not negative to negative, dips between points included."""
-    if value.min() > np.abs(rate).max() * np.diff(grid).max():
-        return None
-    for i in range(len(grid) - 1):
-        if value[i + 1] < 0:
-            return float(grid[i]), float(grid[i + 1])
-        if rate[i] < 0 < rate[i + 1]:
-            lowest = _root(partial(border, 1), float(grid[i]), float(grid[i + 1]))
-            if border(0, lowest) < 0:
-                return float(grid[i]), lowest
-    return None
+    return float(Flight(problem, interpolated=True).solver(mode, np.array(problem.start), problem.t_end).h_abs)
 
 
 def _root(function: Callable[[float], float], begin: float, end: float) -> float:

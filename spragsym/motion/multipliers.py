@@ -9,9 +9,8 @@ so that one of 10¹⁰ hides nothing of the others.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -116,6 +115,10 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     return np.concatenate(found).astype(complex)
 
 
+#: Kinds of event that a test function tells.
+CRITERIA = ("fold", "period_doubling", "torus")
+
+
 def _pairs(loop: Loop) -> tuple[Any, Any]:
     """Places of the first and of the second of all pairs of multipliers."""
     return np.triu_indices(len(loop.multipliers.others), 1)
@@ -162,9 +165,3 @@ def is_complex_pair(loop: Loop) -> bool:
         return False
     one = _pairs(loop)[1][int(np.argmin(np.abs(factors)))]
     return bool(abs(found.others[one].imag) > max(1e-9, found.errors[one]))
-
-
-#: Kinds of event that a test function tells.
-CRITERIA: dict[str, Callable[[Loop], float]] = {
-    kind: partial(criterion_of, kind) for kind in ("fold", "period_doubling", "torus")
-}

@@ -14,7 +14,7 @@ from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.integrators import Flow
-from ..motion.multipliers import CRITERIA, unsure
+from ..motion.multipliers import criterion_of, unsure
 from ..motion.shooting import (
     CLOSED,
     LARGEST_GROWTH,
@@ -177,16 +177,16 @@ def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
     """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open."""
-    test, phase, unit = CRITERIA[kind], in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
+    phase, unit = in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
     weights = setting.weights(len(near.states))
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         off, row = phase(loop)
         slope = differences(
-            lambda step: np.array([test(looped(setting.flow, loop.guess.moved(step, setting.free)))]),
+            lambda step: np.array([criterion_of(kind, looped(setting.flow, loop.guess.moved(step, setting.free)))]),
             np.zeros(len(weights)), DIFFERENCE / weights,
         )  # fmt: skip
-        return np.append(off, test(loop) / unit), np.vstack([row, slope / unit])
+        return np.append(off, criterion_of(kind, loop) / unit), np.vstack([row, slope / unit])
 
     return conditions
 

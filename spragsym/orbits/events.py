@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..motion.multipliers import CRITERIA, is_complex_pair, is_lost, unsure
+from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Conditions, Loop, recut, solved
 from .arclength import (
     LOCATED,
@@ -68,8 +68,8 @@ def criterion(kind: str, point: Point) -> float:
     if kind == "fold":
         return turning(point)
     if kind == "crossing":
-        return CRITERIA["fold"](point.loop) * float(np.sign(turning(point)))
-    return CRITERIA[kind](point.loop)
+        return criterion_of("fold", point.loop) * float(np.sign(turning(point)))
+    return criterion_of(kind, point.loop)
 
 
 @dataclass(frozen=True)

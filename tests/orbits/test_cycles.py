@@ -381,9 +381,9 @@ def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
         """Of factors 1 − μ, each over its size."""
         return math.prod(((1 - value) / (1 + abs(value))).real for value in values)
 
-    assert multipliers.CRITERIA["fold"](slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
-    assert multipliers.CRITERIA["period_doubling"](slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
-    assert multipliers.CRITERIA["torus"](slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
+    assert multipliers.criterion_of("fold", slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
+    assert multipliers.criterion_of("period_doubling", slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
+    assert multipliers.criterion_of("torus", slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
 
 
 @pytest.mark.parametrize("large", [1e3, 1e8, 1e10])

@@ -203,15 +203,14 @@ class Sweep(Named):
 
     def outcome(self, index: Any) -> Outcome:
         """What one motion comes to."""
-        names = self.model.components
+        told = {name: float(values[index]) for name, values in self.measured.items()}
         rest, cycle = (
-            tuple(float(self.measured[f"{what}_{name}"][index]) for name in places)
-            for what, places in (("rest", self.model.coordinates), ("cycle", names))
+            tuple(told[f"{what}_{name}"] for name in places if not np.isnan(told[f"{what}_{name}"]))
+            for what, places in (("rest", self.model.coordinates), ("cycle", self.model.components))
         )
-        known = {name: float(self.measured[name][index]) for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")}
+        known = {name: told[name] for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")}
         regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
-        at_rest, on_cycle = not np.isnan(rest[0]), not np.isnan(cycle[0])
-        return Outcome(regime, which, rest if at_rest else (), cycle=cycle if on_cycle else (), names=names, **known)
+        return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **known)
 
     @property
     def _explained(self) -> Mapping[str, tuple[str, str]]:

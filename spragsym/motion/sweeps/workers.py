@@ -176,18 +176,12 @@ def _checked(answer: Any, missing: set[int]) -> Answer:
 
 
 def _answers(workers: Workers, function: Callable[[Task], Answer], tasks: list[Task]) -> Iterator[Any]:
-    if callable(workers):
-        yield from _foreign(workers, function, tasks)
-    elif (size := min(count(workers), len(tasks))) < 2:
-        yield from map(function, tasks)
-    else:
+    if not callable(workers) and (size := min(count(workers), len(tasks))) > 1:
         with pool(size) as own:
             yield from own(function, tasks)
-
-
-def _foreign(workers: Map, function: Callable[[Task], Answer], tasks: list[Task]) -> Iterator[Any]:
+        return
     try:
-        for item in workers(function, tasks):
+        for item in (workers if callable(workers) else map)(function, tasks):
             yield item.result() if hasattr(item, "result") else item
     except SweepError:
         raise

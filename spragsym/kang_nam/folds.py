@@ -140,29 +140,25 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     fixed = {name: balls.exact(exact[name]) for name in NAMES if name != vary}
     c0, s0 = balls.cos_sin(fixed.pop("theta0"))
     others = [fixed[name] for name in NAMES[1:] if name != vary]
-    for direction in _directions(vary, exact, (c0, s0, *others), bits):
-        c, s, _ = on_circle(direction.t)
-        angles = Angles(c, s, c0, s0)
-        u1, w1, u2, w2 = _lines(vary, angles, others)
-        value = -u1 / w1 if sign(w1) else -u2 / w2
-        found = {**fixed, vary: value}
-        for point in in_contact(angles, *(found[name] for name in NAMES[1:])):
-            exactly = replace(point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:]))
-            yield _classified(vary, exactly, angles, direction)
-
-
-def _directions(vary: str, exact: dict[str, Fraction], values: tuple[Interval, ...], bits: int) -> list[_Direction]:
-    """All folds along a parameter other than θ₀, by their directions."""
-    c0, s0, *others = values
     try:
-        polynomial = _eliminated(vary, c0, s0, others)
-        roots = roots_on_the_line(polynomial, bits // 2, positive=True)
-        return [_Direction(root.interval()) for root in roots]
+        roots = roots_on_the_line(_eliminated(vary, c0, s0, others), bits // 2, positive=True)
+        directions = [_Direction(root.interval()) for root in roots]
     except Undecided:
         common = _independent_of_theta0(vary, exact)
         if common is None:
             raise
-        return [direction for _, direction in with_multiplicity(common, _curvature(vary, exact), bits)]
+        directions = [direction for _, direction in with_multiplicity(common, _curvature(vary, exact), bits)]
+    without, change = _parts(vary, c0, s0, others)
+    for direction in directions:
+        c, s, _ = on_circle(direction.t)
+        angles = Angles(c, s, c0, s0)
+        # f and f′ are lines in the parameter that varies.
+        line = kernel.f if sign(kernel.f(c, s, *change)) else kernel.f_slope
+        value = -line(c, s, *without) / line(c, s, *change)
+        found = {**fixed, vary: value}
+        for point in in_contact(angles, *(found[name] for name in NAMES[1:])):
+            exactly = replace(point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:]))
+            yield _classified(vary, exactly, angles, direction)
 
 
 def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence[Any], Sequence[Any]]:
@@ -170,13 +166,6 @@ def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence
     values = list(others)
     values.insert(NAMES.index(vary) - 1, 0 * others[0])
     return kernel.f_along(vary, c0, s0, *values)
-
-
-def _lines(vary: str, angles: Sequence[Any], others: Sequence[Any]) -> tuple[Any, ...]:
-    """f and f′ as lines in the parameter that varies: u₁ + w₁ λ and u₂ + w₂ λ."""
-    c, s, c0, s0 = angles
-    without, change = _parts(vary, c0, s0, others)
-    return kernel.f(c, s, *without), kernel.f(c, s, *change), kernel.f_slope(c, s, *without), kernel.f_slope(c, s, *change)
 
 
 def _eliminated(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> polynomials.Polynomial:

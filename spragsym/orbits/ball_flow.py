@@ -158,12 +158,14 @@ class Balls:
         if smooth.level(border, state) > 0:
             return
         rate = smooth.level_rate(border, state)
-        monotonic = rate > 0 or rate < 0
-        if monotonic and all(smooth.level(border, piece.at(t)) > 0 for t in (begin, end)):
+        if rate > 0 or rate < 0:
+            ends = [smooth.level(border, piece.at(t)) for t in (begin, end)]
+            if any(level < 0 for level in ends):
+                raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
+            if not all(level > 0 for level in ends):
+                raise TooWide(f"that no state meets {border.name} where the cycle does not cross it could not be shown")
             return
         if end - begin < piece.step * SHORTEST:
-            if monotonic:
-                raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
             raise NotProved(
                 f"whether the orbit meets {border.name} could not be decided near one place: it touches it there, or all "
                 "but; at a grazing no number of digits tells: move a parameter"

@@ -47,19 +47,24 @@ LOCATED = 1e-11
 WHOLE, LEAST_SHARE = 2.0, 1e-3
 
 
+def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
+    """The first state stays in the plane across the flow at a loop, through a target."""
+    return across(near, target[: setting.field.size], len(setting.free))
+
+
 @dataclass(frozen=True)
 class Setting:
     """What all points of a branch share: the flow, which parameters are free, and units of the arc's length.
 
-    ``event(setting, loop, target)`` is what holds along a curve of events: the phase, and the test function's equation near a
-    loop.
+    ``holds(setting, loop, target)`` is what holds near a loop besides closing: the phase, in the plane across the flow at that
+    loop, through a target; along a curve of events its test function's equation too.
     """
 
     flow: Flow
     free: tuple[int, ...]
     period: float
     spans: tuple[float, ...]
-    event: Callable[[Setting, Loop, FloatArray], Conditions] | None = None
+    holds: Callable[[Setting, Loop, FloatArray], Conditions] = in_phase
 
     @property
     def field(self) -> Field:
@@ -74,10 +79,6 @@ class Setting:
         """Weights of states, period and parameters in the length of the arc."""
         size = stretches * self.field.size
         return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
-
-    def equations(self, near: Loop, target: FloatArray) -> Conditions:
-        """What holds besides closing: the phase, in the plane across the flow at a loop, through a target; and the event."""
-        return (self.event or in_phase)(self, near, target)
 
 
 @dataclass(frozen=True)
@@ -157,22 +158,16 @@ def level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArra
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
-    weights = setting.weights(len(loop.states))
-    point = Point(setting, loop, directions(setting, loop)[-1] / weights)
-    ahead = point.tangent[-len(setting.free)] if along is None else point.way @ (along * weights)
+    point = Point(setting, loop, directions(setting, loop)[-1] / setting.weights(len(loop.states)))
+    ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.turned(-1.0 if ahead < 0 else 1.0)
 
 
 def directions(setting: Setting, loop: Loop) -> FloatArray:
     """Right singular vectors of the equations' derivative, a row each, in units of the arc; the last ones span its null space."""
-    _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
+    _, rows = setting.holds(setting, loop, loop.guess.coordinates(setting.free))(loop)
     slopes = np.vstack([loop.slopes(len(setting.free)), rows])
     return np.linalg.svd(slopes / setting.weights(len(loop.states)))[2]
-
-
-def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
-    """The first state stays in the plane across the flow at a loop, through a target."""
-    return across(near, target[: setting.field.size], len(setting.free))
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
@@ -196,7 +191,7 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
     setting = point.setting
     guess = point.loop.guess.moved(length * point.tangent, setting.free)
     target, arc = guess.coordinates(setting.free), (point.way * point.weights)[None]
-    others = setting.equations(point.loop, target)
+    others = setting.holds(setting, point.loop, target)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         values, rows = others(loop)
@@ -208,7 +203,7 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
     """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
-    conditions = replace(setting, free=()).equations(loop, loop.guess.coordinates())
+    conditions = setting.holds(replace(setting, free=()), loop, loop.guess.coordinates())
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
@@ -302,7 +297,7 @@ def along(point: Point, value: float) -> Point:
             if point.value == value:
                 break
     except (ConvergenceError, ZeroDivisionError) as error:
-        name, what = setting.field.parameters[setting.free[0]], "cycle" if setting.event is None else "equilibrium"
+        name, what = setting.field.parameters[setting.free[0]], "cycle" if setting.holds is in_phase else "equilibrium"
         raise ConvergenceError(f"the {what} ends near {name} = {point.value:.10g} on the way") from error
     return point
 
@@ -311,7 +306,7 @@ def cut_finer(point: Point) -> Point:
     """The point in more stretches, where the derivatives over one of them have grown large."""
     loop, setting = point.loop, point.setting
     pieces, size = len(loop.states), setting.field.size
-    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES or setting.event is not None:
+    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES or setting.holds is not in_phase:
         return point
     finer = setting.looped(recut(loop, 2 * pieces))
     along = np.zeros(finer.states.shape)

@@ -77,11 +77,9 @@ class CycleEvent(Result):
     value: float
     cycle: Cycle
     error: float
-    how: str = ""
-    border: int = field(default=-1, repr=False)
-    loop: Loop | None = field(default=None, repr=False)
-    crossed: FloatArray | None = field(default=None, repr=False)
-    vary: str = field(default="value", repr=False)
+    how: str
+    vary: str = field(repr=False)
+    found: Finding = field(repr=False)
 
     @property
     def table_model(self) -> Field:
@@ -121,9 +119,9 @@ class CycleBranch(Result):
     places: tuple[int, ...] = field(repr=False)
 
     @property
-    def table_model(self) -> Field | None:
+    def table_model(self) -> Field:
         """It knows whether the parameter is an angle."""
-        return self.cycles.field
+        return self.cycles[0].field
 
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
         """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.
@@ -205,16 +203,18 @@ def cycle_branch(
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
     begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
-    trace = _Trace(started(setting, begun), (low, high), points, longest)
-    back, forth = (list(trace.follow(sign)) for sign in (-1.0, 1.0))
+    start = started(setting, begun)
+    back, forth = (list(_followed(start.turned(sign), (low, high), points, longest)) for sign in (-1.0, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
-    items = [*reversed(back), trace.start, *([] if closed else forth)]
+    items = [*reversed(back), start, *([] if closed else forth)]
     loops, events, places = [], [], []
     for item in items:
         if isinstance(item, Point):
             loops.append(item.loop)
         elif item.kind != "closed":
-            events.append(trace.event(item))
+            loop = item.loop
+            value = loop.values[index] if item.value is None else item.value
+            events.append(CycleEvent(item.kind, value, cycle_of(loop), item.error, item.how, vary, item))
             places.append(len(loops))
     lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
@@ -225,92 +225,76 @@ def cycle_branch(
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class _Trace:
-    """One walk along a branch."""
+def _followed(start: Point, to: tuple[float, float], points: int, longest: float) -> Iterator[Point | Finding]:
+    """Points and findings in one direction, an end the last of them."""
+    seen = [start]  # the last points, as long as they are cut alike
 
-    start: Point
-    to: tuple[float, float]
-    points: int
-    longest: float
+    def ahead(point: Point, length: float) -> Point:
+        with doing("the branch of cycles beside {:.6g}", point.value):
+            return within(point, length, to, min(FAR, SHARE * extent(point.loop)))
 
-    def event(self, found: Finding) -> CycleEvent:
-        """An event as users see it."""
-        (index,) = self.start.setting.free
-        value = found.loop.values[index] if found.value is None else found.value
-        return CycleEvent(
-            found.kind, value, cycle_of(found.loop), found.error, found.how, found.border, found.loop, found.crossed,
-            found.loop.field.parameters[index],
-        )  # fmt: skip
+    def look(point: Point, found: Point, length: float) -> list[Point | Finding]:
+        nonlocal seen
+        if seen[-1] is not point:
+            seen = [point]
+        arc = between(point, found) if found.value in to else length
+        met = meets(point, found)
+        if met is not None and arc > NEAREST * extent(found.loop):
+            raise ConvergenceError("the halves of the orbit meet on the way")
+        merged = None if met is None else halved(point, found, met)
+        if merged is not None:
+            return [Finding("end", *merged, how=MERGES)]
+        items = list[Point | Finding]()
+        for happened in findings(point, found, arc, seen[-2] if len(seen) > 1 else None):
+            if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
+                return [*items, _shrunk(seen)]
+            items.append(happened)
+        if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
+            return [*items, _shrunk(seen)]
+        seen = [point, found]
+        return [*items, found, *_ends(start, point, found, arc, to)]
 
-    def follow(self, direction: float) -> Iterator[Point | Finding]:
-        """Points and findings in one direction, an end the last of them."""
-        start = self.start.turned(direction)
-        seen = [start]  # the last points, as long as they are cut alike
+    try:
+        for items in islice(steps(start, ahead, FIRST, longest, SHORTEST, KINK, look), points):
+            yield from items
+            if isinstance(items[-1], Finding):
+                return
+    except ConvergenceError as error:
+        yield _lost(seen[-1], error)
+        return
+    last = seen[-1]
+    moved = abs(last.value - seen[0].value)
+    yield Finding("end", last.loop, moved, how=f"{points} points were followed")
 
-        def ahead(point: Point, length: float) -> Point:
-            with doing("the branch of cycles beside {:.6g}", point.value):
-                return within(point, length, self.to, min(FAR, SHARE * extent(point.loop)))
 
-        def look(point: Point, found: Point, length: float) -> list[Point | Finding]:
-            nonlocal seen
-            if seen[-1] is not point:
-                seen = [point]
-            arc = between(point, found) if found.value in self.to else length
-            met = meets(point, found)
-            if met is not None and arc > NEAREST * extent(found.loop):
-                raise ConvergenceError("the halves of the orbit meet on the way")
-            merged = None if met is None else halved(point, found, met)
-            if merged is not None:
-                return [Finding("end", *merged, how=MERGES)]
-            items = list[Point | Finding]()
-            for happened in findings(point, found, arc, seen[-2] if len(seen) > 1 else None):
-                if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
-                    return [*items, self._shrunk(seen)]
-                items.append(happened)
-            if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
-                return [*items, self._shrunk(seen)]
-            seen = [point, found]
-            return [*items, found, *self._ends(start, point, found, arc)]
+def _shrunk(seen: Sequence[Point]) -> Finding:
+    """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
+    how, last = "it shrinks onto an equilibrium", seen[-1]
+    if len(seen) == 1:
+        return Finding("end", last.loop, abs(last.value), how=how)
+    first, square = (extent(each.loop) ** 2 for each in seen)
+    off = square * (last.value - seen[0].value) / (square - first)
+    return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
 
-        try:
-            for items in islice(steps(start, ahead, FIRST, self.longest, SHORTEST, KINK, look), self.points):
-                yield from items
-                if isinstance(items[-1], Finding):
-                    return
-        except ConvergenceError as error:
-            yield self._lost(seen[-1], error)
-            return
-        last = seen[-1]
-        moved = abs(last.value - seen[0].value)
-        yield Finding("end", last.loop, moved, how=f"{self.points} points were followed")
 
-    def _shrunk(self, seen: Sequence[Point]) -> Finding:
-        """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-        how, last = "it shrinks onto an equilibrium", seen[-1]
-        if len(seen) == 1:
-            return Finding("end", last.loop, abs(last.value), how=how)
-        first, square = (extent(each.loop) ** 2 for each in seen)
-        off = square * (last.value - seen[0].value) / (square - first)
-        return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
+def _ends(start: Point, point: Point, ahead: Point, length: float, to: tuple[float, float]) -> Iterator[Finding]:
+    """The end of the branch at a point, if it is one."""
+    loop, moved = ahead.loop, abs(ahead.value - point.value)
+    if vertical(point, ahead, length):
+        yield Finding("end", loop, moved, how=VERTICAL)
+    elif ahead.value in to:
+        yield Finding("end", loop, 0.0, how="the range ends")
+    elif loop.period > LONG * point.setting.period and (rest := _rests(loop)):
+        yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=rest)
+    elif point is not start and _passes(start, point, ahead):
+        yield Finding("closed", loop, 0.0)
 
-    def _ends(self, start: Point, point: Point, ahead: Point, length: float) -> Iterator[Finding]:
-        """The end of the branch at a point, if it is one."""
-        loop, moved = ahead.loop, abs(ahead.value - point.value)
-        if vertical(point, ahead, length):
-            yield Finding("end", loop, moved, how=VERTICAL)
-        elif ahead.value in self.to:
-            yield Finding("end", loop, 0.0, how="the range ends")
-        elif loop.period > LONG * point.setting.period and (rest := _rests(loop)):
-            yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=rest)
-        elif point is not start and _passes(start, point, ahead):
-            yield Finding("closed", loop, 0.0)
 
-    def _lost(self, point: Point, error: ConvergenceError) -> Finding:
-        loop = point.loop
-        if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
-            return Finding("homoclinic", loop, 1e-6, how=rest)
-        return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
+def _lost(point: Point, error: ConvergenceError) -> Finding:
+    loop = point.loop
+    if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
+        return Finding("homoclinic", loop, 1e-6, how=rest)
+    return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
 def _passes(start: Point, point: Point, ahead: Point) -> bool:
@@ -364,9 +348,9 @@ class EventCurve(Result):
     cycles: tuple[Cycle, ...] = field(repr=False)
 
     @property
-    def table_model(self) -> Field | None:
+    def table_model(self) -> Field:
         """It knows which parameters are angles."""
-        return self.cycles[0].field if self.cycles else None
+        return self.cycles[0].field
 
 
 def cycle_events(
@@ -409,7 +393,7 @@ def cycle_events(
     >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
     ([43.03, 43.12, 43.21], 0.5)
     """
-    if event.loop is None or event.kind not in (*CRITERIA, "grazing"):
+    if event.kind not in (*CRITERIA, "grazing"):
         raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
     model = event.cycle.field
     for name in vary:
@@ -422,11 +406,12 @@ def cycle_events(
     spans = []
     for name, index in zip(vary, free, strict=True):
         low, high = ranges.get(name, (0.0, 0.0))
-        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.values[index]), NARROWEST))
-    holds = partial(touching, event.border) if event.border >= 0 else partial(at_zero, event.kind)
-    setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans), event=holds)
+        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.found.loop.values[index]), NARROWEST))
+    border, loop = event.found.border, event.found.loop
+    holds = partial(touching, border) if border >= 0 else partial(at_zero, event.kind)
+    setting = Setting(loop.flow, free, event.cycle.period, tuple(spans), holds)
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
-    first = point_of(setting, setting.looped(event.loop.guess))
+    first = point_of(setting, setting.looped(loop.guess))
 
     def ahead(point: Point, length: float) -> Point:
         with doing("the curve of events beside {:.6g}", point.value):

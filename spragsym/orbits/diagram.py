@@ -188,7 +188,7 @@ def diagram(
             try:
                 branches.append(cycle_branch(born, vary, (low, high), points=points))
             except SpragsymError as error:
-                at = At(vary, (float(born.parameters[vary]),), ".10g")
+                at = _at(vary, born.parameters[vary])
                 remarks.append(Remark(f"the cycle of period {born.period:.6g} at {{}} was not followed: {{}}", at, error))
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
@@ -201,8 +201,11 @@ def _left_alone(vary: str, labels: Sequence[Label], known: FloatArray) -> Iterat
     """Hopf points of the motion that are none of the statics', whose friction may be another: none is followed from there."""
     for value in (label.value for label in labels if label.label == "H"):
         if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
-            at = At(vary, (float(value),), ".10g")
-            yield Remark("no cycles were followed from the Hopf point {}: it is the motion's, not the statics'", at)
+            yield Remark("no cycles were followed from the Hopf point {}: it is the motion's, not the statics'", _at(vary, value))
+
+
+def _at(vary: str, value: float) -> At:
+    return At(vary, (float(value),), ".10g")
 
 
 # -------------------------------------------------------------------------------------------------------------- equilibria
@@ -303,8 +306,7 @@ def _cycles(
         try:
             yield cycle(onset=onsets, index=i)
         except SpragsymError as error:
-            at = At(vary, (value,), ".10g")
-            remarks.append(Remark("no cycle was found at the Hopf point {}: {}", at, error))
+            remarks.append(Remark("no cycle was found at the Hopf point {}: {}", _at(vary, value), error))
     for start in starts:
         try:
             yield start if isinstance(start, Cycle) else cycle_near(System.of(p, None), start)
@@ -337,13 +339,12 @@ def _doubled(
                     if to[0] <= doubled.parameters[vary] <= to[1] and not _known(branches[begin:], doubled):
                         branches.append(cycle_branch(doubled, vary, to, points=points))
                 except SpragsymError as error:
-                    at = At(vary, (float(event.value),), ".10g")
-                    remarks.append(Remark("the doubled cycle at {} was not found: {}", at, error))
+                    remarks.append(Remark("the doubled cycle at {} was not found: {}", _at(vary, event.value), error))
 
 
 def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
     for number, branch in enumerate(branches):
         for event in branch.events:
-            kind = "crossing" if event.crossed is not None else event.kind
+            kind = "crossing" if event.found.crossed is not None else event.kind
             if kind in LABELS:
                 yield Label(LABELS[kind], event.value, float(event.cycle.state[0]), "cycles", number)

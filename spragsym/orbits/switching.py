@@ -31,7 +31,7 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     if not any(event is each for each in branch.events):
         raise ParameterError(f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events")
     step = as_number("step", step, POSITIVE)
-    if event.loop is None or not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
+    if not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
         raise ParameterError(
             f"no other branch of cycles begins at a {event.kind}{f' where {event.how}' if event.how else ''}; give a period "
             "doubling, a fold, or an end where two branches meet"
@@ -39,18 +39,19 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     if event.how == MERGES:
         return cycle  # the event holds the cycle of half the period
     index = cycle.field.parameters.index(branch.vary)
-    setting = Setting(event.loop.flow, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
-    if event.kind == "fold" and event.crossed is None:
+    loop, crossed = event.found.loop, event.found.crossed
+    setting = Setting(loop.flow, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
+    if event.kind == "fold" and crossed is None:
         return _beyond(branch, event, step)
     rounds = 2 if event.kind == "period_doubling" else 1
-    point = _aside(point_of(setting, setting.looped(event.loop.guess)), event.crossed, rounds)
+    point = _aside(point_of(setting, setting.looped(loop.guess)), crossed, rounds)
     for size in (step, *STEPS):
         for sign in (1.0, -1.0):
             try:
-                loop = corrected(point, sign * size, reach=20 * size, iterations=12).loop
+                aside = corrected(point, sign * size, reach=20 * size, iterations=12).loop
             except ConvergenceError:
                 continue
-            found = cycle_of(loop)
+            found = cycle_of(aside)
             if rounds - 0.5 < found.period / cycle.period < rounds + 0.5:
                 return found
     raise ConvergenceError(

@@ -210,7 +210,7 @@ class Rest:
 
     def started(self, system: System, state: FloatArray, index: int, span: float) -> Point:
         """An equilibrium of a system as a point from which it is followed in one parameter."""
-        setting = Setting(replace(system.flow, other=self.fly), (index,), 1.0, (span,), event=_of_one_time)
+        setting = Setting(replace(system.flow, other=self.fly), (index,), 1.0, (span,), _of_one_time)
         return started(setting, Guess(state[None], 1.0, system.values))
 
     def at(self, state: FloatArray, constants: tuple[float, ...]) -> tuple[list[float], tuple[float, ...], Mode]:

@@ -26,7 +26,7 @@ from .attractors import Attractor, attractor, followed, followed_cycle, same
 from .branch import cycle_branch
 from .events import MERGES
 from .finding import cycle_at, returns
-from .orbit import same_cycle
+from .orbit import distance, same_cycle
 from .system import JUDGED, PARTED, TOLERANCES, Saddle, System, Verdict, growth_of_cycle, judged, saddle_near, surely
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
@@ -487,7 +487,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
         with suppress(ConvergenceError):
             cycle = cycle_at(system, begin.state, end.t - begin.t)
             growth = growth_of_cycle(cycle)
-            near = float(np.abs(apart(cycle.samples.states.T, begin.state, around)).max(axis=1).min())
+            near = distance(cycle, begin.state)
             if growth is not None and near < CLOSE * extent:
                 return "cycle", cycle.state, growth, near
     return "unknown", states[-1], math.nan, math.nan

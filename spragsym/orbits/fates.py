@@ -30,7 +30,7 @@ from ..results.result import Result
 from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
-from .orbit import NEUTRAL
+from .orbit import NEUTRAL, distance
 from .system import JUDGED, System, Verdict, judged, spectrum
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
@@ -211,10 +211,9 @@ def _near(system: System, end: FloatArray) -> str:
         found = cycle_near(system, end, patient=False)
     except ConvergenceError:
         return "no cycle"
-    away = float(np.abs(found.samples.states - end[:, None]).max(axis=0).min())
     repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + NEUTRAL).any())
     word = "stable" if found.stable else "unstable" if repels else "neither stable nor unstable by its multipliers"
-    return f"a cycle of period {found.period:.6g}, {word}, {away:.2g} away"
+    return f"a cycle of period {found.period:.6g}, {word}, {distance(found, end):.2g} away"
 
 
 class Kind(IntEnum):

@@ -205,7 +205,12 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
     size = max(one.amplitude, other.amplitude)
     if abs(one.period / other.period - 1) >= ALIKE or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= ALIKE * size:
         return False
-    return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)
+    return distance(one, other.state) < ON * size
+
+
+def distance(cycle: Cycle, state: FloatArray) -> float:
+    """How far a state is from the nearest sample of a cycle, but for whole turns."""
+    return float(np.abs(apart(cycle.samples.states.T, state, cycle.field.around)).max(axis=1).min())
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,11 +218,6 @@ class Cycles(Sequence[Cycle]):
     """The cycles that closed loops are, each made when it is asked for first."""
 
     loops: tuple[Loop, ...]
-
-    @property
-    def field(self) -> Field | None:
-        """The model, if there is a cycle."""
-        return self.loops[0].field if self.loops else None
 
     @cached_property
     def _known(self) -> dict[int, Cycle]:

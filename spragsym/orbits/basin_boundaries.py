@@ -150,7 +150,7 @@ def basin_boundary(
     widths = [3.0 if axis < len(model.coordinates) else 1.0 for axis in axes]
     ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
     step, points = as_number("step", step, POSITIVE), as_count("points", points)
-    walk = _Walk(system, known, axes, ranges, step, points)
+    walk = _Walk(system, known, np.eye(len(names))[axes], ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
@@ -206,11 +206,11 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
 
 @dataclass(frozen=True)
 class _Walk:
-    """One curve on the manifold."""
+    """One curve on the manifold, in a plane of which the rows of ``plane`` are the directions."""
 
     system: System
     saddle: Saddle
-    axes: list[int]
+    plane: FloatArray
     to: Any
     step: float
     points: int
@@ -219,7 +219,7 @@ class _Walk:
         """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
         passage = self.system.flow.fly(state, self.system.constants, span)
         measure = self.saddle.measure
-        return float(measure @ (passage.state - self.saddle.state)), (measure @ passage.by_state)[self.axes]
+        return float(measure @ (passage.state - self.saddle.state)), self.plane @ (measure @ passage.by_state)
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
         """A first point, along the first direction of the plane, between starts that leave to different sides."""
@@ -229,15 +229,13 @@ class _Walk:
         ways = np.linspace(low, high, 121)
 
         def at(way: float) -> FloatArray:
-            there = state.copy()
-            there[self.axes[0]] = way
-            return there
+            return np.where(self.plane[0], way, state)
 
         sides = [self.leaves(at(way))[0] for way in ways]
         changes = [i for i in range(len(ways) - 1) if sides[i] * sides[i + 1] < 0]
         if not changes:
             raise ConvergenceError("no start in that line of the plane leaves the saddle to the other side; give another start")
-        for near in sorted(changes, key=lambda i: abs(ways[i] - self.saddle.state[self.axes[0]])):
+        for near in sorted(changes, key=lambda i: abs(ways[i] - self.plane[0] @ self.saddle.state)):
             begun = at(bisect(lambda way: self.leaves(at(way))[0], ways[near], ways[near + 1], xtol=NEAR * (high - low)))
             for span in (0.75 * self.leaves(begun)[1], 3 / self.saddle.growth):
                 with suppress(ConvergenceError):  # a side that changes because a motion turns late is no boundary
@@ -273,8 +271,7 @@ class _Walk:
                 change = -value / along
                 if abs(change) > min(FARTHEST, max(10 * before, 1e-4)):
                     raise ConvergenceError("the boundary is not near")
-                state = state.copy()
-                state[self.axes] += change * direction
+                state = state + change * direction @ self.plane
                 if abs(change) < SETTLED:
                     return state, max(abs(change), 1e-15), span
                 if abs(change) < 0.1 * first < np.inf:
@@ -292,13 +289,12 @@ class _Walk:
             normal = slope / np.linalg.norm(slope)
             along = np.array([-normal[1], normal[0]])
             along = along * sign if way is None else along * np.sign(along @ way)
-            guess = state.copy()
-            guess[self.axes] += step * along
+            guess = state + step * along @ self.plane
             try:
                 seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
-                moved = (ahead - state)[self.axes]
+                moved = self.plane @ (ahead - state)
                 if moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step:
                     raise ConvergenceError("farther off the tangent it is another fold of the manifold")
             except ConvergenceError:
@@ -306,7 +302,7 @@ class _Walk:
                 if step < 1e-4:
                     return found, "it could not be followed farther"
                 continue
-            if not all(low <= ahead[axis] <= high for axis, (low, high) in zip(self.axes, self.to, strict=True)):
+            if not all(low <= place <= high for place, (low, high) in zip(self.plane @ ahead, self.to, strict=True)):
                 return found, "the range ends"
             found.append((ahead, error))
             state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
@@ -325,6 +321,6 @@ class _Walk:
 
     def sides(self, state: FloatArray, span: float, aside: float) -> list[Verdict]:
         """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
-        normal, across = self.off(state, span)[1], np.zeros_like(state)
-        across[self.axes] = aside * normal / np.linalg.norm(normal)
+        _, normal = self.off(state, span)
+        across = aside * normal / np.linalg.norm(normal) @ self.plane
         return [_surely(self.system, start) for start in (state - across, state + across)]

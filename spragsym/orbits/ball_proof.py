@@ -222,17 +222,13 @@ def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
     trivial = [value for value in eigenvalues if (value - 1).contains(0)]
     others = [value for value in eigenvalues if not (value - 1).contains(0)]
     others.sort(key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
-    stable = None
-    if len(trivial) == 1 and all(abs(value) < 1 for value in others):
-        stable = True
-    elif len(trivial) == 1 and any(abs(value) > 1 for value in others):
-        stable = False
+    inside, outside = all(abs(value) < 1 for value in others), any(abs(value) > 1 for value in others)
     return {
         "multipliers": [
             [spoken(value.real), spoken(value.imag), max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction)]
             for value in [*trivial, *others]
         ],
-        "stable": stable,
+        "stable": inside if len(trivial) == 1 and (inside or outside) else None,
     }
 
 

@@ -119,13 +119,14 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]:
     )
     if sides != (1, -1):
         return
+    leaning = _catastrophe.cusp_point(s, *values)[1] if alpha else zero
     upright = abs(sine.root.low) == abs(sine.root.high) == 1
     width = zero if upright else balls.sqrt(1 - s * s)
     flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
     for c in (width,) if upright else (width, -width):
         if alpha:
-            cosines = [_catastrophe.cusp_point(s, *values)[1] * c]
+            cosines = [leaning * c]
         else:
             gap = 1 - s0 * s0
             inside = sign_of(gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp")

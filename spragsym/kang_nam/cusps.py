@@ -15,7 +15,7 @@ from ..numerics.polynomials import ChartRoot, roots_on_the_line
 from ..questions import NotInClosedForm
 from ..results.points import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import Angles, ExactRoot, Point, in_contact, listed
+from .folds import Angles, ExactRoot, Point, in_contact, listed, unfolded
 from .kernel import FIXED
 
 
@@ -168,7 +168,5 @@ def is_versal(point: Point) -> bool:
 
     f‴ ≠ 0 on every cusp: of the four roots of f in t, whose product is −1, three are equal, and the other has the other sign.
     """
-    theta0, mu0, *values = point.parameters
-    angles = Angles(*balls.cos_sin(point.theta), *balls.cos_sin(theta0))
-    (f_theta0, slope_theta0), (f_mu, slope_mu), *_ = _catastrophe.unfolding(*angles, mu0, *values)
-    return sign(f_theta0 * slope_mu - f_mu * slope_theta0) != 0
+    theta0, *values = point.parameters
+    return sign(unfolded(Angles(*balls.cos_sin(point.theta), *balls.cos_sin(theta0)), *values)) != 0

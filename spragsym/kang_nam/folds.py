@@ -334,6 +334,12 @@ class ExactRoot:
         return sign_or_zero(value, what, vanishes)
 
 
+def unfolded(angles: Angles, *values: Interval) -> Interval:
+    """f_θ₀ f′_μ₀ − f_μ₀ f′_θ₀: not 0 on a cusp that (θ₀, μ₀) unfold fully."""
+    (by_angle, slope_by_angle), (by_friction, slope_by_friction), *_ = _catastrophe.unfolding(*angles, *values)
+    return by_angle * slope_by_friction - by_friction * slope_by_angle
+
+
 def in_contact(angles: Angles, *values: Interval) -> Iterator[Point]:
     """The point at μ₀, κ, α, σ, β with its state, if it is in contact with L > 0."""
     L, x, y = kernel.state_of(*angles, *values[1:])

@@ -15,7 +15,7 @@ from ..questions import NotInClosedForm
 from ..results.paths import LowestEnd
 from . import kernel
 from .cusps import proved_cusps
-from .folds import Angles, ExactRoot, Point, in_contact, with_multiplicity
+from .folds import Angles, ExactRoot, Point, in_contact, unfolded, with_multiplicity
 from .kernel import FIXED
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
@@ -139,7 +139,6 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         curvature = kernel.f_curvature(c, s, *kernel.f_coefficients(angles.c0, angles.s0, mu0, *values, 1))
         end = sign(curvature) if direction.multiplicity > 1 else decided(curvature, "f″ = 0 on a fold at θ₀ = 0")
         if end == 0:
-            (by_angle, slope), (by_friction, other), *_ = _catastrophe.unfolding(*angles, mu0, *values)
-            end = -decided(by_friction * slope - by_angle * other, "how a cusp at θ₀ = 0 opens")
+            end = decided(unfolded(angles, mu0, *values), "how a cusp at θ₀ = 0 opens")
         if end < 0 and decided(mu0, "μ₀ = 0 on a fold at θ₀ = 0") > 0:
             yield from in_contact(angles, mu0, *values)

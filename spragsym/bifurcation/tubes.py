@@ -89,15 +89,18 @@ class Place(ByColumn):
     """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
 
     Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
-    within ``held`` of the middle. ``z``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N);
-    ``sure`` where it is proved.
+    within ``held`` of the middle. A tube has its states about z + a s + D (p − c) for all |s| ≤ moved: ``along`` are its slopes
+    a by the pivot; of a place ``moved`` is 0. ``z``, ``along``, ``held``, ``off`` and ``room`` have the shape (n + 1, N),
+    ``moved`` (N,), ``by_p`` (n + 1, free, N); ``sure`` where it is proved.
     """
 
     z: FloatArray
+    along: FloatArray
+    moved: FloatArray
+    by_p: FloatArray
     held: FloatArray
     off: FloatArray
     room: FloatArray
-    by_p: FloatArray
     sure: BoolArray
 
     @property
@@ -106,12 +109,9 @@ class Place(ByColumn):
         return self.z[-1]
 
     def box(self) -> Intervals:
-        """All states there."""
-        return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
-
-    def region(self) -> Region:
-        """The region over which slopes are evaluated."""
-        return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
+        """All states there; what does not leave the middle is a point."""
+        wide = self.held + np.where(self.held > 0, np.spacing(np.abs(self.z) + self.held), 0.0)
+        return Intervals(np.stack([-self.z, self.z]) + wide)
 
     def lies_in(self, other: Place, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
         """Whether its states are those of another place, which holds for all its parameters: by their coordinates.
@@ -123,21 +123,6 @@ class Place(ByColumn):
         within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
         return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
 
-
-@dataclass(frozen=True)
-class Region(ByColumn):
-    """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.
-
-    ``middle``, ``along`` and ``off`` have the shape (n + 1, N), ``moved`` (N,), ``by_p`` (n + 1, free, N).
-    """
-
-    box: Intervals
-    middle: FloatArray
-    along: FloatArray
-    moved: FloatArray
-    by_p: FloatArray
-    off: FloatArray
-
     def numbers(self, apart: FloatArray) -> list[Affine]:
         """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
         size, free, count = self.by_p.shape
@@ -145,7 +130,7 @@ class Region(ByColumn):
         for i in range(size):
             terms = np.zeros((1 + free + size, count))
             terms[0], terms[1 : 1 + free], terms[1 + free + i] = self.along[i] * self.moved, self.by_p[i] * apart, self.off[i]
-            found.append(Affine(self.middle[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
+            found.append(Affine(self.z[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
         return found
 
 
@@ -164,16 +149,16 @@ class Slopes:
         """A number of the type as an interval."""
         return value if self.Y is None else value.interval()
 
-    def left(self, forces: Intervals, region: Region, apart: FloatArray) -> list[Intervals]:
+    def left(self, forces: Intervals, tube: Place, apart: FloatArray) -> list[Intervals]:
         """F(m, c) and what is left of the changes along a tube and across the box of its parameters, by row."""
         if self.Y is not None:
             forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
-        moved, strayed = (Intervals(np.stack([part, part])) for part in (region.moved, apart))
+        moved, strayed = (Intervals(np.stack([part, part])) for part in (tube.moved, apart))
         left = []
         for i, row in enumerate(self.rows):
-            total = forces[i] + self.taken(self.image(i, region.along)) * moved
+            total = forces[i] + self.taken(self.image(i, tube.along)) * moved
             for k, reach in enumerate(strayed):
-                change = self.image(i, region.by_p[:, k], row[len(region.along) + k])
+                change = self.image(i, tube.by_p[:, k], row[len(tube.along) + k])
                 total = total + self.taken(change) * reach
             left.append(total)
         return left
@@ -214,10 +199,6 @@ class Tubes(ByColumn):
         centre = fixed[[balance.parameters.index(name) for name in free]]
         return cls(balance, vary, free, balance.n, fixed, centre, np.zeros_like(centre))
 
-    def middles(self) -> Self:
-        """The same at the midpoints of the boxes."""
-        return replace(self, half=np.zeros_like(self.half))
-
     @property
     def n(self) -> int:
         """How many coordinates there are, which is also the index of the parameter that varies."""
@@ -236,10 +217,10 @@ class Tubes(ByColumn):
     # --------------------------------------------------------------------------------------------------- evaluation
 
     def _bounds(self, v: Intervals) -> Intervals:
-        low, high, span = self.fixed.copy(), self.fixed.copy(), self._span()
-        low[self.moving], high[self.moving] = np.vstack([span.low, v.low]), np.vstack([span.high, v.high])
+        ends = np.stack([-self.fixed, self.fixed])
+        ends[:, self.moving] = np.concatenate([self._span().ends, v.ends[:, None]], axis=1)
         with np.errstate(all="ignore"):
-            return self.balance.prepared(Intervals.between(low, high))
+            return self.balance.prepared(Intervals(ends))
 
     def _span(self) -> Intervals:
         wide = np.where(self.half > 0, self.half * UP + np.spacing(np.abs(self.centre)), 0.0)
@@ -251,23 +232,23 @@ class Tubes(ByColumn):
         with np.errstate(all="ignore"):
             return matrix(self._rows(at), at.shape)
 
-    def over(self, region: Region) -> Slopes:
-        """Slopes over regions, affine where parameters have a width.
+    def over(self, tube: Place) -> Slopes:
+        """Slopes over places or tubes, affine where parameters have a width.
 
         Those are multiplied by the inverse of their midpoints for all unknowns but the pivot, before they become intervals.
         """
         shape = self.half.shape[1:]
         if not self.half.any():
-            return Slopes([*self.slopes(region.box)], Intervals(np.zeros((2, *shape))))
+            return Slopes([*self.slopes(tube.box())], Intervals(np.zeros((2, *shape))))
         with np.errstate(all="ignore"):
-            rows, zero, n = self.affine_slopes(region), Affine(np.zeros(shape), np.zeros((1, *shape))), range(self.n)
+            rows, zero, n = self.affine_slopes(tube), Affine(np.zeros(shape), np.zeros((1, *shape))), range(self.n)
             Y = contractors.inverse(filled([[getattr(row[j], "value", row[j]) for j in self.others] for row in rows], shape))
             return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
 
-    def affine_slopes(self, region: Region) -> list[list[Any]]:
+    def affine_slopes(self, tube: Place) -> list[list[Any]]:
         """Slopes in affine arithmetic, by row and column."""
         apart, shape = self.apart(), self.half.shape[1:]
-        z = region.numbers(apart)
+        z = tube.numbers(apart)
         fixed = zip(self.balance.parameters, self.fixed, strict=True)
         values: dict[str, Any] = {name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed}
         for k, name in enumerate(self.free):
@@ -276,13 +257,13 @@ class Tubes(ByColumn):
             values[name] = Affine(self.centre[k], terms)
         values[self.vary] = z[-1]
         at = self.balance.at(z[:-1], self.balance.arguments_of(values, AFFINE), xp=AFFINE)
-        return self._rows(replace(at, turnings=self._turnings(region)))
+        return self._rows(replace(at, turnings=self._turnings(tube.box())))
 
-    def _turnings(self, region: Region) -> list[Affine]:
+    def _turnings(self, box: Intervals) -> list[Affine]:
         """Angles of torsion springs, from intervals."""
         if not self.balance.torsions:
             return []
-        found = self.balance.state(region.box[:-1], self._bounds(region.box[-1])).directions
+        found = self.balance.state(box[:-1], self._bounds(box[-1])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, at: State) -> list[list[Any]]:
@@ -302,7 +283,7 @@ class Tubes(ByColumn):
 
     def _forces(self, z: FloatArray) -> Intervals:
         """Enclosed, in the middle of the boxes."""
-        bounds = self.middles()._bounds(Intervals.point(z[-1]))
+        bounds = replace(self, half=np.zeros_like(self.half))._bounds(Intervals.point(z[-1]))
         at = self.balance.state(Intervals.point(z[:-1]), bounds, self.balance.anywhere)
         with np.errstate(all="ignore"):
             return stacked(at.rows("forces"), at.shape)
@@ -348,12 +329,11 @@ class Tubes(ByColumn):
         ``like`` is a place near by, which tells how far from the middle states may lie.
         """
         z = self.corrected(z)
-        zero, by_p = np.zeros_like(z), self._across(z)
+        zero = np.zeros_like(z)
         beside = zero if like is None else like.off * self.half.any(axis=0)
-        sure, room, held, off = self._one_state(z, zero, by_p, np.zeros(z.shape[1]), beside)
-        return Place(z, held, off, room, by_p, sure)
+        return self._one_state(z, zero, self._across(z), zero[0], beside)
 
-    def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Region]:
+    def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
         """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
         end = self.place(z, start)
         z = end.z
@@ -367,10 +347,8 @@ class Tubes(ByColumn):
         middle, half = 0.5 * (begin + z), 0.5 * np.abs(z - begin)[pivot]
         by_p = self._across(middle)
         beside = np.maximum(*(self._beside(one, middle, along, by_p) for one in (start, end)))
-        sure, _, held, off = self._one_state(middle, along, by_p, half, beside)
-        tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
-        region = Region(tube, middle, along, self._moved(middle, half), by_p, off)
-        return sure & end.sure & start.sure & (np.abs(way) >= wide), end, region
+        tube = self._one_state(middle, along, by_p, half, beside)
+        return tube.sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
 
     def _beside(self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray) -> FloatArray:
         """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
@@ -382,53 +360,41 @@ class Tubes(ByColumn):
         out[pivot] = 0.0
         return np.where(np.isfinite(out), out, np.inf)
 
-    def _moved(self, middle: FloatArray, half: FloatArray) -> FloatArray:
-        """How far the pivot's values lie from the middle, which is rounded."""
-        return np.where(half > 0, half * UP + np.spacing(np.abs(middle[self.pivot]) + half), 0.0)
+    def _one_state(self, z: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, beside: FloatArray) -> Place:
+        """Boxes that hold one state, in contact, for each value of the pivot and of the parameters, where that is proved.
 
-    def _one_state(
-        self, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, beside: FloatArray
-    ) -> tuple[BoolArray, FloatArray, FloatArray, FloatArray]:  # fmt: skip
-        """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
-
-        They hold what lies within ``beside`` of where their middles move. Beside it how far from there a state is alone, and how
-        far from the middles, and from where these move, states lie at most.
+        They hold what lies within ``beside`` of where their middles move; ``half`` is how far the pivot does.
         """
-        others, moved, forces = self.others, self._moved(middle, half), self._forces(middle)
+        others, forces = self.others, self._forces(z)
+        moved = np.where(half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0)  # the middle is rounded
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * UP
-        least = 2 * NARROW * np.maximum(1.0, np.abs(middle[others]))
+        least = 2 * NARROW * np.maximum(1.0, np.abs(z[others]))
         reach = np.maximum(least, (1 + ROOM) * beside[others] * self.half.any(axis=0))
-        room, held, off = np.zeros_like(middle), swing.copy(), np.zeros_like(middle)
-        most, sure = np.zeros_like(reach), np.zeros(half.size, dtype=np.bool_)
-        open_ = ~sure
+        most, rows = np.zeros_like(reach), np.arange(half.size)
+        out = Place(z, along, moved, by_p, swing.copy(), np.zeros_like(z), np.zeros_like(z), np.zeros(half.size, dtype=np.bool_))
         for _ in range(INFLATIONS):
-            rows = np.flatnonzero(open_)
             if not rows.size:
                 break
-            m, alone = middle[:, rows], beside[:, rows].copy()
-            alone[others] = np.maximum(reach[:, rows], alone[others])
-            size = swing[:, rows] + alone
-            box = Intervals(np.stack([-m, m]) + size + np.where(size > 0, np.spacing(np.abs(m) + size), 0.0))
-            region = Region(box, m, along[:, rows], moved[rows], by_p[:, :, rows], alone)
-            some = self[rows]
-            slopes = some.over(region)
+            alone = beside[:, rows]
+            alone[others] = np.maximum(reach, alone[others])
+            some, tried = self[rows], replace(out[rows], held=swing[:, rows] + alone, off=alone)
+            slopes = some.over(tried)
             with np.errstate(all="ignore"):
-                step = slopes.newton(slopes.left(forces[:, rows], region, some.apart()), others, reach[:, rows])
+                step = slopes.newton(slopes.left(forces[:, rows], tried, some.apart()), others, reach)
             good = np.isfinite(step).all(axis=(0, 1))
-            done = good & contractors.inside(step, np.stack([reach[:, rows]] * 2))
+            done = good & contractors.inside(step, np.stack([reach, reach]))
             if done.any():
-                here = rows[done]
-                bounds = some[done]._bounds(box[:, done][-1])
-                sure[here] = on_side(self.balance, bounds, box.ends[:, :-1, done])[0]
-                room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
-            open_[rows[done | ~good]] = False
-            reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.maximum(*np.abs(step)))
-        held[others], off[others] = (swing[others] + most) * UP, most * UP
-        return sure, room, held, off
+                here, box = rows[done], tried[done].box()
+                out.sure[here] = on_side(self.balance, some[done]._bounds(box[-1]), box.ends[:, :-1])[0]
+                out.room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
+            left = good & ~done
+            rows, reach = rows[left], (1 + ROOM) * np.maximum(reach, np.maximum(*np.abs(step)))[:, left]
+        out.held[others], out.off[others] = (swing[others] + most) * UP, most * UP
+        return out
 
-    def rises(self, region: Region, by_s: FloatArray) -> FloatArray:
-        """Sign of dv/ds for all states in regions, 0 where it is not known; ``by_s`` is about dz/ds."""
-        slopes, size, direction = self.over(region), np.abs(by_s[-1]), by_s.copy()
+    def rises(self, tube: Place, by_s: FloatArray) -> FloatArray:
+        """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is about dz/ds."""
+        slopes, size, direction = self.over(tube), np.abs(by_s[-1]), by_s.copy()
         direction[self.pivot] = 0.0
         known, reach = np.zeros(size.shape, dtype=np.bool_), np.tile(0.1 * size + TINY, (self.n, 1))
         with np.errstate(all="ignore"):

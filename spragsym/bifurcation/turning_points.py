@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Self
 
 import numpy as np
 
@@ -30,18 +29,12 @@ CLOSE, SHARP = 0.05, 2.0**-12
 
 @dataclass(frozen=True)
 class Turned(ByColumn):
-    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there; ``sure`` where that is proved."""
+    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: nothing is said but where it is ``sure``."""
 
     z: FloatArray
     low: FloatArray
     high: FloatArray
     sure: BoolArray
-
-    @classmethod
-    def nowhere(cls, z: FloatArray) -> Self:
-        """Results at ``z`` of which no fold is proved."""
-        low, high = np.full((2, z.shape[1]), np.nan)
-        return cls(z.copy(), low, high, np.zeros(z.shape[1], dtype=np.bool_))
 
 
 def turned(tubes: Tubes, start: Place, forward: int, segments: int = SEGMENTS) -> Turned:
@@ -51,12 +44,14 @@ def turned(tubes: Tubes, start: Place, forward: int, segments: int = SEGMENTS) -
     segments that shrink towards it are proved to hold the curve, v moving on in all of them, and a last one across the fold,
     beyond which v goes back: the fold is in that one, and its ends bound v.
     """
-    out = Turned.nowhere(start.z)
+    low, high = np.full((2, start.sure.size), np.nan)
+    out = Turned(start.z.copy(), low, high, np.zeros(low.size, dtype=np.bool_))
     for some, here, rows, by_v in pivots(tubes, start):
-        towards = forward * np.sign(by_v)
+        moving = np.sign(by_v)
+        towards = forward * moving
         z, met = secants(some, here.z, towards)
         met &= (z - here.z)[some.pivot] * towards > 0
-        out.put(rows[met], _proved(some[met], here[met], z[:, met], towards[met], forward, segments))
+        out.put(rows[met], _proved(some[met], here[met], z[:, met], moving[met], forward, segments))
     return out
 
 
@@ -65,16 +60,16 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
     out = start[np.arange(start.sure.size)]
     out.sure[:] = False
     for some, here, rows, by_v in pivots(tubes, start):
-        begin, towards = start.v[rows], forward * np.sign(by_v)
+        begin, moving = start.v[rows], np.sign(by_v)
         by_s = some.tangents(here.z)[0]
         step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * size_of(here.z[some.pivot]))
-        goal, least, moving = begin + forward * by[rows], SMALLEST * step, forward * towards
-        open_ = some.rises(here.region(), by_s) == moving
+        goal, least = begin + forward * by[rows], SMALLEST * step
+        open_ = some.rises(here, by_s) == moving
         for _ in range(STEPS):
             on = np.flatnonzero(open_ & ((goal - here.v) * forward > 0) & (step > least))
             if not on.size:
                 break
-            good = _moved_on(some, here, by_s, on, towards * step, moving)
+            good = _moved_on(some, here, by_s, on, forward * moving * step, moving)
             step[on] *= np.where(good, 1.5, 0.25)
         here.sure[:] = open_ & (here.v != begin)
         out.put(rows, here)
@@ -109,7 +104,7 @@ def _passed(
     by_s, by_p = tubes.tangents(start.z)
     safe, top, highest = start.v.copy(), np.full(goal.size, np.inf), np.full(goal.size, -np.inf)
     moves = np.abs(by_p[-1])
-    open_ = tubes.rises(start.region(), by_s) == towards
+    open_ = tubes.rises(start, by_s) == towards
     rising = open_.copy()
     # All states of the place lie within the first segment.
     here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[tubes.pivot])
@@ -121,7 +116,7 @@ def _passed(
         good, end, tube = some.segment(at, at.z + by_s[:, rows] * (towards * step)[rows])
         up = np.zeros(rows.size, dtype=np.bool_)
         up[good] = some[good].rises(tube[good], by_s[:, rows[good]]) == towards[rows[good]]
-        good &= np.where(rising[rows], up, tube.box.high[-1] < goal[rows])
+        good &= np.where(rising[rows], up, tube.box().high[-1] < goal[rows])
         # Near its fold v is as wide as the parts make it: there is no nearer.
         near = NEAR * (goal[rows] - at.v)
         if sharp:
@@ -138,8 +133,8 @@ def _passed(
         ends = end.box()[-1]
         safe[rows] = np.where(rising[rows], ends.low, safe[rows])
         # While v rises it is highest at the end.
-        highest[rows] = np.maximum(highest[rows], np.where(rising[rows], ends.high, tube.box.high[-1]))
-        falls = some.rises(end.region(), by_s[:, rows]) == -towards[rows]
+        highest[rows] = np.maximum(highest[rows], np.where(rising[rows], ends.high, tube.box().high[-1]))
+        falls = some.rises(end, by_s[:, rows]) == -towards[rows]
         top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
         open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
     return safe, top, moves
@@ -175,12 +170,11 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
     return z, near & np.isfinite(z).all(axis=0)
 
 
-def _proved(tubes: Tubes, here: Place, fold: FloatArray, towards: FloatArray, forward: int, segments: int) -> Turned:
+def _proved(tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int, segments: int) -> Turned:
     """Between which values v lies where it turns back, and whether that is proved."""
-    out, last, moving = Turned.nowhere(fold), LAST * size_of(fold[tubes.pivot]), forward * towards
     by_s = tubes.tangents(here.z)[0]
-    open_ = tubes.rises(here.region(), by_s) == moving
-    share = np.full(last.size, SHARE)
+    open_ = tubes.rises(here, by_s) == moving
+    last, share = LAST * size_of(fold[tubes.pivot]), np.full(moving.size, SHARE)
     for _ in range(segments):
         rest = (fold - here.z)[tubes.pivot]
         rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > LEAST_SHARE))
@@ -188,15 +182,12 @@ def _proved(tubes: Tubes, here: Place, fold: FloatArray, towards: FloatArray, fo
             break
         good = _moved_on(tubes, here, by_s, rows, share * rest, moving)
         share[rows] = np.where(good, np.minimum(1.1 * share[rows], SHARE), 0.6 * share[rows])
-    rows = np.flatnonzero(open_ & (np.abs((fold - here.z)[tubes.pivot]) <= last))
-    if rows.size:
-        some, at, z = tubes[rows], here[rows], fold[:, rows]
-        good, end, tube = some.segment(at, z + (z - at.z))
-        good &= some.rises(end.region(), some.tangents(end.z)[0]) == -moving[rows]
-        reached, ends = at.box()[-1], tube.box[-1]
-        low, high = (reached.low, ends.high) if forward > 0 else (ends.low, reached.high)
-        out.put(rows, Turned(z, low, high, good))
-    return out
+    open_ &= np.abs((fold - here.z)[tubes.pivot]) <= last
+    good, end, tube = tubes.segment(here, fold + (fold - here.z))
+    good &= open_ & (tubes.rises(end, tubes.tangents(end.z)[0]) == -moving)
+    reached, ends = here.box()[-1], tube.box()[-1]
+    low, high = (reached.low, ends.high) if forward > 0 else (ends.low, reached.high)
+    return Turned(fold, low, high, good)
 
 
 def _moved_on(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.tubes import Region, Tubes
+from spragsym.bifurcation.tubes import Place, Tubes
 from spragsym.design.tube_certificates import Splitting
 from spragsym.models.quantities import Unit
 from spragsym.numerics import contractors
@@ -27,7 +27,7 @@ BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] =
 )
 
 
-def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]) -> tuple[Splitting, Tubes, Region]:
+def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]) -> tuple[Splitting, Tubes, Place]:
     """States about one of the middle of a box, moved along and across at random."""
     model, rng = ss.load(name).search, np.random.default_rng(2)
     low, high = (model.Parameters(**{key: ends[side] for key, ends in ranges.items()}) for side in (0, 1))
@@ -42,7 +42,7 @@ def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str
     off[-1] = 0.0
     moved, apart = np.full(1, 0.02), tubes.apart()
     size = np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1) + off
-    return box, tubes, Region(Intervals.between(z - 1.001 * size, z + 1.001 * size), z, along, moved, by_p, off)
+    return box, tubes, Place(z, along, moved, by_p, 1.001 * size, off, off, np.ones(1, dtype=np.bool_))
 
 
 @pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
@@ -56,14 +56,14 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
     ends = [rng.choice([-1.0, 1.0], (size, count)) * rng.choice([1.0, 0.3], count) for size in (1, len(box.free), tubes.n + 1)]
     p = tubes.centre + tubes.half * ends[1]
     z = (
-        region.middle
+        region.z
         + region.along * region.moved * ends[0]
         + region.by_p[..., 0] @ (tubes.half * ends[1])
         + region.off * ends[2]
     )
     points = replace(tubes, fixed=np.repeat(tubes.fixed, count, axis=1), centre=p, half=np.full_like(p, 1e-9))
     sampled = points.floats(z)[1]
-    intervals = tubes.slopes(region.box)
+    intervals = tubes.slopes(region.box())
     assert (intervals.low <= sampled).all()
     assert (sampled <= intervals.high).all()
     for rows, columns in zip(tubes.affine_slopes(region), sampled, strict=True):
@@ -80,7 +80,7 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
 def test_slopes_by_units_are_those_of_the_forces() -> None:
     """By differences: of a parameter at the units' base values, and of a unit on which several depend."""
     _, tubes, region = region_of(*BOXES[-1])
-    z, step = region.middle, 1e-5
+    z, step = region.z, 1e-5
     _, slopes = tubes.floats(z)
     for k in range(len(tubes.free)):
         sides = []

@@ -17,12 +17,11 @@ from ..numerics import certified_roots
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated
 from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
-from ..numerics.precise_roots import as_intervals, narrowed
 from ..questions import Method, question
 from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
-from ..statics.precise_balance import ROOT_BITS, on_its_side
+from ..statics.precise_balance import TOLERANCE, clusters, on_its_side, refined
 from ..statics.search import seen
 from ..statics.stability import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
 from .defining_systems import (
@@ -66,8 +65,6 @@ HALVINGS = 40
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
 _Part: TypeAlias = tuple[Found, list[str], list[float]]
-#: An onset that floats see: coordinates, parameter and the frequency, NaN where none was followed, shape (n + 2,).
-Sighting: TypeAlias = FloatArray
 
 
 @question
@@ -137,29 +134,28 @@ def flutter_onsets(
         damping = is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
     conservative = is_conservative(balance, over)
-    sought: list[tuple[Any, str, Frequencies]]
+    sought: list[tuple[Any, Frequencies]]
     if not damping:
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
-        sought = [(None if conservative else FLUTTER, "flutter", meeting)]
+        sought = [(None if conservative else FLUTTER, meeting)]
     elif only is None or balance.n == 1:
-        sought = [(HOPF, "hopf", crossing)]
+        sought = [(HOPF, crossing)]
     else:
         # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
-        sought = [] if conservative else [(undamped_mode(only), "hopf", partial(_without, only))]
+        sought = [] if conservative else [(undamped_mode(only), partial(_without, only))]
         if slope is None:
-            sought.append((no_damping(only), "hopf", every))
+            sought.append((no_damping(only), every))
         elif conservative or slope.holds_zero().any():
-            sought.append((NO_SLOPE, "hopf", every))
-    parts, seen = list[_Part](), list[_Part]()
-    for condition, kind, frequencies in sought:
+            sought.append((NO_SLOPE, every))
+    parts = list[_Part]()
+    for condition, frequencies in sought:
         out = nothing(family) if condition is None else search(family, condition)
         if out.roots.left.shape[2]:
             out, more, omega = with_seen(Augmented(family, condition), out)
             alone = replace(out, roots=more)
             followed = (alone, ["detected"] * omega.size, omega.tolist())
-            seen.append(followed if condition is HOPF else _part(family, alone, "detected", frequencies))
-        parts.append(_part(family, out, kind, frequencies))
-    parts[1:1] = seen
+            parts.append(followed if condition is HOPF else _part(family, alone, "detected", frequencies))
+        parts.append(_part(family, out, "hopf" if damping else "flutter", frequencies))
     return Onsets(**vars(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE)))
 
 
@@ -178,8 +174,16 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
 
 def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are real."""
-    omega = stability.frequency(stability.roots(M, C, K))
-    return [omega] if omega else []
+    roots = stability.roots(M, C, K)
+    one = _nearest(roots, -roots)
+    return [float(abs(one.imag))] if abs(one.imag) > abs(one.real) else []
+
+
+def _nearest(numbers: ComplexArray, others: ComplexArray) -> Any:
+    """The number that is the nearest to what stands in ``others`` in another place."""
+    apart = np.abs(numbers[:, None] - others)
+    np.fill_diagonal(apart, np.inf)
+    return numbers[apart.min(axis=1).argmin()]
 
 
 def _squares(M: FloatArray, K: FloatArray) -> ComplexArray:
@@ -190,8 +194,7 @@ def _squares(M: FloatArray, K: FloatArray) -> ComplexArray:
 def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
     squares = _squares(M, K)
-    apart = np.abs(squares[:, None] - squares[None]) + np.where(np.eye(squares.size), np.inf, 0.0)
-    one = squares[np.unravel_index(apart.argmin(), apart.shape)[0]]
+    one = _nearest(squares, squares)
     return [float(np.sqrt(one.real))] if one.real > 0 else []
 
 
@@ -247,30 +250,25 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
 
 def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
     """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
-    fixed, (low, high) = system.family.begin, system.family.spans[0]
-    sightings = np.array(_sightings(system)).reshape(-1, system.n + 1).T
-    sightings = sightings[:, (low <= sightings[-2]) & (sightings[-2] <= high)]
+    fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
     room = ROOM * np.maximum(1.0, np.abs(candidates))
-    wide = np.stack([room - candidates, room + candidates])
-    precise = system.precise(fixed[:, 0], ROOT_BITS)
-    known = [narrowed(precise, box, box) for box in np.moveaxis(wide, 2, 0)]
-    sure = np.array([root is not None for root in known], dtype=np.bool_)
-    ends = np.concatenate([wide[:, :, :0], *(as_intervals(root).ends for root in known if root is not None)], axis=2)
-    proved, open_ = (on_its_side(system, fixed, Roots.at(part)) for part in (ends, wide[:, :, ~sure]))
+    tried = refined(system, fixed, Roots.at(np.stack([room - candidates, room + candidates])))
+    sure = tried.error <= TOLERANCE
+    proved, open_ = (on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure))
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
     omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
     every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
     return replace(found, roots=certified_roots.distinct(every)), open_, omega
 
 
-def _sightings(system: Augmented) -> list[Sighting]:
-    """Onsets between values of the parameter."""
+def _sightings(system: Augmented) -> list[FloatArray]:
+    """Onsets that floats see between values of the parameter: coordinates, parameter and ω, NaN where none was followed."""
     low, high = system.family.spans[0]
     values = low + (high - low) * (np.arange(VALUES) + 0.5) / VALUES
     q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
     z = np.concatenate([q, values[point][None]])
-    every, out = _signals(system, z), list[Sighting]()
+    every, out = _signals(system, z), list[FloatArray]()
     for one in range(point.size):
         following = np.flatnonzero(point == point[one] + 1)
         if not following.size:
@@ -287,16 +285,12 @@ def _sightings(system: Augmented) -> list[Sighting]:
 
 def _states(found: Roots) -> tuple[FloatArray, IntArray]:
     """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
-    boxes = Intervals(found.left)
-    small = (boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0)
-    q = np.concatenate([found.middle, boxes.middle[:, small]], axis=1)
-    point = np.concatenate([found.point, found.left_point[small]])
-    order = np.lexsort((q[0], point))
-    q, point = q[:, order], point[order]
-    again = (np.diff(point) == 0) & (np.abs(np.diff(q)) <= SMALL * np.maximum(1.0, np.abs(q[:, 1:]))).all(axis=0)
-    first = np.ones(point.size, dtype=np.bool_)
-    first[1:] = ~again
-    return q[:, first], point[first]
+    ends, point = found.every
+    boxes = Intervals(ends)
+    small = np.asarray((boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0))
+    small[: found.point.size] = True
+    hulls, point = clusters(ends[:, :, small], point[small])
+    return Intervals(hulls).middle, point
 
 
 def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
@@ -313,7 +307,7 @@ def _bisected(
     low: tuple[FloatArray, ComplexArray],
     high: tuple[FloatArray, ComplexArray],
     halvings: int,
-) -> list[Sighting]:
+) -> list[FloatArray]:
     """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
     state = _state(system, 0.5 * (low[0] + high[0]))
     (roots,) = _signals(system, state[:, None])

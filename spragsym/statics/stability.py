@@ -129,13 +129,6 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
     return np.where(known[..., 0], out, np.nan)
 
 
-def frequency(roots: ComplexArray) -> float:
-    """ω of the two roots λ whose sum is the nearest to 0; 0 if they are real."""
-    sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
-    one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
-    return float(abs(one.imag)) if abs(one.imag) > abs(one.real) else 0.0
-
-
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
     at = balance.at(list(states), balance.floats(given), states.shape[1:], np)

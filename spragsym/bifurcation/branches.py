@@ -8,13 +8,14 @@ different sides of the mirror, which none crosses. A step of which not all pairs
 import itertools
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
-from ..models.parameters import ParameterSet
+from ..models.field import apart
+from ..models.parameters import ParameterSet, Span
 from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
@@ -26,14 +27,12 @@ from ..statics.stability import linearization
 from .defining_systems import given_column
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
-from .tubes import Tubes
+from .tubes import ByColumn, Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
 #: Of two places the one this much nearer, over the distance of the other, is that of a state there.
 CLEARLY = 0.1
-#: Values of the parameter at the beginning and the end of a step.
-Step: TypeAlias = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -49,7 +48,7 @@ class Along:
 
 
 @dataclass(frozen=True)
-class _States:
+class _States(ByColumn):
     """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on it, or if there is none."""
 
     q: FloatArray
@@ -72,91 +71,85 @@ def linked(
     if turns is not None:
         at, kinds, q = getattr(turns, vary), turns.kind, np.array([getattr(turns, name) for name in p.model.coordinates])
     along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
-    stops = np.asarray(getattr(eq.parameters, vary))
-    steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
-    if not steps:
-        return []
+    stops = np.asarray(getattr(eq.parameters, vary)).tolist()
+    steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)
     ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
     turned = turned_by_mirror(along.balance, ends)
-    states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
+    states, known = _states(along, eq, turned), dict[Span, dict[int, int]]()
+    open_, halved = steps, list[tuple[Span, float]]()
+    for halvings in range(most + 1):
+        more, complete = _by_tubes(along, open_, states)
+        known |= more
+        failed = [step for step in open_ if step not in complete]
+        hopeless = len(failed) > MANY or halvings == most
+        if failed and hopeless and most == HALVINGS:
+            why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
+            one, two = open_[0]
+            raise ConvergenceError(f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}")
+        if not failed or hopeless:
+            break
+        # Not in the middle, where the fold is.
+        middles = [one + 0.47 * (two - one) for one, two in failed]
+        states |= _states(along, equilibria(p.replace(**{vary: np.array(middles)}), eq.contact), turned)
+        halved += zip(failed, middles, strict=True)
+        open_ = [ends for (one, two), middle in zip(failed, middles, strict=True) for ends in ((one, middle), (middle, two))]
+    for (one, two), middle in reversed(halved):
+        second = known[middle, two]
+        known[one, two] = {slot: second[place] for slot, place in known[one, middle].items() if place in second}
+    return [known[step] for step in steps]
 
-    def pairs(steps: list[Step], halvings: int) -> list[dict[int, int]]:
-        """Pairs of slots joined over each step, by tubes or through its halves; ``halvings`` counts those so far."""
-        known, complete = _by_tubes(along, steps, states)
-        failed = [step for step in steps if step not in complete]
-        if failed and (most >= HALVINGS or (halvings < most and len(failed) <= MANY)):
-            if len(failed) > MANY or halvings == HALVINGS:
-                why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
-                one, two = steps[0]
-                raise ConvergenceError(f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}")
-            # Not in the middle, where the fold is.
-            middles = [one + 0.47 * (two - one) for one, two in failed]
-            between = equilibria(p.replace(**{vary: np.array(middles)}), eq.contact)
-            states.update({middle: _states(along, between, k, turned) for k, middle in enumerate(middles)})
-            halves = [ends for (one, two), middle in zip(failed, middles, strict=True) for ends in ((one, middle), (middle, two))]
-            found = pairs(halves, halvings + 1)
-            for step, first, second in zip(failed, found[::2], found[1::2], strict=True):
-                known[step] = {slot: second[place] for slot, place in first.items() if place in second}
-        return [known[step] for step in steps]
 
-    return pairs(steps, 0)
-
-
-def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:
-    """Equilibria at a stop."""
-    balance, count = along.balance, int(eq.count[stop])
-    q = np.array([eq.coordinates[name][stop, :count] for name in balance.coordinates])
-    given = np.repeat(columns(eq.parameters, balance.parameters)[:, stop : stop + 1], count, axis=1)
-    K = linearization(balance, q, given)[2] if count else np.zeros((1, 1, 0))
-    sides = np.zeros(count)
-    if turned and count:
+def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[float, _States]:
+    """Equilibria by the value of the parameter."""
+    balance, (point, slot) = along.balance, eq.states
+    q = np.array([eq.coordinates[name][point, slot] for name in balance.coordinates])
+    given = columns(eq.parameters, balance.parameters)[:, point]
+    K, sides = linearization(balance, q, given)[2], np.zeros(point.size)
+    if turned:
         across = q - np.array(np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored()))
-        known = np.abs(across[turned[0]]) > 4 * eq.error[stop, :count]
+        known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
-    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)
+    values = np.asarray(getattr(eq.parameters, along.vary)).tolist()
+    found = _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)
+    return {value: found[point == number] for number, value in enumerate(values)}
 
 
 def _by_tubes(
-    along: Along, steps: list[Step], states: Mapping[float, _States]
-) -> tuple[dict[Step, dict[int, int]], set[Step]]:  # fmt: skip
+    along: Along, steps: list[Span], states: Mapping[float, _States]
+) -> tuple[dict[Span, dict[int, int]], set[Span]]:  # fmt: skip
     """Pairs of slots whose states a tube joins, over a fold those of states that go through; and steps of which all are known."""
-    n, around = along.balance.n, along.balance.around
-    begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
-    pairs: list[dict[int, int]] = [{} for _ in steps]
+    n, known = along.balance.n, {step: dict[int, int]() for step in steps}
+    begun = [(one, two, slot) for one, two in steps for slot in range(states[one].signs.size)]
     given = given_column(along.p, along.balance.parameters, (along.vary,))
     tubes = Tubes.of_points(along.balance, along.vary, np.repeat(given, len(begun), axis=1))
-    z = np.array([[*states[steps[k][0]].q[:, slot], steps[k][0]] for k, slot in begun]).reshape(-1, n + 1).T
+    z = np.array([[*states[one].q[:, slot], one] for one, _, slot in begun]).reshape(-1, n + 1).T
     start = tubes.place(z)
-    goal = np.array([steps[k][1] for k, _ in begun])
+    goal = np.array([two for _, two, _ in begun])
     there = tubes.followed(start, goal)
     same = there.sure & (there.v == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
     for column in np.flatnonzero(same):
-        k, slot = begun[column]
-        away = states[steps[k][1]].q - there.z[:n, column, None]
+        one, two, slot = begun[column]
         # An angle that goes around is listed once, within one turn.
-        away[around] -= 2 * np.pi * np.round(away[around] / (2 * np.pi))
-        away = np.abs(away)
-        slots = np.flatnonzero((away <= there.room[:n, column, None]).all(axis=0))
+        away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.around))
+        slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
         if slots.size == 1:
-            pairs[k][slot] = int(slots[0])
-    known = dict(zip(steps, pairs, strict=True))
-    return known, {step for step, one in known.items() if _complete(along, one, step, states[step[0]], states[step[1]])}
+            known[one, two][slot] = int(slots[0])
+    return known, {step for step, pairs in known.items() if _complete(along, pairs, step, states[step[0]], states[step[1]])}
 
 
-def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, end: _States) -> bool:
+def _complete(along: Along, pairs: dict[int, int], step: Span, begin: _States, end: _States) -> bool:
     """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
     within = (along.at >= min(step)) & (along.at <= max(step))
-    counts = int(begin.q.shape[1]), int(end.q.shape[1])
-    if within.any() and (along.kinds[within] == "pitchfork").all():
+    kinds, counts = along.kinds[within].astype(str), (begin.signs.size, end.signs.size)
+    if kinds.size and (kinds == "pitchfork").all():
         return _across_pitchforks(along.q[:, within], pairs, begin, end, [value in along.at for value in step])
-    if within.any() and np.char.startswith(along.kinds[within].astype(str), INFINITY).all():
-        above = np.char.endswith(along.kinds[within].astype(str), "up")
+    if kinds.size and np.char.startswith(kinds, INFINITY).all():
+        above = np.char.endswith(kinds, "up")
         gone = int((above == (step[0] > step[1])).sum())
         return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
     # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
-    over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
-    if over_fold:
+    if ((along.at > min(step)) & (along.at < max(step))).any() or (kinds.size and counts[0] != counts[1]):
         return len(pairs) == min(counts)
     # Of those that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror.
     left = _left(pairs, begin), _left(pairs.values(), end)
@@ -188,12 +181,10 @@ def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States
         two.sort(key=lambda k: float(end.q[turned, k]))
         sides = zip((begin, end), (one, two), on, strict=True)
         soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
-        if len(two) == 3 and len(one) == 1:
-            pairs |= {one[0]: two[2 if soft else 1]}
-        elif len(two) == 1 and not on[1] and not soft:
-            pairs |= {slot: two[0] for slot in one if begin.signs[slot] < 0 and not on[0]}
-        else:
-            pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[0])
+        goals = two if len(one) == len(two) else [two[-1] if soft else two[len(two) // 2]] * len(one)
+        if len(two) == 1 and not (on[1] or soft):
+            one = [slot for slot in one if begin.signs[slot] < 0 and not on[0]]
+        pairs |= dict(zip(one, goals, strict=False))
     return bool((np.concatenate(near) >= 0).all())
 
 
@@ -209,9 +200,8 @@ def _left(taken: Container[int], states: _States) -> list[int]:
     return [k for k in range(states.signs.size) if k not in taken]
 
 
-def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float], int]:
+def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float | None], int]:
     """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer where two are alike."""
     signs = states.signs[part].tolist()
-    shared = [signs.count(sign) > 1 for sign in signs]
-    sides = [float(states.sides[k]) if more else 0.0 for k, more in zip(part, shared, strict=True)]
-    return {(sign, side): k for k, sign, side, more in zip(part, signs, sides, shared, strict=True) if side or not more}
+    keys = [(sign, states.sides[k] if signs.count(sign) > 1 else None) for k, sign in zip(part, signs, strict=True)]
+    return {key: k for key, k in zip(keys, part, strict=True) if key[1] != 0}

@@ -18,7 +18,7 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     p = rod.Parameters(theta0=0.5)
     along = Along(Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str), np.empty((1, 0)))
     eq = ss.equilibria(p.replace(theta0=stops))
-    begin, end = (_states(along, eq, stop) for stop in (0, 1))
+    begin, end = _states(along, eq).values()
     later = replace(end, q=end.q + 2 * np.pi)
     known, complete = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later})
     (pairs,) = known.values()

@@ -188,7 +188,4 @@ def _on_its_side(at: State) -> bool:
     """Whether a state is on the side of the contact's border that is asked for."""
     if not at.balance.opens:
         return True
-    side = balls.sign(at.gap())
-    if not side:
-        raise Undecided("a gap that is zero")
-    return (side < 0) == at.balance.contact
+    return (balls.decided(at.gap(), "a gap that is zero") < 0) == at.balance.contact

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import ParameterSet, as_numbers
+from ..models.parameters import ParameterSet, Span, as_numbers
 from ..numerics.interval_arrays import FloatArray, IntArray
 from ..questions import Method, question
 from ..results.equilibria import Equilibria, Stability
@@ -124,11 +124,10 @@ def quasi_static_path(
     out = [way.state(0, place)]
     jumps = []
     for stop in range(1, way.stops.size):
-        following = way.followed(stop, place)
-        if following is None:
-            following, jump = way.jump(stop, place, after_jump)
+        place = way.followed(stop, place)
+        if way.ended(stop, place):
+            place, jump = way.jump(stop, ~place, after_jump)
             jumps.append(jump)
-        place = following
         if way.stops[stop] in along:
             out.append(way.state(stop, place))
     *q, stability, error = np.array(out).T
@@ -138,7 +137,7 @@ def quasi_static_path(
     return Path(p, vary, along, states.stability[:, 0], tuple(jumps), places, states)
 
 
-def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
+def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> ModelEnd | None:
     """Where a state that is followed from the first value of a span to the last one vanishes first; None if it does not.
 
     Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
@@ -146,16 +145,15 @@ def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str 
     way = _Way(p, vary, np.array(span))
     place = way.begin(start)
     for stop in range(1, way.stops.size):
-        following = way.followed(stop, place)
-        if following is None:
-            return way.end(way.ending(stop, place))
-        place = following
+        place = way.followed(stop, place)
+        if way.ended(stop, place):
+            return way.end(~place)
     return None
 
 
 @question
 def open_ends(
-    p: ParameterSet, vary: str, span: tuple[float, float], turns: Points, *, method: Method = "auto"
+    p: ParameterSet, vary: str, span: Span, turns: Points, *, method: Method = "auto"
 ) -> list[Points]:  # fmt: skip
     """Where states leave the contact or come into it, and where they run to infinity, if they do, beside the folds ``turns``."""
     family, found = Family.of(p, (vary,), {vary: span}), list[Points]()
@@ -171,7 +169,8 @@ def open_ends(
 class _Way:
     """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch.
 
-    A place is a slot of the equilibria at a stop, or ``~number`` for the state in which two meet at a fold that is a stop itself.
+    A place is a slot of the equilibria at a stop, or ``~number`` of the point at which a state has vanished: where that is a fold
+    and the stop itself, the path goes on from the state in which two meet.
     """
 
     def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
@@ -183,6 +182,9 @@ class _Way:
             ends = self._ends(along, AROUND)
         self.turns = self._turns_within(along, ends)
         self.at, self.kinds = getattr(self.turns, vary), self.turns.kind
+        #: Coordinates of the points at which states vanish, shape (n, numbers).
+        self.q = np.array([getattr(self.turns, name) for name in self.balance.coordinates])
+        self.error = self.turns.error * np.maximum(1.0, np.abs(self.at))
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.stops = self._stops(along)
         self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
@@ -191,7 +193,6 @@ class _Way:
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
         self._links = functools.cache(lambda step: linked(p, vary, self.eq, self.turns, most=HALVINGS, only=step)[0])
-        self._turns = functools.cache(self._turned)
         self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
@@ -202,7 +203,7 @@ class _Way:
         """
         for stop in np.flatnonzero(~eq.decided).tolist():
             here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
-            states = self._states(here).T
+            states = self.q[:, here].T
             room = BESIDE * np.maximum(1.0, np.abs(states))
             boxes = [box for box in eq.undecided if box.index == (stop,)]
             around = np.array([((states - box.low <= room) & (box.high - states <= room)).all(axis=-1) for box in boxes])
@@ -285,7 +286,7 @@ class _Way:
         if start == "large":
             return stable[int(least_slot(-np.abs(states[0]), states, error))]
         here = self.p.replace(**{self.vary: float(self.stops[0])})
-        every = np.ones(len(stable), dtype=np.bool_)
+        every = np.isfinite(states[0])
         return stable[int(chosen_state(self.model, here, list(states), error, every, self.p.followed))]
 
     def _met(self, stop: int) -> list[int]:
@@ -295,33 +296,36 @@ class _Way:
     def _stability_met(self, number: int) -> int:
         """Where one λ is 0 the others decide."""
         given = columns(self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters)
-        return with_a_zero(self.balance, self._states(np.array([number])), given)
+        return with_a_zero(self.balance, self.q[:, [number]], given)
 
-    def followed(self, stop: int, place: int) -> int | None:
-        """The slot at a stop of the state that was in a slot at the one before; None if it vanishes on the way."""
+    def followed(self, stop: int, place: int) -> int:
+        """The place at a stop of the state that was in one at the stop before."""
         if place in self.joined[stop - 1]:
             return self.joined[stop - 1][place]
         if place < 0:
-            return self._begun(stop, ~place)
-        several = self._candidates(stop - 1, stop).size > 1
-        if not (several and self._turns(stop - 1, place, stop) is not None) and place in self._links(stop - 1):
+            return self._begun(stop, place)
+        here = self._candidates(stop - 1, stop)
+        number = self._turned(stop - 1, place, stop) if here.size > 1 else None
+        if number is None and place in self._links(stop - 1):
             return self._links(stop - 1)[place]
-        number = self.ending(stop, place)
-        return ~number if number in self._met(stop) else None
+        return ~(self._ending(stop, place, here) if number is None else number)
 
-    def _begun(self, stop: int, number: int) -> int | None:
-        """The stable one of the two states that begin at a fold, at the stop behind it; None if they lie on the other side."""
+    def ended(self, stop: int, place: int) -> bool:
+        """Whether a state has vanished on the way to a stop, or at a point there from which it does not go on."""
+        return place < 0 and ~place not in self._met(stop)
+
+    def _begun(self, stop: int, place: int) -> int:
+        """The stable one of the two states that begin at a fold, at the stop behind it; the fold if they lie before it."""
         links = self._links(stop - 1)
         begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
         if len(self._met(stop - 1)) > 1:
-            begun = [slot for slot in begun if self._turns(stop, slot, stop - 1) == number]
-        return next((slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), None)
+            begun = [slot for slot in begun if self._turned(stop, slot, stop - 1) == ~place]
+        return next((slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), place)
 
     def _candidates(self, stop: int, other: int) -> IntArray:
         """Numbers of the points at which states may vanish between two stops, or on them."""
         low, high = sorted((self.stops[stop], self.stops[other]))
-        error = self.turns.error * np.maximum(1.0, np.abs(self.at))
-        return np.flatnonzero((self.at >= low - error) & (self.at <= high + error))
+        return np.flatnonzero((self.at >= low - self.error) & (self.at <= high + self.error))
 
     def _turned(self, stop: int, slot: int, goal: int) -> int | None:
         """The fold at which a state is proved to turn back on its way from one stop to another; None if nothing is proved."""
@@ -332,15 +336,16 @@ class _Way:
         tubes, start = self._standing(self.balance, stop, slot)
         if here.size > 1 and (self.at[here] == self.stops[stop]).all():
             # The float of the folds is one at which two states are left, too near to each other for a tube.
-            near = clearly_nearest(start.z[: tubes.n], self._states(here))[0]
+            near = clearly_nearest(start.z[: tubes.n], self.q[:, here])[0]
             return int(here[near]) if near >= 0 else None
         forward = 1 if self.stops[goal] > self.stops[stop] else -1
         found = turned(tubes, start, forward)
         if not found.sure[0]:
             return None
-        away = np.abs(np.vstack([self._states(here), self.at[here]]) - found.z) / np.maximum(1.0, np.abs(found.z))
-        nearest = int(away.max(axis=0).argmin())
-        return int(here[nearest]) if away[:, nearest].max() <= MATCH else None
+        away = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / np.maximum(1.0, np.abs(found.z))
+        away = away.max(axis=0)
+        nearest = int(away.argmin())
+        return int(here[nearest]) if away[nearest] <= MATCH else None
 
     def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""
@@ -348,35 +353,27 @@ class _Way:
         z = np.array([*self.state(stop, slot)[:-2], self.stops[stop]])
         return tubes, tubes.place(z[:, None])
 
-    def _states(self, numbers: IntArray) -> FloatArray:
-        """Coordinates of points at which states vanish, shape (n, numbers)."""
-        return np.array([getattr(self.turns, name)[numbers] for name in self.balance.coordinates])
-
     def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
         return {name: float(getattr(self.turns, name)[number]) for name in names or self.balance.coordinates}
 
-    def ending(self, stop: int, place: int) -> int:
-        """The number of the point at which a state vanishes on its way to a stop from a place at the one before."""
-        here = self._candidates(stop - 1, stop)
-        if place < 0 or here.size == 1:
-            return ~place if place < 0 else int(here[0])
-        turns = self._turns(stop - 1, place, stop)
-        if turns is not None:
-            return turns
+    def _ending(self, stop: int, place: int, here: IntArray) -> int:
+        """The number of the point, one of ``here``, at which a state vanishes on its way to a stop from the one before."""
+        if here.size == 1:
+            return int(here[0])
         for number in here[self.kinds[here] == "border"].tolist():
             tubes, start = self._standing(Balance(self.model, contact=True, room=OVER_BORDER), stop - 1, place)
             there = tubes.followed(start, self.at[[number]])
-            away = np.abs(self._states(np.array([number])) - there.z[: tubes.n])
+            away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
         q = np.array([self.state(stop - 1, place)[:-2]]).T
         if others.size > 1 and self.far[others].all():  # of states that run opposite ways
-            away = self._states(others)
+            away = self.q[:, others]
             others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
         elif others.size > 1 and not self.far[others].any():
-            near = clearly_nearest(q, self._states(others))
+            near = clearly_nearest(q, self.q[:, others])
             others = others[near[near >= 0]]
         if others.size == 1:  # at folds the state would be known to turn
             return int(others[0])
@@ -390,9 +387,8 @@ class _Way:
         columns = (*self.eq.coordinates.values(), self.eq.stability, self.eq.error)
         return [float(column[stop, slot]) for column in columns]
 
-    def jump(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump]:
+    def jump(self, stop: int, number: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
-        number = self.ending(stop, place)
         end = self.end(number)
         before = end.before
         eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
@@ -426,4 +422,4 @@ class _Way:
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""
         value, kind = float(self.at[number]), INFINITY if self.far[number] else str(self.kinds[number])
-        return ModelEnd(value, kind, self._place(number), float(self.turns.error[number] * max(1.0, abs(value))))
+        return ModelEnd(value, kind, self._place(number), float(self.error[number]))

@@ -55,12 +55,7 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
     rng = np.random.default_rng(3)
     ends = [rng.choice([-1.0, 1.0], (size, count)) * rng.choice([1.0, 0.3], count) for size in (1, len(box.free), tubes.n + 1)]
     p = tubes.centre + tubes.half * ends[1]
-    z = (
-        region.z
-        + region.along * region.moved * ends[0]
-        + region.by_p[..., 0] @ (tubes.half * ends[1])
-        + region.off * ends[2]
-    )
+    z = region.z + region.along * region.moved * ends[0] + region.by_p[..., 0] @ (tubes.half * ends[1]) + region.off * ends[2]
     points = replace(tubes, fixed=np.repeat(tubes.fixed, count, axis=1), centre=p, half=np.full_like(p, 1e-9))
     sampled = points.floats(z)[1]
     intervals = tubes.slopes(region.box())

@@ -169,13 +169,12 @@ class Loop:
         """Mean and root mean square of the first coordinate; NaN where it turns around."""
         if self.winding:
             return math.nan, math.nan
-        parts = [each.integrals for each in self.passages if each.integrals is not None]
-        if len(parts) == len(self.passages):
-            mean, square = (math.fsum(part[i] for part in parts) / self.period for i in (0, 1))
-            return mean, math.sqrt(square)
-        samples = self.samples()
-        x, weights = samples.states[0], samples.weights() / self.period
-        return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
+        mean, square = (math.fsum(each.integrals[i] for each in self.passages) / self.period for i in (0, 1))
+        if math.isnan(mean):
+            samples = self.samples()
+            x, weights = samples.states[0], samples.weights() / self.period
+            mean, square = float((weights * x).sum()), float((weights * x**2).sum())
+        return mean, math.sqrt(square)
 
 
 #: Further equations: ``conditions(loop)`` gives their values (r,) and slopes (r, unknowns).

@@ -59,8 +59,8 @@ class Passage:
     """A stretch of motion: where it ends, (m,), and derivatives of that.
 
     Those by the state at the start, (m, m), are the product over the smooth pieces, as the field is continuous; those by the
-    parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and of its square over time are there
-    where the integrator carries them along.
+    parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and of its square over time are NaN
+    where the integrator does not carry them along.
     """
 
     state: FloatArray
@@ -68,7 +68,7 @@ class Passage:
     by_parameters: FloatArray
     crossings: tuple[Crossing, ...]
     turns: tuple[Turn, ...]
-    integrals: tuple[float, float] | None = None
+    integrals: tuple[float, ...] = (np.nan, np.nan)
 
 
 #: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (2, P).

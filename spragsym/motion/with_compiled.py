@@ -10,10 +10,10 @@ from ..generated import C_SOURCE
 from ..models.field import GAP, WIDTH
 from ..models.load import fits
 from ..models.parameters import FloatArray
-from . import with_scipy
 from .lobatto import unit_points
 from .problem import MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import Crossing, Samples, Solution, assembled, passed
+from .with_scipy import Flight
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
 CHUNK = 20_000
@@ -46,28 +46,23 @@ def integrate(problem: Problem) -> Solution:
     unit = unit_points()
     mode, state, elapsed, steps = problem.field.initial_mode(problem.start, problem.constants), np.array(problem.start), 0.0, 0
     constants, most = np.array(problem.constants), problem.max_steps or MAX_STEPS
-    length = with_scipy.first_step(problem, mode)
+    # Time in a mode, and the length of the next step, of which the first is as SciPy chooses it.
+    clock = np.array([0.0, min(Flight(problem, interpolated=True).solver(mode, state, problem.t_end).h_abs, problem.t_end)])
     times, states = np.empty((CHUNK, unit.size)), np.empty((CHUNK, 4, unit.size))
     pieces, crossings = list[Samples](), list[Crossing]()
     while elapsed < problem.t_end:
-        # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
-        bound = problem.t_end - elapsed
-        clock = np.array([0.0, min(length, bound)])
-        outcome, border = FULL, 0
-        while outcome == FULL:
-            begun = float(clock[0])
-            limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, most - steps])
-            given = np.array([*mode, problem.reach, WIDTH, GAP])
-            outcome, border, made, kept = _carried.carry(
-                constants, given, limits, _tables(), unit, state, clock, times, states
-            )  # fmt: skip
-            steps += made
-            if kept:
-                pieces.append((elapsed + times[:kept], states[:kept].copy()))
-            if outcome == FULL:
-                step, left = (float(clock[0]) - begun) / made, bound - float(clock[0])
-                check_stiffness(problem, state, step, left)
-        elapsed, length = elapsed + float(clock[0]), float(clock[1])
+        begun, bound = float(clock[0]), problem.t_end - elapsed
+        limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, most - steps])
+        given = np.array([*mode, problem.reach, WIDTH, GAP])
+        outcome, border, made, kept = _carried.carry(constants, given, limits, _tables(), unit, state, clock, times, states)
+        steps += made
+        if kept:
+            pieces.append((elapsed + times[:kept], states[:kept].copy()))
+        now, length = clock.tolist()
+        if outcome == FULL:
+            check_stiffness(problem, state, (now - begun) / made, bound - now)
+            continue
+        elapsed += now
         if outcome == TOO_MANY:
             raise too_many_steps(problem, most, elapsed)
         if not np.isfinite(state).all():
@@ -78,4 +73,6 @@ def integrate(problem: Problem) -> Solution:
             break
         mode, crossed = passed(problem, border, mode, elapsed, state, False)
         crossings += crossed
+        # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
+        clock[:] = 0.0, min(length, problem.t_end - elapsed)
     return assembled(pieces, crossings, problem.t_record)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import defaultdict, deque
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -283,7 +283,10 @@ class Carrier:
             self.solver.reset_cooldowns()
 
     def carry(self, motions: Sequence[Traveller], begin: float, end: float, *, record: bool = False) -> list[Samples]:
-        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way; samples if asked for."""
+        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way; samples if asked for.
+
+        What stops one that has the integrator to itself is raised.
+        """
         going, pieces = [one for one in motions if one.error is None], list[Samples]()
         for first in range(0, len(going), self.lanes):
             self.begin(going[first : first + self.lanes], begin)
@@ -312,6 +315,8 @@ class Carrier:
                 try:
                     self._count(one, lane, float(begun[lane]), end)
                 except ConvergenceError as error:
+                    if self.lanes == 1:
+                        raise
                     one.error = error
                 if one.error or not self.times[lane] < end:
                     going.remove(lane)
@@ -347,27 +352,20 @@ class Carrier:
         self.some = [Traveller(problem, np.ravel(directions))]
         return self
 
-    def _go(self, begin: float, end: float, *, record: bool = False) -> list[Samples]:
-        """Carry it on; what stops it is raised."""
-        pieces = self.carry(self.some, begin, end, record=record)
-        if error := self.some[0].error:
-            raise error
-        return pieces
-
     def motion(self) -> Solution:
         """The motion by its samples, from ``t_record`` on."""
         (one,) = self.some
         begin = one.problem.t_record
         if begin > 0:
-            self._go(0.0, begin)
-        return assembled(self._go(begin, one.problem.t_end, record=True), one.crossings, begin)
+            self.carry(self.some, 0.0, begin)
+        return assembled(self.carry(self.some, begin, one.problem.t_end, record=True), one.crossings, begin)
 
     def fly(self) -> Passage:
         """Carry the state on to the end."""
         (one,) = self.some
-        self._go(0.0, one.problem.t_end)
-        integrals = (float(one.carried[-2]) / UNIT, float(one.carried[-1]) / UNIT) if self.derivatives else None
-        return Passage(*self._split(one.carried), tuple(one.crossings), tuple(one.turns), integrals)
+        self.carry(self.some, 0.0, one.problem.t_end)
+        found = Passage(*self._split(one.carried), tuple(one.crossings), tuple(one.turns))
+        return replace(found, integrals=tuple((one.carried[-2:] / UNIT).tolist())) if self.derivatives else found
 
 
 def missed(t: float) -> ConvergenceError:

@@ -229,11 +229,6 @@ def integrate(problem: Problem) -> Solution:
     return Flight(problem, interpolated=True).motion()
 
 
-def first_step(problem: Problem, mode: Mode) -> float:
-    """The length of the first step, as SciPy chooses it."""
-    return float(Flight(problem, interpolated=True).solver(mode, np.array(problem.start), problem.t_end).h_abs)
-
-
 def _root(function: Callable[[float], float], begin: float, end: float) -> float:
     """Where a function changes sign."""
     from scipy.optimize import brentq

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
@@ -42,7 +42,7 @@ from ..numerics.polynomials import (
     real_roots,
 )
 from ..questions import NotInClosedForm
-from ..results.points import BifurcationSet, Curve
+from ..results.points import BifurcationSet, Curve, Points
 from . import kernel
 from .cusps import cusps
 from .folds import folds
@@ -96,8 +96,8 @@ def bifurcation_set(
             found.append(curve)
     if preload < _LIGHT:
         _compare(found, p)
-    inside = _within(between, {"theta0": on_them.theta0, "mu0": on_them.mu0}, len(on_them))
-    return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them.select(inside), True)
+    on_them = on_them.select(_within(between, on_them))
+    return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them, True)
 
 
 def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
@@ -109,17 +109,18 @@ def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
                 yield folds(p.replace(**{name: end}), other).theta
 
 
-def _within(between: Ranges, columns: Mapping[str, FloatArray], size: int) -> BoolArray:
-    inside = np.ones(size, dtype=np.bool_)
+def _within(between: Ranges, found: Curve | Points) -> BoolArray:
+    inside = np.ones(len(found), dtype=np.bool_)
     for name, (low, high) in between.items():
-        inside &= (low - _ON_BORDER <= columns[name]) & (columns[name] <= high + _ON_BORDER)
+        column = getattr(found, name)
+        inside &= (low - _ON_BORDER <= column) & (column <= high + _ON_BORDER)
     return inside
 
 
 def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
     """The parts of curves within ranges."""
     for curve in curves:
-        inside = _within(between, curve.values, len(curve))
+        inside = _within(between, curve)
         for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(-1, 2):
             part = {name: column[begin:end] for name, column in curve.values.items()}
             yield Curve(part | {name: np.clip(part[name], *ends) for name, ends in between.items()})

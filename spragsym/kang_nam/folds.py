@@ -140,15 +140,15 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     fixed = {name: balls.exact(exact[name]) for name in NAMES if name != vary}
     c0, s0 = balls.cos_sin(fixed.pop("theta0"))
     others = [fixed[name] for name in NAMES[1:] if name != vary]
+    without, change = _parts(vary, c0, s0, others)
     try:
-        roots = roots_on_the_line(_eliminated(vary, c0, s0, others), bits // 2, positive=True)
+        roots = roots_on_the_line(tuple(kernel.fold_sextic(*without, *change)), bits // 2, positive=True)
         directions = [_Direction(root.interval()) for root in roots]
     except Undecided:
         common = _independent_of_theta0(vary, exact)
         if common is None:
             raise
         directions = [direction for _, direction in with_multiplicity(common, _curvature(vary, exact), bits)]
-    without, change = _parts(vary, c0, s0, others)
     for direction in directions:
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, c0, s0)
@@ -169,7 +169,7 @@ def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence
 
 
 def _eliminated(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> polynomials.Polynomial:
-    """u₁ w₂ − u₂ w₁ times (1 + t²)³: zero at the folds, a polynomial in t."""
+    """f′ f_λ − f f_λ′ times (1 + t²)³: zero at the folds, a polynomial in t."""
     without, change = _parts(vary, c0, s0, others)
     return tuple(kernel.fold_sextic(*without, *change))
 

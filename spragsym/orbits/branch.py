@@ -402,15 +402,14 @@ def cycle_events(
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
     free = tuple(model.parameters.index(name) for name in vary)
-    ranges = to or {}
-    spans = []
-    for name, index in zip(vary, free, strict=True):
-        low, high = ranges.get(name, (0.0, 0.0))
-        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.found.loop.values[index]), NARROWEST))
-    border, loop = event.found.border, event.found.loop
-    holds = partial(touching, border) if border >= 0 else partial(at_zero, event.kind)
+    loop = event.found.loop
+    bounds = [(to or {}).get(name, (-np.inf, np.inf)) for name in vary]
+    spans = [
+        (high - low) / 2 if 0 < high - low < np.inf else max(SPAN * abs(loop.values[index]), NARROWEST)
+        for index, (low, high) in zip(free, bounds, strict=True)
+    ]
+    holds = partial(touching, event.found.border) if event.kind == "grazing" else partial(at_zero, event.kind)
     setting = Setting(loop.flow, free, event.cycle.period, tuple(spans), holds)
-    bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
     first = point_of(setting, setting.looped(loop.guess))
 
     def ahead(point: Point, length: float) -> Point:

@@ -111,9 +111,9 @@ class Diagram(Result):
     equilibria: tuple[EquilibriumBranch, ...]
     cycles: tuple[CycleBranch, ...]
     labels: tuple[Label, ...]
-    remarks: tuple[str, ...] = ()
-    name: str = field(default="x", repr=False)
-    model: Any = field(default=None, repr=False)
+    remarks: tuple[str, ...]
+    name: str = field(repr=False)
+    model: Any = field(repr=False)
 
 
 def diagram(

@@ -288,28 +288,23 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     size = float(np.abs(form.q[most]))
     border, reach = _first_border(model, given, state, form)
     if amplitude is None:
-        z = min(SHARE * reach, 1.0) if border else FREE
-        z = min(z, _within(model, given, place, form))
+        z = min(SHARE * reach if border else FREE, 1.0, _within(model, given, place, form))
+        asked = 2 * z * size
     else:
-        z = amplitude / 2 / size
-
-    def smaller(asked: float) -> str:
-        least = 2 * reach * size
-        beyond = f"; to first order only amplitudes below {least:.3g} do not come to {border}" if asked > least else ""
-        return f"give a smaller one, and go on from it with cycle_branch{beyond}"
-
+        z, asked = amplitude / 2 / size, amplitude
+    least, remedy = 2 * reach * size, "give a smaller one, and go on from it with cycle_branch"
+    if asked > least:
+        remedy += f"; to first order only amplitudes below {least:.3g} do not come to {border}"
     for _ in range(TRIALS):
         try:
             found = _along(flow, given, state, place, form, z)
         except ConvergenceError as error:
-            asked = 2 * z * size if amplitude is None else amplitude
-            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {smaller(asked)}") from error
+            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}") from error
         reached = float(np.ptp(found.samples.states[most])) / 2
-        if amplitude is None or abs(reached / amplitude - 1) < MET:
+        if amplitude is None or abs(reached / asked - 1) < MET:
             return found
-        z *= min(max(amplitude / reached, 1 / FARTHEST), FARTHEST)
-    told = f"the last one has {reached:.6g}; {smaller(float(amplitude or 0.0))}"
-    raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: {told}")
+        z *= min(max(asked / reached, 1 / FARTHEST), FARTHEST)
+    raise ConvergenceError(f"no cycle of the amplitude {asked:g} was found: the last one has {reached:.6g}; {remedy}")
 
 
 def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float) -> Cycle:

@@ -232,7 +232,7 @@ class _Walk:
             return np.where(self.plane[0], way, state)
 
         sides = [self.leaves(at(way))[0] for way in ways]
-        changes = [i for i in range(len(ways) - 1) if sides[i] * sides[i + 1] < 0]
+        changes = np.flatnonzero(np.abs(np.diff(sides)) > 1).tolist()
         if not changes:
             raise ConvergenceError("no start in that line of the plane leaves the saddle to the other side; give another start")
         for near in sorted(changes, key=lambda i: abs(ways[i] - self.plane[0] @ self.saddle.state)):
@@ -311,13 +311,15 @@ class _Walk:
     def told_sides(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
         """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
         both = self.sides(state, span, ASIDE)
-        told = [each.told() for each in both]
         if not _differ(self.system, *both):
-            return False, told
+            return False, [each.told() for each in both]
         nearer = self.sides(state, span, NEARER * ASIDE)
         other = [not near.decided or _differ(self.system, one, near) for one, near in zip(both, nearer, strict=True)]
-        also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
-        return not any(other), [text + more for text, more in zip(told, also, strict=True)]
+        told = [
+            one.told() + (f", and nearer by {near.told()}" if differs else "")
+            for one, near, differs in zip(both, nearer, other, strict=True)
+        ]
+        return not any(other), told
 
     def sides(self, state: FloatArray, span: float, aside: float) -> list[Verdict]:
         """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""

@@ -9,7 +9,6 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
-from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -105,7 +104,7 @@ class FateBoundary(Result):
     below: Outcome
     above: Outcome
     others: FloatArray
-    model: Field | None = attribute(default=None, repr=False)
+    model: Field = attribute(repr=False)
 
 
 def fate_boundary(
@@ -409,20 +408,17 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     asked, scale = bracket.asked, 1 + abs(bracket.low.value) + abs(bracket.high.value)
     bracket = bracket.narrowed(NARROW * scale)
     low, high = bracket.low, bracket.high
-    if bracket.width > TOO_WIDE * (1 + abs(low.value)):
-        if _doubles(asked, low, high):
-            asked.merge(low.label, high.label)
-            return None
+    wide, ways = bracket.width > TOO_WIDE * (1 + abs(low.value)), ((low, high), (high, low))
+    try:
+        met = _doubles(asked, *ways[0]) if wide else any(same(asked.followed(a, b.value), asked.attractor(b)) for a, b in ways)
+    except ConvergenceError as why:
+        raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
+    if met:
+        asked.merge(low.label, high.label)
+        return None
+    if wide:
         low, high = asked.surely(low), asked.surely(high)
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
-    for one, other in ((low, high), (high, low)):
-        try:
-            met = same(asked.followed(one, other.value), asked.attractor(other))
-        except ConvergenceError as why:
-            raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
-        if met:
-            asked.merge(low.label, high.label)
-            return None
     # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a margin, is its error.
     fine = bracket.anew(bracket.middle, FINE, TOO_WIDE)
     moved, value = bracket.anew(fine.middle, MOVED, FARTHEST), fine.middle
@@ -472,15 +468,15 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     parted = times[np.abs(one(times) - other(times)).max(axis=0) > PARTED]
     hovering = system.flow.plain(asked.start, system.constants, float(parted.min(initial=JUDGED[0])))
     states = np.array([turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0] or [hovering.state])
-    rests: list[tuple[float, Saddle]] = []
+    rests: dict[float, Saddle] = {}
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, state)
             off = float(np.abs(apart(state, saddle.state, around)).max())
             if saddle.attracts and off < CLOSE:
-                rests.append((off, saddle))
+                rests[off] = saddle
     if rests:
-        off, rest = min(rests, key=itemgetter(0))
+        off, rest = min(rests.items())
         return "equilibrium", rest.state, rest.growth, off
     extent = float(np.ptp(states, axis=0).max())
     for begin, end in returns(hovering.turns, around):

@@ -82,11 +82,11 @@ def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArr
         sizes = np.abs(known.orbit.multipliers)
         off = np.array([0.0, *known.orbit.multiplier_errors])
         with np.errstate(divide="ignore", invalid="ignore"):
-            rates = np.asarray(np.log(sizes) / known.orbit.period, dtype=float)
+            rates = np.log(sizes) / known.orbit.period
             errors = np.where(off < sizes, -np.log1p(-off / sizes) / known.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
-    return kind, np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
+    return kind, rates[order], errors[order]
 
 
 def same(one: Attractor, other: Attractor) -> bool:

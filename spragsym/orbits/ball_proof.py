@@ -144,8 +144,8 @@ def _traced(
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
     clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
     least = arb(10) ** -(1.1 * digits + 16)
-    for about, border in [*crossings, (None, -1)]:
-        target = period if about is None else arb(about)
+    for about, border in [*crossings, (period, -1)]:
+        target = arb(about)
         if not target > clock:
             raise NotProved("two crossings can't be told apart in time")
         while True:
@@ -157,7 +157,7 @@ def _traced(
                 break
             now = [polynomial(jet, arb(reach)).mid() for jet in jets]
             clock = (clock + arb(reach)).mid()
-        if about is not None:
+        if border >= 0:
             that, begun = piece.field.borders[border], left
             uncrossed = (
                 f"in many digits the orbit does not cross {that.name} near t = {about:.6g}, where the cycle is said to: none "
@@ -176,7 +176,7 @@ def _traced(
                     raise NotProved(uncrossed)
         now = [polynomial(jet, left).mid() for jet in jets]
         clock = (clock + left).mid()
-        if about is not None:
+        if border >= 0:
             # To the last bit of the period, no more: so that times from one crossing to the next are exact.
             times.append((border, (clock + period).mid() - period))
             piece = piece.beyond(border)

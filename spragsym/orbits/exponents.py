@@ -153,7 +153,7 @@ def lyapunov(
     return Lyapunov(
         late.exponents[order], late.error[order], zero[order], late.trivial,
         float(late.volumes.sum() / late.span), np.asarray(t_end - late.span + times),
-        np.asarray(np.cumsum(late.logs, axis=0) / times[:, None])[:, order], kind, why, limit, late.end,
+        (np.cumsum(late.logs, axis=0) / times[:, None])[:, order], kind, why, limit, late.end,
     )  # fmt: skip
 
 
@@ -260,14 +260,14 @@ def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
     count, m = logs.shape
     sums = np.vstack([np.zeros(m), np.cumsum(logs, axis=0)])
     line = np.linspace(0, 1, count + 1)[:, None] * sums[-1]
-    widest = np.ptp(sums - line, axis=0) / (count * stretch)
+    widest: FloatArray = np.ptp(sums - line, axis=0) / (count * stretch)
     for parts in PARTS:
         if count >= 4 * parts:
             ends = np.linspace(0, count, parts + 1).astype(int)
             means = np.diff(sums[ends], axis=0) / (np.diff(ends) * stretch)[:, None]
             width = student.ppf(0.975, parts - 1) * means.std(axis=0, ddof=1) / math.sqrt(parts)
             widest = np.maximum(widest, width)
-    return np.asarray(widest)
+    return widest
 
 
 def rates_along(system: System, state: FloatArray, span: float) -> Rates:
@@ -278,7 +278,7 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
     if not np.isfinite(flow).all():
-        raise ParameterError(f"start = {np.asarray(state).tolist()}: the motion is not defined there; start anywhere else")
+        raise ParameterError(f"start = {state.tolist()}: the motion is not defined there; start anywhere else")
 
     def carried(state: FloatArray, frame: FloatArray, span: float) -> tuple[FloatArray, FloatArray, FloatArray, float]:
         """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
@@ -306,4 +306,4 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
             state, frame, logs[i], volumes[i] = carried(state, frame, stretch)
             states.append(state)
         speeds = np.log([np.linalg.norm(rate(field, each, constants)) for each in states])
-    return Rates(logs, volumes, span, speeds, np.asarray(state))
+    return Rates(logs, volumes, span, speeds, state)

@@ -92,7 +92,8 @@ def parted(point: Point) -> FloatArray:
     apart = states[half:] - states[:half]
     flows = np.array([rate(point.loop.field, state, point.loop.constants) for state in states[:half]])
     along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
-    return np.asarray((apart - along[:, None] * flows).ravel() / np.sqrt(half), dtype=float)
+    across: FloatArray = (apart - along[:, None] * flows).ravel() / np.sqrt(half)
+    return across
 
 
 def meets(one: Point, other: Point) -> float | None:

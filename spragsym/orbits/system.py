@@ -80,7 +80,7 @@ class System:
 
     def linearization(self, state: FloatArray) -> FloatArray:
         """The matrix of the motion about an equilibrium, shape (m, m)."""
-        constants, numbers = self.constants, np.asarray(state).tolist()
+        constants, numbers = self.constants, state.tolist()
         return self.field.matrix(numbers, constants, self.field.initial_mode(numbers, constants))
 
 
@@ -189,7 +189,7 @@ def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
         moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
     except np.linalg.LinAlgError:
         moves = np.full(len(vectors), np.inf)
-    return eigenvalues, vectors, np.asarray(rounding_of(matrix) * moves)
+    return eigenvalues, vectors, rounding_of(matrix) * moves
 
 
 def growth_of_cycle(cycle: Cycle) -> float | None:

@@ -416,18 +416,18 @@ def regular_at_anchors(at: State, among: BoolArray) -> BoolArray:
 def _regular(at: State, spring: int) -> BoolArray:
     count, place = at.shape[0], 3 * spring
     every, turn = np.tile(np.arange(count), ARCS), np.repeat(ARC * np.arange(ARCS + 1), count)
-    at = at.some(every)
-    arc, (*known, length) = Intervals.between(turn[:-count], turn[count:]), at.directions[place : place + 3]
-    arcs = [XP.cos(arc), XP.sin(arc)]
+    arc, known = Intervals.between(turn[:-count], turn[count:]), stacked(at.directions[place : place + 2], (count,))
+    arcs = stacked([XP.cos(arc), XP.sin(arc)], every.shape)
+    possible = np.flatnonzero(~contractors.apart(arcs.ends, known[:, every].ends))
+    at, arcs = at.some(every[possible]), arcs[:, possible]
 
     def slopes(length: Any) -> list[Any]:
         fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
         return [list(row) for row in replace(at, fixed=fixed).slopes()]
 
-    K = slopes(ENDLESS[np.zeros_like(every)])
-    R = slopes(Jet.variable(Intervals.point(np.ones(every.shape)), 0, 1))
+    K = slopes(ENDLESS[np.zeros_like(possible)])
+    R = slopes(Jet.variable(Intervals.point(np.ones(possible.shape)), 0, 1))
     pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K)))
-    pushed, whole = stacked([pushed, determinant(K)], every.shape)
-    nonzero = ~(pushed + whole * length).holds_zero()
-    elsewhere = contractors.apart(*(stacked(part, every.shape).ends for part in (arcs, known)))
-    return np.logical_and.reduce((nonzero | elsewhere).reshape(ARCS, -1))
+    pushed, whole = stacked([pushed, determinant(K)], possible.shape)
+    singular = (pushed + whole * at.directions[place + 2]).holds_zero()
+    return np.bincount(every[possible], singular, count) == 0

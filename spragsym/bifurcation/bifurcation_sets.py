@@ -371,14 +371,10 @@ class FoldCurves:
         states, scale = start, self.scale[:, None]
         with np.errstate(all="ignore"):
             for _ in range(STEPS):
-                values = self._values(states).middle
-                slopes = self._slopes(Intervals.point(states)).middle * self.scale[None, :, None]
-                matrix = np.moveaxis(np.concatenate([slopes, normal[None]]), -1, 0)
-                off = np.concatenate([values, (normal * (states - start) / scale).sum(axis=0)[None]]).T
-                regular = np.isfinite(matrix).all(axis=(1, 2)) & (np.abs(np.linalg.det(np.nan_to_num(matrix))) > 0)
-                matrix = np.where(regular[:, None, None], matrix, np.eye(len(scale)))
-                states = states - np.linalg.solve(matrix, off[:, :, None])[:, :, 0].T * scale
-            good = regular & (np.linalg.norm((states - start) / scale, axis=0) <= NEAR * near)
+                slopes = self._slopes(Intervals.point(states)).middle * scale
+                off = np.concatenate([self._values(states).middle, (normal * (states - start) / scale).sum(axis=0)[None]])
+                states = states - (contractors.inverse(np.concatenate([slopes, normal[None]])) * off).sum(axis=1) * scale
+            good = np.linalg.norm((states - start) / scale, axis=0) <= NEAR * near
             good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(axis=0)
             # A fold in contact is next to each state, with the same value of what the normal points along most.
             good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]

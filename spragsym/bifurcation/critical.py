@@ -364,14 +364,11 @@ class _Search:
         way = carried(self.balance, here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
 
-    def end_at(self, place: float, one: _Candidate, limit: float) -> ModelEnd | None:
-        """Where the state ends there below a limit, from a little below a candidate; None if it does not."""
-        here = self.p.replace(**{self.over: place})
-        below = max(self.low, one.value - BEYOND * max(1.0, abs(one.value)))
-        state = carried(self.balance, here, self.vary, np.array([self.low, below]), self.beginning[place])[:, -1]
-        eq = equilibria(here.replace(**{self.vary: below}))
-        slot = nearest_state(eq, dict(zip(self.balance.coordinates, state.tolist(), strict=True)))
-        return first_end(here, self.vary, (below, limit), start=int(slot))
+    def end_at(self, place: float, limit: float) -> ModelEnd | None:
+        """Where the state ends there below a limit; None if it does not."""
+        here, near = self.p.replace(**{self.over: place}), dict(zip(self.balance.coordinates, self.beginning[place], strict=True))
+        slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
+        return first_end(here, self.vary, (self.low, limit), start=int(slot))
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
         """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided.
@@ -381,13 +378,13 @@ class _Search:
         limit = min(one.value + BEYOND * max(1.0, abs(one.value)), self.high)
         try:
             if one.kind != "cusp":
-                end = self.end_at(one.where, one, limit)
+                end = self.end_at(one.where, limit)
                 return end is not None and _Candidate(end.value, one.where, "", end.error).ties(one)
             limit = min(limit, 0.5 * (one.value + above))
             for sides in self.beside(one):
                 counts = [self.folds_below(side, limit) for side in sides if side in self.beginning]
                 if len(counts) == 2 and abs(counts[0] - counts[1]) == 2:
-                    return self.end_at(sides[int(np.argmax(counts))], one, limit) is not None
+                    return self.end_at(sides[int(np.argmax(counts))], limit) is not None
         except ConvergenceError:
             pass
         return None

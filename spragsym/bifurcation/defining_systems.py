@@ -68,13 +68,15 @@ class Family:
     @classmethod
     def of(
         cls, p: Any, vary: Sequence[str], between: Ranges | None = None,
-        within: Ranges | None = None, *, room: float = 0.0,
+        within: Ranges | None = None, *, room: float = 0.0, given: FloatArray | None = None,
     ) -> Self:  # fmt: skip
-        """Of a set of parameters; ``room`` is how far beyond the border of the contact states count, too."""
+        """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the border of contact states count, too."""
         balance, between = Balance(p.model, contact=True, room=room), between or {}
         spans, asked = ranges(p.model, vary, between), by_hand(balance.coordinates, within)
-        given = given_column(p, balance.parameters, vary)
-        return cls(p, balance, tuple(vary), given, spans, asked, endless(p.model, vary, between))
+        given = given_column(p, balance.parameters, vary) if given is None else given
+        # Of these nobody has said how far they are searched.
+        endless = tuple(name for name in vary if name not in between and math.inf in map(abs, _ends(p.model, name)))
+        return cls(p, balance, tuple(vary), given, spans, asked, endless)
 
     def at(self, values: FloatArray) -> FloatArray:
         """All parameters where those that vary have these values, shape (number, points)."""
@@ -112,11 +114,6 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
             raise ParameterError(f"between[{name!r}] = {between[name]} leaves the range of {name}, {domain}; stay within it")
         rows.append(ends)
     return np.array(rows, dtype=float).reshape(-1, 2)
-
-
-def endless(model: Model, vary: Sequence[str], between: Ranges) -> tuple[str, ...]:
-    """Parameters without an end, of which nobody has said how far they are searched."""
-    return tuple(name for name in vary if name not in between and math.inf in map(abs, _ends(model, name)))
 
 
 def _ends(model: Model, name: str) -> tuple[float, float]:
@@ -321,12 +318,9 @@ class Augmented(OfFamily):
         q, values = self.parted(unknowns, fixed, xp)
         return State(self.balance, q, values, shape, xp=xp, sides=sides)
 
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Forces and condition over boxes."""
-        return self._values(unknowns, parameters, self.balance.anywhere)
-
-    def _values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
-        """Values of the system on either side of the rays where torsion angles jump."""
+    def residuals(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> Intervals:
+        """Forces and condition over boxes, where torsion angles jump on all sides of the ray or on some."""
+        sides = sides or self.balance.anywhere
         at = extra = self.state(unknowns, parameters, sides)
         if self.condition.order:
             # Derivatives that the condition itself is made of.
@@ -354,7 +348,7 @@ class Augmented(OfFamily):
             out = out | regular_at_anchors(at, ~out)
 
         def no_root(rows: IntArray, sides: Sequence[int]) -> BoolArray:
-            values = self._values(unknowns[:, rows], parameters[:, rows], sides)
+            values = self.residuals(unknowns[:, rows], parameters[:, rows], sides)
             return ~np.logical_and.reduce(values.holds_zero())
 
         return out | self.balance.beside_jumps(at, ~out, no_root)

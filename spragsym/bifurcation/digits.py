@@ -25,7 +25,7 @@ from ..statics.precise_balance import once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
-from .defining_systems import Augmented, Family, PreciseAugmented, cusp, endless, ranges
+from .defining_systems import Augmented, Family, PreciseAugmented, cusp
 from .singularities import isolated
 
 T = TypeVar("T")
@@ -132,12 +132,10 @@ def precise_cusps(
     """
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    balance, between = Balance(p.model, contact=True), between or {}
     # Not a set of parameters: the float next to an exact number may lie on an end of the range that excludes it.
-    given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
-    spans, cut = ranges(p.model, vary, between), endless(p.model, vary, between)
-    family = Family(p, balance, tuple(vary), given, spans, endless=cut)
-    found, coordinates = isolated(family), balance.coordinates
+    given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters])
+    family = Family.of(p, vary, between, given=given)
+    found, coordinates = isolated(family), family.balance.coordinates
     systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
 
     def attempt(bits: int) -> list[PreciseCusp]:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
 
 import numpy as np
 
@@ -21,7 +20,7 @@ from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
 from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, of_kind, undamped_mode
-from .flutter import crossing, every, form_or_why, frequencies, meeting, of_forms, told
+from .flutter import Frequencies, crossing, every, form_or_why, frequencies, meeting, of_forms, told
 from .normal_forms import NormalForm
 from .points import arranged, matrices, nothing, search
 
@@ -151,10 +150,6 @@ def onset_curves(
     return plane.curves(n, damping)
 
 
-#: ω of the pairs at a state that ends a curve, or does not, by its M, C and K.
-_Modes: TypeAlias = Callable[..., list[float]]
-
-
 @dataclass(frozen=True)
 class _Plane(Family):
     """The plane of two parameters, and what is asked of states there, shape (n + 2, N): coordinates, then both parameters."""
@@ -168,10 +163,11 @@ class _Plane(Family):
             found = on_lines(self, condition, n, ends)
             for chain in found.chains:
                 known = zip(_at_ends(found.curves, chain, ends).tolist(), *matrices(self, chain), strict=True)
-                for states, omega in _pieces(chain, [modes(*each) for each in known]):
-                    forms = self.forms(found.curves, states) if modes is _pair else []
-                    curves.append(self.curve(states, omega, forms))
-                    changes += self.changes(found.curves, states, forms)
+                for states, omega in _pieces(chain, [_modes(modes, *each) for each in known]):
+                    forms = self.forms(found.curves, states) if modes is crossing else [UNPROVED] * len(omega)
+                    curve = self.curve(states, omega, forms)
+                    curves.append(curve)
+                    changes += self.changes(found.curves, states, curve.criticality.tolist())
             undecided, whole, said = np.concatenate([undecided, found.undecided]), whole and found.whole, said + found.remarks
             lines = found.lines
         hardly = int(self.hardly_damped(undecided.mean(axis=2).T).sum()) if damping and len(undecided) else 0
@@ -183,22 +179,22 @@ class _Plane(Family):
         complete = (points.complete or not damping) and whole and not len(undecided)
         return OnsetCurves(self.vary, damping, between, tuple(curves), points, rows, lines, complete, undecided, said)
 
-    def sought(self, damping: bool) -> tuple[Points, list[tuple[Condition, _Modes, FloatArray]], tuple[str, ...]]:
+    def sought(self, damping: bool) -> tuple[Points, list[tuple[Condition, Frequencies, FloatArray]], tuple[str, ...]]:
         """Points at which curves end or change; conditions on curves, what oscillates there, and ends; what is not searched."""
         balance = self.balance
         if not damping:
             points = arranged(self, nothing(self), np.empty(0, dtype=np.str_))
-            meet: list[tuple[Condition, _Modes, FloatArray]] = [(FLUTTER, _meeting, np.empty((balance.n + 2, 0)))]
-            return points, [] if is_conservative(balance, self.over) else meet, ()
+            ends = np.empty((balance.n + 2, 0))
+            return points, [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)], ()
         only = only_damped(balance, self.over) if balance.n > 1 else None
         points = self.points(only)
         ends = rows_of(self, points)[:, points.kind == "BT"]
         if only is None:
-            return points, [(HOPF, _pair, ends)], ()
+            return points, [(HOPF, crossing, ends)], ()
         free = self.hardly_damped(ends)
-        sought: list[tuple[Condition, _Modes, FloatArray]] = [(undamped_mode(only), _pair, ends[:, ~free])]
+        sought: list[tuple[Condition, Frequencies, FloatArray]] = [(undamped_mode(only), crossing, ends[:, ~free])]
         if balance.model.about["dampers"]:
-            return points, [*sought, (no_damping(only), _every_pair, ends[:, free])], ()
+            return points, [*sought, (no_damping(only), every, ends[:, free])], ()
         slope = slope_over(balance, self.over)
         low, high = float(slope.low[0]), float(slope.high[0])
         # An end of the range at which friction vanishes is none.
@@ -236,8 +232,6 @@ class _Plane(Family):
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:
         """The normal form at each point, over a box that is proved to hold one, or why there is none."""
-        if not states.shape[1]:
-            return []
         ends, good = curves.enclosed(states, np.abs(curves.tangents(states)).argmax(axis=0))
         middle = Intervals(ends).middle
         radii = contractors.distance(ends, middle)
@@ -247,18 +241,16 @@ class _Plane(Family):
             for k in range(good.size)
         ]
 
-    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str] = ()) -> Curve:
-        """The points with what is known of them; without forms none has one."""
-        forms = forms or [UNPROVED] * len(omega)
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]) -> Curve:
+        """The points with what is known of them."""
         return Curve({
             **self.named(states), "omega": omega, "lyapunov": of_forms(forms, "lyapunov", np.nan),
             "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
             "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
         })  # fmt: skip
 
-    def changes(self, curves: FoldCurves, states: FloatArray, forms: Sequence[NormalForm | str]) -> list[list[float]]:
+    def changes(self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
-        kinds = [told(form)[0] for form in forms]
         known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
         side = np.prod(self.roots(states), axis=1).real > 0
@@ -281,25 +273,15 @@ class _Plane(Family):
         return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
 
 
-def _pair(end: bool, *state: FloatArray) -> list[float]:
-    """ω of the pair that crosses, 0 at a Bogdanov–Takens point.
+def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:
+    """ω of what oscillates at a state, 0 first at a Bogdanov–Takens point, which belongs to the curve.
 
-    There both are 0, and rounding would say what they are: it belongs to the curve.
+    There two λ are 0, and rounding would say what they are.
     """
-    return crossing(*state) or [0.0] * end
-
-
-def _meeting(end: bool, *state: FloatArray) -> list[float]:
-    """ω of the two modes that meet."""
-    return meeting(*state)
-
-
-def _every_pair(end: bool, *state: FloatArray) -> list[float]:
-    """ω of all pairs of a state that nothing damps, one of them 0 at a Bogdanov–Takens point."""
     if not end:
-        return every(*state)
+        return modes(*state)
     roots = stability.roots(*state)
-    return [0.0, *frequencies(roots[np.argsort(np.abs(roots))[2:]])]
+    return [0.0, *(frequencies(roots[np.argsort(np.abs(roots))[2:]]) if modes is every else ())]
 
 
 def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tuple[FloatArray, FloatArray]]:

@@ -267,8 +267,7 @@ def _bounded(system: Augmented, around: FloatArray) -> bool:
     """Whether the condition has bounds in the whole region but for large values of the parameter."""
     low = _between(around, 0.0, LOW)
     with np.errstate(all="ignore"):
-        fixed = system.prepared(Intervals.point(system.family.at(np.array([[LOW]]))))
-        return bool(np.isfinite(system.residuals(Intervals(low), fixed).ends[:, -1]).all())
+        return bool(np.isfinite(system.residuals(Intervals(low), _at_end(system, LOW, 1)).ends[:, -1]).all())
 
 
 def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:

@@ -184,7 +184,9 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     places = _near(places, places[-1], around)
     places[:, fixed] = 0.0
     states = section(places, fixed)
-    scale = _scale(section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), fixed)
+    extent = np.ptp(section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0)
+    # Of x, y and y' over all turning points, those across the belt at least 1 % of that along it, or of a turn.
+    scale = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
     states /= scale
     for k in _candidates(states):
         period = float(times[-1] - times[-1 - k])
@@ -203,12 +205,6 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
 def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:
     """States with periodic coordinates shifted by whole turns nearer to a place."""
     return place + apart(states, place, around)
-
-
-def _scale(turns: FloatArray, fixed: int) -> FloatArray:
-    """Extents of x, y and y' over all turning points, those across the belt at least 1 % of that along it, or of a turn."""
-    extent: FloatArray = np.ptp(turns, axis=0)
-    return np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
 
 
 def _candidates(states: FloatArray) -> Iterator[int]:

@@ -70,14 +70,6 @@ class Approach:
                 found.append(cls(1e-3 * FELT * outside / (FELT**2 + z * z), None))
         return found
 
-    def passed(self, state: Any, pars: Any) -> bool:
-        """Whether the argument of a root is zero to GAP; the ``state`` is moved on by as much: there is no direction."""
-        n = len(state) // 2
-        if self.value is None or not abs(self.value(state, pars=pars[: self.value.nparams])[0]) < GAP**2:
-            return False
-        state[:n] += GAP / np.abs(state[n:]).max() * state[n:]
-        return True
-
 
 def equations(
     field: Field, *, watch: bool = False, directions: int | None = None
@@ -258,12 +250,14 @@ class Carrier:
             one.reach[kind] = bound(one.reach[kind], float(turn.state[0]))
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
-        state = self.state[: self.m, lane].copy()
-        passed = each.passed(state, self.pars[:, lane].copy())
-        self.state[: self.m, lane] = state
-        if passed and self.derivatives:
-            self.some[lane].error = ConvergenceError(JUMPED)
-        return self.some[lane].error is None
+        """Where the argument of a root is zero to GAP, move the state on by as much: there is no direction."""
+        one, state, pars = self.some[lane], self.state[: self.m, lane].copy(), self.pars[:, lane].copy()
+        if each.value is not None and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < GAP**2:
+            rates = state[self.m // 2 :]
+            self.state[: len(rates), lane] += GAP / np.abs(rates).max() * rates
+            if self.derivatives:
+                one.error = ConvergenceError(JUMPED)
+        return one.error is None
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         m = self.m
@@ -338,9 +332,7 @@ class Carrier:
             raise too_many_steps(problem, one.most, t)
         if made == BURST:
             check_stiffness(problem, state, (t - begun) / made, problem.t_end - t)
-        elif (
-            outcome not in (outcomes.time_limit, outcomes.step_limit) and len(self.some) == 1
-        ):  # of many, another may have stopped it
+        elif len(self.some) == 1 and outcome not in (outcomes.time_limit, outcomes.step_limit):  # of many, another may stop it
             raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
         if not t < end and not self.field.is_inside(state, problem.constants, one.mode):
             raise missed(t)

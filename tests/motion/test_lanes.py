@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.errors import SweepError
+from spragsym.errors import ConvergenceError, SweepError
 from spragsym.motion import Event, integrators, simulate, with_heyoka
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep
@@ -73,6 +73,10 @@ def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.Monkey
     assert all("left the range of numbers" in str(found[row]) for row in bad)
     for place, row in enumerate(row for row in range(len(some)) if row not in bad):
         assert_same(found[row], expected[place])
+    short = replace(good[0], max_steps=5)
+    with pytest.raises(ConvergenceError, match="5 steps were made") as alone:
+        integrators.integrate(short, "heyoka")
+    assert str(watched([short])[0]) == str(alone.value)
 
 
 def test_a_missed_crossing_is_the_failure_of_its_motion() -> None:

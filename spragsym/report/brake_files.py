@@ -186,7 +186,7 @@ def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
 def _correlation(given: Any, study: Study) -> Correlation:
     """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
     fit, rows = study.fit, given if isinstance(given, list) else [] if given is None else [given]
-    rows = [*rows, ["mu0", "d", fit.correlation]] if fit is not None and fit.mu0_error and fit.d_error else rows
+    rows = [*rows, ["mu0", "d", fit.correlation]] if fit is not None and {"mu0", "d"} <= set(study.tolerances) else rows
     for row in rows:
         if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
             cure = 'write correlation = [["k", "k_x", 0.9]]'

@@ -254,9 +254,7 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
     study = ss.Study(brake(mu0=0.0))
     found = study.report(**QUICKLY)
     assert found.current.stable
-    assert found.current.growth_per_s == 0
     assert any("nothing damps" in one for one in found.warnings)
-    assert not any("grows slowly" in one for one in found.warnings)
 
 
 def test_no_text_of_a_page_is_taken_for_html() -> None:
@@ -278,6 +276,8 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
         one = found.quantities[name]
         assert one.low < truth < one.high
         assert one.value == pytest.approx(truth, rel=0.05)
+    falling = with_friction(tmp_path, speed, 0.4 / (1 + speed), "v [m/s],mu").report(**QUICKLY)
+    assert any("choose a model with another law" in said for said in falling.warnings)
 
 
 def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:

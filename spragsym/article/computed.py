@@ -1,11 +1,10 @@
 """The computation that decides each statement: it returns whether the statement holds, and the values behind it."""
 
-import json
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any, TypeAlias
 
-import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
@@ -23,11 +22,12 @@ from ..models.parameters import FloatArray, Parameters
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
+from ..numerics.polynomials import primitive, real_roots
 from ..orbits import Cycle, cycle, fate_boundary
 from ..orbits.system import System
 from ..results import Equilibria, Jump, Stability
 from ..statics.equilibria import equilibria
-from .ledger import package_text
+from .ledger import printed, rounded
 
 #: What a computation says: whether the row's outcome holds, and the values behind it.
 Outcome: TypeAlias = tuple[Any, dict[str, Any]]
@@ -52,11 +52,6 @@ _deg = np.degrees
 
 def _at(degrees: Any, **changes: Any) -> Parameters:
     return _article(theta0=np.radians(degrees), **changes)
-
-
-def _few_digits(value: Any, digits: int) -> float:
-    """A number of which fewer digits are known than of the others in its row."""
-    return float(f"{value:.{digits}g}")
 
 
 # ------------------------------------------------------------------------------------------ the linear model
@@ -124,7 +119,7 @@ def one_or_three() -> Outcome:
     seen: set[int] = set()
     for changes in ({}, {"beta": 1.0}, {"beta": 2.0}, {"alpha": 0.07}, {"alpha": 0.7}, {"sigma": 0.01}, {"sigma": 1.0}):
         seen |= set(equilibria(_at(_GRID, **changes, mu0=_FEW)).count.ravel().tolist())
-    unproved = [step["claim"] for step in _ledger()["one_or_three"] if not step["holds"]]
+    unproved = [step["claim"] for step in printed()["one_or_three"] if not step["holds"]]
     return seen == {1, 3} and not unproved, {"counts": sorted(seen), "steps of the proof that fail": len(unproved)}
 
 
@@ -162,16 +157,13 @@ def lift_off() -> Outcome:
 
 
 def roots_of_21() -> Outcome:
-    """Real roots of the quartic in L, with 40 digits, beside the equilibria."""
+    """Real roots of the quartic in L, counted exactly, beside the equilibria."""
     angles, real = (30, 49, 90, 160), []
-    own = mpmath.mp.clone()  # mpmath.mp belongs to all threads
-    own.dps = 40
-    numbers = [own.mpf(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
-    for angle in angles:
-        theta0 = own.radians(angle)
-        coefficients = _equilibrium.contact_quartic(own.cos(theta0), own.sin(theta0), *numbers)
-        roots = own.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
-        real.append(sum(abs(own.im(root)) < own.mpf(10) ** -20 for root in roots))
+    numbers = [Fraction(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
+    for angle in map(math.radians, angles):
+        quartic = primitive(_equilibrium.contact_quartic(Fraction(math.cos(angle)), Fraction(math.sin(angle)), *numbers))
+        far = Fraction(1 + max(map(abs, quartic)))  # no root of integers is beyond
+        real.append(len(real_roots(quartic, -far, far, 0)))
     sliding = equilibria(_at(angles)).count
     return np.array_equal(real, sliding + 1), {"theta0_deg": angles, "real roots": real, "equilibria": sliding}
 
@@ -183,7 +175,7 @@ def jump_rising() -> Outcome:
     (jump,) = quasi_static_path(_article(mu0=0.7), "theta0", _RISING).jumps
     before, after = jump.before["x"], jump.after["x"]  # after is taken a little beyond the fold
     holds = after > before and jump.stability_after == Stability.STABLE
-    return holds, {"theta0_deg": _deg(jump.value), "x before": before, "x after": _few_digits(after, 9)}
+    return holds, {"theta0_deg": _deg(jump.value), "x before": before, "x after": rounded(after, 9)}
 
 
 def no_jump_falling() -> Outcome:
@@ -193,7 +185,7 @@ def no_jump_falling() -> Outcome:
     rises = (np.diff(back.x[slice(*ends)]) > 0).all() and back.values[ends[1]] < np.radians(2.0)
     return not back.jumps and rises and len(large.jumps) == 1, {
         "jumps on the way back": len(back.jumps),
-        "x grows from theta0_deg, to": [_few_digits(_deg(back.values[i]), 3) for i in ends],
+        "x grows from theta0_deg, to": rounded(_deg(back.values[ends]), 3),
         "x there": back.x[ends],
         "jump of the other state at theta0_deg": _deg(large.jumps[0].value),
     }
@@ -231,7 +223,7 @@ def flutter_alpha() -> Outcome:
     flutters = (inside.stability[:, 0] == Stability.FLUTTER).all() and (inside.count == 1).all()
     holds = len(onsets) == 2 and flutters and abs(_deg(growth.x) - 150) < 5
     # The place of a smooth maximum has half as many digits as the other numbers.
-    return holds, {"onsets_deg": onsets, "fastest growth at theta0_deg": _few_digits(_deg(growth.x), 5)}
+    return holds, {"onsets_deg": onsets, "fastest growth at theta0_deg": rounded(_deg(growth.x), 5)}
 
 
 def flutter_sigma() -> Outcome:
@@ -245,7 +237,7 @@ def flutter_sigma() -> Outcome:
 def sheets() -> Outcome:
     eq = equilibria(_at(_GRID, mu0=_FRICTIONS[::2, None]))
     lowest = flutter_boundary(_article()).mu0.min()
-    return _middle_diverges(eq) and lowest > MU0_MAX, {"lowest mu0 with flutter": _few_digits(lowest, 4)}
+    return _middle_diverges(eq) and lowest > MU0_MAX, {"lowest mu0 with flutter": rounded(lowest, 4)}
 
 
 def hopf() -> Outcome:
@@ -254,8 +246,8 @@ def hopf() -> Outcome:
     at = equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
     return (np.ptp(frequencies, axis=-1) < 2e-3).all() and lowest < 0.5, {
-        "lowest mu0 with flutter": _few_digits(lowest, 3),
-        "frequencies that meet at mu0 = 0.5": [_few_digits(value, 4) for value in frequencies.mean(axis=-1)],
+        "lowest mu0 with flutter": rounded(lowest, 3),
+        "frequencies that meet at mu0 = 0.5": rounded(frequencies.mean(axis=-1), 4),
     }
 
 
@@ -323,7 +315,7 @@ def amplitude_jump() -> Outcome:
     table = sensitivity(_at(np.arange(36.0, 48.5, 1.0)), [V], [D], refine=12)
     at, before, after = (float(np.ravel(value)[0]) for value in (_deg(table.theta0), table.before, table.after))
     apart = _deg(folds(_article()).theta0[0]) - at
-    return after > 5 * before and abs(apart) < 5, {"theta0_deg": at, "before the fold by (deg)": _few_digits(apart, 3)}
+    return after > 5 * before and abs(apart) < 5, {"theta0_deg": at, "before the fold by (deg)": rounded(apart, 3)}
 
 
 # ----------------------------------------------------------------------- where the oscillation lives, and the fate of rest
@@ -381,14 +373,10 @@ def fate_of_rest() -> Outcome:
 # ------------------------------------------------------------------------------------------ cross-references
 
 
-def _ledger() -> Any:
-    return json.loads(package_text("ledger.json", "spragsym.generated"))
-
-
 def printed_with(mark: str, what: str, among: list[str], expected: list[str]) -> Outcome:
     """Which of some equations are printed with a mark, as L⁴, or two primes of an acceleration."""
-    printed = {row["id"]: row["printed"] for row in _ledger()["rows"]}
-    found = [id for id in among if mark in printed[id]]
+    equations = {row["id"]: row["printed"] for row in printed()["rows"]}
+    found = [id for id in among if mark in equations[id]]
     return found == expected, {what: found}
 
 

@@ -6,14 +6,13 @@ import tomllib
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib import resources
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..assumed import D, V
 from ..errors import ConvergenceError
-from ..files.text import filled
+from ..files.text import filled, shipped_text
 from ..progress import doing
 
 #: What a row may hold: numbers, words, or lists of them.
@@ -48,12 +47,14 @@ class Statement:
         return row
 
 
-def package_text(name: str, package: str = "spragsym.article") -> str:
-    """The text of a file that comes with a package."""
-    return resources.files(package).joinpath(name).read_text(encoding="utf-8")
+def printed() -> Any:
+    """The ledger of the printed equations, as it was derived."""
+    return json.loads(shipped_text("spragsym.generated", "ledger.json"))
 
 
-STATEMENTS = tuple(Statement(id, **entry) for id, entry in tomllib.loads(package_text("statements.toml")).items())
+STATEMENTS = tuple(
+    Statement(id, **entry) for id, entry in tomllib.loads(shipped_text("spragsym.article", "statements.toml")).items()
+)
 
 
 def run(statements: Sequence[Statement]) -> list[Row]:
@@ -65,13 +66,13 @@ def run(statements: Sequence[Statement]) -> list[Row]:
         name, *arguments = [statement.computed] if isinstance(statement.computed, str) else statement.computed
         with doing(statement.id):
             holds, values = getattr(computed, name)(*arguments)
-        rows.append(statement.row(bool(holds), {name: _rounded(value, statement.digits) for name, value in values.items()}))
+        rows.append(statement.row(bool(holds), {name: rounded(value, statement.digits) for name, value in values.items()}))
     return rows
 
 
 def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[Row]:
     """The rows of statements with the committed values: each held when they were written."""
-    values = json.loads(package_text("record.json"))
+    values = json.loads(shipped_text("spragsym.article", "record.json"))
     return [statement.row(True, values[statement.id]) for statement in statements]
 
 
@@ -88,9 +89,10 @@ def record_text(rows: Sequence[Row]) -> str:
     return json.dumps({row["id"]: row["values"] for row in rows}, indent=1, ensure_ascii=False) + "\n"
 
 
-def _rounded(value: Any, digits: int) -> Value:
+def rounded(value: Any, digits: int) -> Value:
+    """A number, or several, to so many digits; of some numbers of a row fewer are known than of the others."""
     if isinstance(value, np.ndarray | list | tuple):
-        items: list[Any] = [_rounded(item, digits) for item in value]
+        items: list[Any] = [rounded(item, digits) for item in value]
         return items
     if isinstance(value, float | np.floating):
         return float(f"{float(value):.{digits}g}")
@@ -126,18 +128,17 @@ PARADOX = (
 
 def page() -> str:
     """The page, in Markdown: reproduction.md, filled in (extra ``plot``)."""
-    rows, claims = json.loads(package_text("ledger.json", "spragsym.generated"))["rows"], recorded()
-    forms = package_text("LEDGER.md", "spragsym.generated")
+    rows, claims, forms = printed()["rows"], recorded(), shipped_text("spragsym.generated", "LEDGER.md")
 
     def both_forms(id: str) -> str:
         """What is printed above what is derived, as the ledger's page shows the row."""
         section = forms.partition(f"\n### {id}\n")[2]
         return section[section.index("```math") :].partition("\n```\n")[0] + "\n```"
 
-    printed, stated = (Counter(row["status"] for row in those) for those in (rows, claims))
+    equations, stated = (Counter(row["status"] for row in those) for those in (rows, claims))
     return filled(
-        "spragsym.article", "reproduction.md", "the report on the article", rows=rows, claims=claims, printed=printed,
-        stated=stated, measured=json.loads(package_text("measured.json")), paradox=PARADOX, V=V, d=f"{D:g}",
+        "spragsym.article", "reproduction.md", "the report on the article", rows=rows, claims=claims, printed=equations,
+        stated=stated, measured=json.loads(shipped_text("spragsym.article", "measured.json")), paradox=PARADOX, V=V, d=f"{D:g}",
         both_forms=both_forms, counts=_counts,
     )  # fmt: skip
 

@@ -2,7 +2,6 @@
 
 import difflib
 import inspect
-import json
 import re
 import sys
 from collections.abc import Mapping, Sequence
@@ -114,9 +113,9 @@ def _claims(only: tuple[str, ...], again: bool) -> _Rows:
 
 
 def _equations(only: tuple[str, ...], again: bool) -> _Rows:
-    from ..article.ledger import package_text
+    from ..article.ledger import printed
 
-    before = {row["id"]: row for row in json.loads(package_text("ledger.json", "spragsym.generated"))["rows"]}
+    before = {row["id"]: row for row in printed()["rows"]}
     rows = _chosen(only, before, "the equations (statements of the text: --claims)")
     if not again:
         return rows, []

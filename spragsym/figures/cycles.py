@@ -7,7 +7,6 @@ import json
 import math
 from collections.abc import Callable
 from contextlib import suppress
-from importlib import resources
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +19,7 @@ import spragsym as ss
 
 from ..assumed import D, V
 from ..errors import ConvergenceError, ParameterError
+from ..files.text import shipped_text
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
@@ -79,7 +79,7 @@ MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 
 def found_cycles() -> dict[str, Any]:
     """The branches that ``python -m validation.cycle_search`` found, with how they were looked for."""
-    text = resources.files(__package__).joinpath("cycles.json").read_text(encoding="utf-8")
+    text = shipped_text("spragsym.figures", "cycles.json")
     found: dict[str, Any] = json.loads(text)
     for line in found["branches"]:
         line |= {name: np.array(line[name]) for name in ("theta0", "period", "rms", "stable")}

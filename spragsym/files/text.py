@@ -61,12 +61,16 @@ def text_of(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "a
         raise ParameterError(f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}") from error
 
 
+def shipped_text(package: str, name: str) -> str:
+    """The text of a file that comes with a package."""
+    return (resources.files(package) / name).read_text(encoding="utf-8")
+
+
 def filled(package: str, name: str, what: str, **values: Any) -> str:
     """The template of this name with values in it, text escaped in HTML; ``what`` it is needs the extra ``plot``."""
     try:
         from jinja2 import Environment, StrictUndefined
     except ModuleNotFoundError as error:
         raise MissingExtraError(what, "jinja2", "plot") from error
-    text = (resources.files(package) / name).read_text(encoding="utf-8")
     made = Environment(autoescape=name.endswith(".html"), undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
-    return made.from_string(text).render(values)
+    return made.from_string(shipped_text(package, name)).render(values)

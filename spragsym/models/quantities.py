@@ -67,6 +67,10 @@ class Quantities:
             result = result * values[name] ** power if power else result  # exactly 1 for an angle or a number
         return result
 
+    def scales(self, values: Mapping[str, Any]) -> Scales:
+        """Scales of length, time and force."""
+        return Scales(*(self.scale(unit, values) for unit in ("m", "s", "N")))
+
     def groups(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The dimensionless parameters by name, from quantities of any number type."""
         given = ((name, quantity) for quantity, name in self.parameters.items() if quantity in values)
@@ -245,7 +249,7 @@ class PhysicalParameters(Values):
     @property
     def scales(self) -> Scales:
         """Scales of length, time and force: multiply a dimensionless result by its scale."""
-        return Scales(*(self.kind.scale(unit, self.known) for unit in ("m", "s", "N")))
+        return self.kind.scales(self.known)
 
     def dimensionless(self) -> Parameters:
         """The system as :class:`Parameters`; without V and d if these were not given."""

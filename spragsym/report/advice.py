@@ -39,19 +39,15 @@ FLAT = 3.15
 
 def cautions(report: Report) -> tuple[str, ...]:
     """All warnings for a study and the states that were found."""
-    study, found = report.study, report.states
+    study = report.study
     return (
-        *_contact(study, found),
-        *(() if report.jumped else _far(study, found)),
+        *_contact(study, report.states),
+        *_far(report),
         *_stiffness(study),
         *_friction_caution(study),
         *of_data(study),
-        *_damping(study, found),
+        *_damping(report),
     )
-
-
-def _data(study: Study, name: str) -> str:
-    return f"{name} = {study.shown(name)}"
 
 
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
@@ -64,13 +60,12 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
             yield f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of L_0: check F_L and k_c"
 
 
-def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
-    length = 1e3 * study.values.get("L_0", math.inf)
-    for state in found:
-        x = state.places.get("x_mm", 0.0)
-        if state.current and abs(x) > FAR * length:
-            share = f"{abs(x) / length:.0%} of L_0"
-            yield f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small deformation"
+def _far(report: Report) -> Iterator[str]:
+    length, here = 1e3 * report.study.values.get("L_0", math.inf), report.current
+    x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
+    if abs(x) > FAR * length:
+        share = f"{abs(x) / length:.0%} of L_0"
+        yield f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small deformation"
 
 
 def _stiffness(study: Study) -> Iterator[str]:
@@ -79,10 +74,11 @@ def _stiffness(study: Study) -> Iterator[str]:
     for name in ("k", "k_x", "k_y"):
         ratio = study.values.get(name, 0.0) / study.values["k_c"]
         if ratio > 0.5:
-            yield f"{_data(study, name)} is {ratio:.3g} times k_c, and the contact should be the stiffest part: check both units"
+            stiffest = "the contact should be the stiffest part: check both units"
+            yield f"{name} = {study.shown(name)} is {ratio:.3g} times k_c, and {stiffest}"
     sigma = study.values.get("k", math.inf) / study.values["k_c"]
     if sigma < 1e-4:
-        yield f"{_data(study, 'k')} is only {sigma:.1g} times k_c: check its unit"
+        yield f"k = {study.shown('k')} is only {sigma:.1g} times k_c: check its unit"
 
 
 def _friction_caution(study: Study) -> Iterator[str]:
@@ -92,8 +88,10 @@ def _friction_caution(study: Study) -> Iterator[str]:
     elif study.kind.law["at_rest"] == "other" and "mu0" in study.values:
         yield "the friction law is not proportional to mu0: friction is taken at rest, not at the belt's speed"
     yield from _fit(study)
-    if "mu0" in study.values and study.fraction < FULL:
-        share = f"{study.fraction:.3g} of mu0, {study.friction[1]:.3g} in place of {study.values['mu0']:.3g}"
+    full = study.values.get("mu0", 0.0)
+    works = float(study.at_work.mu0) if full else 0.0
+    if works < FULL * full:
+        share = f"{works / full:.3g} of mu0, {study.friction[1]:.3g} in place of {full:.3g}"
         cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
         yield f"the belt is so slow that friction is {share}: check {cause}"
 
@@ -123,23 +121,23 @@ def of_data(study: Study) -> Iterator[str]:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
     if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
         number = f"{study.in_file('theta0', angle.value):g}"
-        yield f"{_data(study, 'theta0')} looks like radians; write {number} rad if that is meant"
+        yield f"theta0 = {study.shown('theta0')} looks like radians; write {number} rad if that is meant"
     length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:
-        yield f"{_data(study, 'L_0')} is {length:.3g} m, outside 0.1 mm to 10 m: check its unit"
+        yield f"L_0 = {study.shown('L_0')} is {length:.3g} m, outside 0.1 mm to 10 m: check its unit"
 
 
-def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
-    for state in found:
-        if not study.moves or not state.current or state.settles is not None:
-            continue
-        least = min(state.damping_ratio, default=0.0)
-        if state.growth_per_s == 0:
-            yield "nothing damps here: whether a disturbance dies out is up to the damping of the real brake"
-        else:
-            goes = "settles slowly" if least > 0 else "grows slowly"
-            ratio = f"with a damping ratio of {least:.1g} a disturbance {goes}"
-            yield f"{ratio}: practically neutral, so the damping of the real brake decides"
+def _damping(report: Report) -> Iterator[str]:
+    here = report.current
+    if here is None or here.settles is not None or not report.study.moves:
+        return
+    least = min(here.damping_ratio, default=0.0)
+    if here.growth_per_s == 0:
+        yield "nothing damps here: whether a disturbance dies out is up to the damping of the real brake"
+    else:
+        goes = "settles slowly" if least > 0 else "grows slowly"
+        ratio = f"with a damping ratio of {least:.1g} a disturbance {goes}"
+        yield f"{ratio}: practically neutral, so the damping of the real brake decides"
 
 
 #: Steps at most, and quantities that one of them names.
@@ -176,13 +174,10 @@ def _ranges(report: Report) -> Rows:
     if jump is not None and low < jump <= high and low < high:
         yield "narrow", f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less than {study.amount(jump)}"
         return
-    totals = {name: total for name, (_, total, _) in (odds.sobol if odds and odds.probability else {}).items()}
-    most = max(totals, key=lambda name: totals[name] if totals[name] > 0 else 0.0, default=None)
-    if most is not None and totals[most] > 0:
-        yield (
-            "narrow",
-            f"the tolerance of {most}: it decides most, {min(1.0, totals[most]):.0%} of the variance with interactions",
-        )
+    for name, (_, total, _) in [*(odds.sobol if odds and odds.probability else {}).items()][:1]:
+        if total > 0:
+            share = f"{min(1.0, total):.0%} of the variance with interactions"
+            yield "narrow", f"the tolerance of {name}: it decides most, {share}"
 
 
 def _measurements(report: Report) -> Rows:

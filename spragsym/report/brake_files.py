@@ -15,7 +15,6 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +22,7 @@ import numpy as np
 
 from ..design.sampling import Correlation, dependence
 from ..errors import ParameterError, SpragsymError, hint
-from ..files.text import MEASURED, text_of
+from ..files.text import MEASURED, shipped_text, text_of
 from ..generated import laws
 from ..models import Model
 from ..models.load import USUAL, shipped
@@ -114,7 +113,7 @@ class _Reader:
         with self.at("correlation"):
             study.correlation = _correlation(own["correlation"], study)
         with self.at("state"):
-            study.state = _state(own["state"] or {}, kind)
+            study.state = _state(own["state"] or {}, kind.coordinates)
         with self.at("may_change"):
             study.may_change = _may_change(own["may_change"] or {}, kind)
         with self.at("vary" if own["begin"] is None else "begin"):
@@ -198,20 +197,22 @@ def _correlation(given: Any, study: Study) -> Correlation:
     return found
 
 
-def _state(given: Any, kind: Quantities) -> Numbers:
-    units = kind.coordinates
+def _by_name(key: str, given: Any, units: Mapping[str, str], ranges: Mapping[str, Range], cure: str) -> dict[str, Measured]:
     if not isinstance(given, dict) or not set(given) <= set(units):
-        example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
-        raise ParameterError(f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
-    return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+        raise ParameterError(f"{key} = {given!r} does not name {cure}")
+    return {name: _quantity(name, text, units[name], ranges.get(name, FINITE)) for name, text in given.items()}
+
+
+def _state(given: Any, units: Mapping[str, str]) -> Numbers:
+    example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
+    found = _by_name("state", given, units, {}, f"coordinates; write state = {{ {example} }}")
+    return {name: one.value for name, one in found.items()}
 
 
 def _may_change(given: Any, kind: Quantities) -> Ranges:
-    if not isinstance(given, dict) or not set(given) <= set(kind.units):
-        cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
-        raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
-    ends = {name: _quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
-    return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
+    cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
+    found = _by_name("may_change", given, kind.units, kind.ranges(), f"quantities; {cure}")
+    return {name: spanned(kind, name, (one.low, one.high)) for name, one in found.items()}
 
 
 def _rise(vary: Any, begin: Any, study: Study) -> Rise | None:
@@ -237,7 +238,7 @@ def example(model: Model) -> str:
     ['[brake]', 'model = "stick_slip"']
     """
     if model.where == USUAL:
-        return (resources.files("spragsym.report") / "brake.toml").read_text(encoding="utf-8")
+        return shipped_text("spragsym.report", "brake.toml")
     kind, (_, p) = quantities(model.where), model.cases()[0]
     sizes = {name: _SIZES.get(unit, 1.0) for name, unit in kind.bases.items()}
     values = sizes | {
@@ -485,8 +486,9 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     slopes = np.stack([shape(d), mu0 * speed * np.exp(-d * speed)], axis=1)
     covariance = np.linalg.pinv(slopes.T @ slopes)
     sizes = np.sqrt(np.abs(np.diag(covariance)))
+    mu0_error, d_error = (spread * sizes).tolist()
     return FrictionFit(
-        mu0=mu0, d=d, mu0_error=float(spread * sizes[0]), d_error=float(spread * sizes[1]),
+        mu0, d, mu0_error, d_error,
         correlation=float(np.clip(covariance[0, 1] / max(sizes.prod(), 1e-300), -1.0, 1.0)), rms=spread, points=speed.size,
         slowest=float(moving.min()), fastest=float(speed.max()),
     )  # fmt: skip

@@ -75,9 +75,9 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 
 def distance(study: Study) -> float:
-    """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
+    """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without one, or a jump."""
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
-    return float(jump_margin(design(study), scale, **study.along()).distance) if scale else math.nan
+    return float(jump_margin(design(study), scale, **study.along()).distance) if scale and study.rise else math.nan
 
 
 def design(study: Study) -> Design:
@@ -96,8 +96,7 @@ class _Search:
     def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.effort = study, target, effort(study)
         self.span = {name: self._span(name) for name in study.kind.balanced if name != study.rises.quantity}
-        self.names = tuple(name for name, (low, high) in self.span.items() if low < high)
-        self.scale = {name: self._scale(name) for name in self.names}
+        self.scale = {name: self._scale(name) for name, (low, high) in self.span.items() if low < high}
         self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
         within = {name: Range(*ends, closed_high=True) for name, ends in self.span.items()}
         self.within = replace(design(study), ranges=self.allowed | within)
@@ -132,7 +131,7 @@ class _Search:
 
     def singles(self) -> list[Change]:
         """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
-        least = filter(None, (self._least((name,)) for name in self.names))
+        least = filter(None, (self._least((name,)) for name in self.scale))
         found = [self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]]
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
@@ -141,7 +140,7 @@ class _Search:
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
-        names = tuple(name for name in self.names if name in self.study.tolerances)
+        names = tuple(name for name in self.scale if name in self.study.tolerances)
         try:
             if len(names) < 2:
                 designs = space(design(self.study), self.scale, None)

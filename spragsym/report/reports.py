@@ -122,7 +122,7 @@ class Report(Result):
     def theta0_jump_deg(self) -> float | None:
         """Where the state jumps as the inclination rises, NaN where it never does."""
         study, at = self.study, self.study.at_work
-        if "theta0" not in at.model.parameters or (study.rise is not None and study.rise.name == "theta0"):
+        if "theta0" not in at.model.parameters or study.rises.name == "theta0":
             return None
         return self._known("the jump along theta0 is", lambda: math.degrees(jump_value(at, "theta0")))
 
@@ -231,15 +231,15 @@ class Report(Result):
     @cached_property
     def folds(self) -> dict[str, Points]:
         """Folds along the loading parameter and along the inclination, where they are known."""
-        study, rise = self.study, self.study.rise
-        p, names = study.at_work, ["theta0"] if rise is None else [rise.name, "theta0"]
-        axes = dict.fromkeys(vary for vary in names if vary in p.model.parameters)
+        study, rise = self.study, self.study.rises
+        p = study.at_work
+        axes = dict.fromkeys(vary for vary in (rise.name, "theta0") if vary in p.model.parameters)
         asked = ((vary, self._known(f"folds along {vary} are", partial(folds, p, vary))) for vary in axes)
         found = {vary: points for vary, points in asked if points is not None}
-        own = None if rise is None else found.get(rise.name)
+        own = found.get(rise.name)
         # Folds at more friction than any brake has do not matter.
         if own is not None and not own.complete and (len(own.undecided) or not study.of_friction or study.top <= FRICTION):
-            self.remarks.append(f"folds along {study.rises.quantity} may be missing: {self._brief(*own.remarks)}")
+            self.remarks.append(f"folds along {rise.quantity} may be missing: {self._brief(*own.remarks)}")
         return found
 
     @cached_property
@@ -251,12 +251,10 @@ class Report(Result):
                 angle = math.degrees(value) if vary == "theta0" else None
                 told = None if angle is not None else study.told(value)
                 friction, other = (told, None) if study.of_friction else (None, told)
-                before, after = (
-                    in_units(study, {name: columns[name][i] for name in study.kind.model.coordinates})
-                    for columns in (found.coordinates, found.after)
-                )
-                words = (str(found.ends[i]), str(found.when[i]))
-                rows.append(FoldRow(str(found.kind[i]), friction, angle, other, *words, before, after))
+                places = (found.coordinates, found.after)
+                before, after = (in_units(study, {name: column[i] for name, column in place.items()}) for place in places)
+                kind, ends, when = (str(words[i]) for words in (found.kind, found.ends, found.when))
+                rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after))
         return tuple(rows)
 
     @property
@@ -319,7 +317,7 @@ class Report(Result):
     @cached_property
     def distance(self) -> float:
         """The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known."""
-        found = None if self.study.rise is None else self._known("the nearest jump is", lambda: distance(self.study))
+        found = self._known("the nearest jump is", lambda: distance(self.study))
         return math.nan if found is None else found
 
     @property
@@ -357,7 +355,7 @@ class Report(Result):
     @property
     def vary(self) -> str | None:
         """The quantity that rises."""
-        return None if self.study.rise is None else self.study.rise.quantity
+        return self.study.rises.quantity or None
 
     @property
     def mu_jump(self) -> float | None:

@@ -15,6 +15,7 @@ from ..models import forces
 from ..models.parameters import FloatArray, Ranges
 from ..motion import simulate
 from ..motion.regimes import Regime
+from ..numerics.interval_arrays import ComplexArray
 from ..orbits import cycle
 from ..results import Equilibria, Named, Result, Stability
 from ..statics.balance import Balance
@@ -182,8 +183,9 @@ def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, .
     """Every state of ``eq``, in contact at the friction that works, in its order; the one that is ``here`` is ``current``."""
     places = _places(eq)
     off = [max(abs(value - here[name]) for name, value in place.items()) if here else math.inf for place in places]
-    nearest = min(range(len(off)), key=off.__getitem__, default=-1)
-    return tuple(_state(study, eq, slot, place, slot == nearest and off[slot] < SAME) for slot, place in enumerate(places))
+    return tuple(
+        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < SAME) for slot, place in enumerate(places)
+    )
 
 
 def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[Numbers, float | None], ...]:
@@ -243,14 +245,14 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     )
 
 
-def _roots(study: Study, q: list[float]) -> FloatArray:
+def _roots(study: Study, q: list[float]) -> ComplexArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope where that is not known."""
     p, belt = study.dimensionless, study.kind.law["belt"]
-    damped = p if study.moves or belt not in p.model.parameters else p.replace(**{belt: LEVEL})
-    given = np.array([one.scalars(*p.model.parameters) for one in (p, damped)]).T
-    parts = linearization(Balance(p.model, True, study.law), np.array([q, q]).T, given)
-    M, C, K = (np.moveaxis(part, -1, 0) for part in parts)
-    return np.asarray(roots(M[:1], C[1:], K[:1])[0])
+    if not study.moves and belt in p.model.parameters:  # friction is that at rest then, whatever the speed
+        p = p.replace(**{belt: LEVEL})
+    given = np.array(p.scalars(*p.model.parameters))
+    parts = linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None])
+    return roots(*(part[..., 0] for part in parts))
 
 
 def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:

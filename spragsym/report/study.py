@@ -56,6 +56,10 @@ class Rise:
         return self
 
 
+#: What rises where nothing is said to.
+_NOTHING = Rise("", "", math.nan, False)
+
+
 def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Numbers) -> Rise | None:
     """The loading parameter: the quantity that is named, else the friction at full slip; None for a model without it.
 
@@ -222,7 +226,7 @@ class Study:
     @cached_property
     def scales(self) -> Scales:
         """Scales of length, time and force."""
-        return Scales(*(self.scale(unit) for unit in ("m", "s", "N")))
+        return self.kind.scales(self.values)
 
     def scale(self, si: str) -> float:
         """What one of the model's is in an SI unit."""
@@ -271,12 +275,6 @@ class Study:
         return bool(self.kind.about["friction"])
 
     @cached_property
-    def fraction(self) -> float:
-        """The share of μ₀ at which friction works at the speed of the belt; 1 where that is not known."""
-        p = self.dimensionless
-        return float(share(p.model, p)) if self.law == "friction_at_speed" else 1.0
-
-    @cached_property
     def friction(self) -> Spread:
         """The friction that works: least, at the operating point, and largest within the tolerances; by the model's law."""
         from .tolerances import working_friction
@@ -290,14 +288,13 @@ class Study:
 
     @property
     def rises(self) -> Rise:
-        """The loading parameter, of a study of which something does."""
-        assert self.rise is not None
-        return self.rise
+        """The loading parameter; one without a name where nothing is said to rise."""
+        return self.rise or _NOTHING
 
     @property
     def of_friction(self) -> bool:
         """Whether it is the friction that rises."""
-        return self.rise is not None and self.rise.is_friction
+        return self.rises.is_friction
 
     @property
     def working(self) -> Spread:
@@ -329,8 +326,7 @@ class Study:
         rise = self.rises
         allowed = self.kind.model.Parameters.ranges[rise.name]
         scale = self.kind.scale(self.kind.units[rise.quantity], values or self.values)
-        found = np.maximum(rise.begin / scale, allowed.reached(allowed.low))
-        return found if values else float(found)
+        return np.maximum(rise.begin / scale, allowed.reached(allowed.low))
 
     def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """The loading parameter as arguments of the model's questions."""

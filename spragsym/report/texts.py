@@ -78,8 +78,8 @@ def _on_the_motion(report: Report) -> str:
 
 
 def _on_the_jump(report: Report) -> str:
-    study, jump, rise = report.study, report.jump_at, report.study.rise
-    if jump is None or rise is None:
+    study, jump, rise = report.study, report.jump_at, report.study.rises
+    if jump is None:
         return _unknown(report)
     (low, _, high), full = study.working, study.full[2]
     model = "" if study.model == USUAL else f" with the model {study.kind.about['name']}"
@@ -414,7 +414,7 @@ _PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_
 def as_json(report: Report) -> Json:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
     study, state, lives, odds, reached = report.study, report.current, report.oscillation, report.probability, report.certificate
-    alive, jump = lives if lives is not None and lives.alive else None, report.peak
+    alive, jump = lives if lives and lives.alive else None, report.peak
     first = next(iter(jump.before)) if jump else ""
     unit = first.rpartition("_")[2]
     lengths = state and [value for key, value in state.places.items() if key.endswith("_mm")]
@@ -426,9 +426,9 @@ def as_json(report: Report) -> Json:
         return {name: one(name, value) for name, value in values.items()}
 
     def told(value: float | None) -> Any:
-        if value is None or report.vary is None:
+        if value is None:
             return None
-        return {"value": value, "unit": ""} if study.of_friction else one(report.vary, value)
+        return {"value": value, "unit": ""} if study.of_friction else one(study.rises.quantity, value)
 
     def both(name: str) -> Json:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}

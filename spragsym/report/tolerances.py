@@ -182,9 +182,9 @@ def begins_alike(study: Study, after: Numbers) -> bool:
     """Whether the state that is followed in a changed brake is the one of the brake as drawn, not one behind its end."""
     if study.of_friction:
         return True
-    ends = {name: sorted((study.values[name], value)) for name, value in after.items()}
-    moved = {name: replace(study.quantities[name].alone, low=low, high=high) for name, (low, high) in ends.items()}
-    low, high, units = box(study.with_quantities({name: one.alone for name, one in study.quantities.items()} | moved))
+    ends = {name: sorted((value, after.get(name, value))) for name, value in study.values.items()}
+    moved = {name: replace(one.alone, low=ends[name][0], high=ends[name][1]) for name, one in study.quantities.items()}
+    low, high, units = box(study.with_quantities(moved))
     of = sides(study)
     try:
         way = Splitting(low, high, study.rises.name, study.begins(), units)

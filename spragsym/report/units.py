@@ -81,12 +81,9 @@ class Measured:
 
     def ppf(self, share: Any) -> Any:
         """The value below which a share of its distribution within its ends lies."""
-        if self.sd:
-            least, most = self._below(self.low), self._below(self.high)
-            value = self.value + self.sd * ndtri(least + np.asarray(share) * (most - least))
-        else:
-            value = self.low + np.asarray(share) * (self.high - self.low)
-        return np.clip(value, self.low, self.high)
+        least, most = self._below(self.low), self._below(self.high)
+        value = least + np.asarray(share) * (most - least)
+        return np.clip(self.value + self.sd * ndtri(value) if self.sd else value, self.low, self.high)
 
     def _below(self, value: Any) -> Any:
         return ndtr((value - self.value) / self.sd) if self.sd else value
@@ -139,8 +136,7 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
         one = _about(found, si, None if ends is None else _between(ends, si))
     else:
         raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
-    reach = (one.value - WITHIN * one.sd, one.value + WITHIN * one.sd) if not one.cut else (one.low, one.high)
-    for end in (one.value, *reach):
+    for end in (one.value, one.whole.low, one.whole.high):
         if not allowed.contains(end):
             reached = "" if end == one.value else "the tolerance reaches what is not allowed: "
             raise ParameterError(f"{reached}{shown_in(end, one.unit, si, 6)} is not {_within(allowed, one.unit, si)}")
@@ -191,7 +187,7 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
     if ends is not None:
         if not ends.low < value < ends.high or not 0 < width < math.inf:
             raise ParameterError("the mean does not lie between the ends at which it is cut off, or sd is not above 0 and finite")
-        return Measured(value, ends.low, ends.high, unit, width, True)
+        return Measured(value, ends.low, ends.high, unit, width)
     return Measured(value, value - ENDS * width, value + ENDS * width, unit, width, width == 0)
 
 

@@ -174,10 +174,8 @@ def test_sines_of_cusps_are_all_real_roots_inside(values: list[Fraction]) -> Non
 def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
     """At sin θ = 1/√3 and 3/5, which no interval of dyadic ends is: polynomials of degree 10."""
     polynomial = (Fraction(-3), Fraction(5), Fraction(9), Fraction(-15))  # (5 s − 3)(1 − 3 s²)
-    third, rational, exact = (
-        ExactRoot(polynomial, ChartRoot(*ends))
-        for ends in ((Fraction(n, 1000), Fraction(m, 1000)) for n, m in ((577, 578), (599, 601), (600, 600)))
-    )
+    ends = ((577, 578), (599, 601), (600, 600))
+    third, rational, exact = (ExactRoot(polynomial, ChartRoot(*(Fraction(n, 1000) for n in pair))) for pair in ends)
 
     def is_zero(root: ExactRoot, numerator: Any) -> bool:
         with balls.precision(100):

@@ -74,7 +74,8 @@ def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArr
     """
     kind, known = KINDS[verdict.kind], attractor(system, verdict)
     if known.kind == Regime.LIFT_OFF:
-        return kind, np.full(known.state.size, np.nan), np.full(known.state.size, np.nan)
+        nothing = np.full(known.state.size, np.nan)
+        return kind, nothing, nothing
     if known.orbit is None:
         rates = np.asarray(np.linalg.eigvals(system.linearization(known.state)).real, dtype=float)
         errors = np.zeros(len(rates))

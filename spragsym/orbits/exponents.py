@@ -145,26 +145,19 @@ def lyapunov(
     order = late.order
     zero = np.abs(late.exponents) <= PROVED * late.error
     zero[0] |= late.moves
-    kind, why, limit = _kind(system, state, t_end)
-    if not kind:
-        why = late.undecided(t_end - late.span)
-        kind = "undecided" if why else "chaotic"
-        why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
+    why = late.undecided(t_end - late.span)
+    kind, limit = "undecided" if why else "chaotic", np.full(state.size, np.nan)
+    why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
+    verdict = judged(system, state, times=(t_end,))
+    if verdict.decided:
+        with suppress(ConvergenceError):  # what it comes to decides, and what is not found again decides nothing
+            kind, limit, _ = settled(system, verdict)
+            why = f"it comes to {verdict.told()}"
     return Lyapunov(
         late.exponents[order], late.error[order], zero[order], late.trivial,
         float(late.volumes.sum() / late.span), np.asarray(t_end - late.span + times),
         (np.cumsum(late.logs, axis=0) / times[:, None])[:, order], kind, why, limit, late.end,
     )  # fmt: skip
-
-
-def _kind(system: System, state: FloatArray, t_end: float) -> tuple[str, str, FloatArray]:
-    """What a motion is by the attractor that it comes to, why, and the exponents of that; empty where none is found."""
-    verdict = judged(system, state, times=(t_end,))
-    if verdict.decided:
-        with suppress(ConvergenceError):
-            kind, limit, _ = settled(system, verdict)
-            return kind, f"it comes to {verdict.told()}", limit
-    return "", "", np.full(state.size, np.nan)
 
 
 @dataclass(frozen=True)

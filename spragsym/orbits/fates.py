@@ -163,14 +163,12 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
     rates = rates_along(system, verdict.end, SHARES[0] * t_end)
     if rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
         rates = rates.joined(rates_along(system, rates.end, SHARES[1] * t_end))
-    why = rates.undecided(t_end)
-    if not why:
-        why = _transient(system, start, t_end)
-    why = why and (stands_still(system, rates.end) or why)
-    near = _near(system, rates.end) if why else ""
-    if why and scale < np.inf:
-        where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, place, strict=False))
-        why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
+    why, near = rates.undecided(t_end) or _transient(system, start, t_end), ""
+    if why:
+        why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
+        if scale < np.inf:
+            where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, place, strict=False))
+            why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
     lasting = (BESIDE + 1) * t_end / 3  # none of so many has settled: with 95 %, the mean life is above a third of their time
     told = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "

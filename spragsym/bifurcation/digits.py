@@ -150,10 +150,13 @@ def precise_cusps(
 
 def _by_any_column(systems: Sequence[PreciseAugmented], digits: int, box: FloatArray, alone: FloatArray) -> PreciseCusp | None:
     """The cusp by the first column of the adjugate that decides: none does by one that is 0 there."""
-    for column, system in enumerate(systems[:-1]):
-        with suppress(Undecided):
+    for column, system in enumerate(systems):
+        try:
             return _cusp(system, column, box, alone, digits)
-    return _cusp(systems[-1], len(systems) - 1, box, alone, digits)
+        except Undecided:
+            if system is systems[-1]:
+                raise
+    return None
 
 
 def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..models.parameters import ParameterSet, Ranges
-from ..numerics import certified_roots
 from ..numerics.balls import Undecided
-from ..numerics.certified_roots import Roots, concatenated
+from ..numerics.certified_roots import Roots, concatenated, distinct
 from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
 from ..questions import Method, question
 from ..results.points import Points
@@ -258,8 +257,8 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     proved, open_ = (on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure))
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
     omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
-    every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
-    return replace(found, roots=certified_roots.distinct(every)), open_, omega
+    every = concatenated([found.roots, proved.kept(left=slice(0))], system.n)
+    return replace(found, roots=distinct(every)), open_, omega
 
 
 def _sightings(system: Augmented) -> list[FloatArray]:

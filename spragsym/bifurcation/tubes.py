@@ -64,9 +64,7 @@ class ByColumn:
 
     def _made(self, of: Callable[..., Any], *others: Self) -> Self:
         parts = {field.name: [getattr(each, field.name) for each in (self, *others)] for field in fields(self)}
-        return replace(
-            self, **{name: of(*each) for name, each in parts.items() if isinstance(each[0], np.ndarray | Intervals | ByColumn)}
-        )
+        return replace(self, **{name: of(*each) for name, each in parts.items() if isinstance(each[0], np.ndarray | ByColumn)})
 
 
 def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:

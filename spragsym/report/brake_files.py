@@ -113,7 +113,7 @@ class _Reader:
         with self.at("correlation"):
             study.correlation = _correlation(own["correlation"], study)
         with self.at("state"):
-            study.state = _state(own["state"] or {}, kind.coordinates)
+            study.state = _state(own["state"] or {}, kind)
         with self.at("may_change"):
             study.may_change = _may_change(own["may_change"] or {}, kind)
         with self.at("vary" if own["begin"] is None else "begin"):
@@ -197,22 +197,20 @@ def _correlation(given: Any, study: Study) -> Correlation:
     return found
 
 
-def _by_name(key: str, given: Any, units: Mapping[str, str], ranges: Mapping[str, Range], cure: str) -> dict[str, Measured]:
+def _state(given: Any, kind: Quantities) -> Numbers:
+    units = kind.coordinates
     if not isinstance(given, dict) or not set(given) <= set(units):
-        raise ParameterError(f"{key} = {given!r} does not name {cure}")
-    return {name: _quantity(name, text, units[name], ranges.get(name, FINITE)) for name, text in given.items()}
-
-
-def _state(given: Any, units: Mapping[str, str]) -> Numbers:
-    example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
-    found = _by_name("state", given, units, {}, f"coordinates; write state = {{ {example} }}")
-    return {name: one.value for name, one in found.items()}
+        example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
+        raise ParameterError(f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
+    return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
 
 
 def _may_change(given: Any, kind: Quantities) -> Ranges:
-    cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
-    found = _by_name("may_change", given, kind.units, kind.ranges(), f"quantities; {cure}")
-    return {name: spanned(kind, name, (one.low, one.high)) for name, one in found.items()}
+    if not isinstance(given, dict) or not set(given) <= set(kind.units):
+        cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
+        raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
+    ends = {name: _quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
+    return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
 
 
 def _rise(vary: Any, begin: Any, study: Study) -> Rise | None:

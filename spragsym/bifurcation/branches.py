@@ -111,7 +111,7 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
     values = np.asarray(getattr(eq.parameters, along.vary)).tolist()
-    found = _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)
+    found = _States(q, np.sign(np.linalg.det(K)), sides)
     return {value: found[point == number] for number, value in enumerate(values)}
 
 

@@ -143,9 +143,7 @@ def is_affine(family: Family) -> bool:
 def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
     """M, C and K, each of shape (N, n, n), at coordinates and the parameters that vary, z of shape (n + number, N)."""
     n = family.balance.n
-    with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
-        parts = stability.linearization(family.balance, z[:n], family.at(z[n:]))
-    return tuple(np.moveaxis(part, -1, 0) for part in parts)
+    return stability.linearization(family.balance, z[:n], family.at(z[n:]))
 
 
 def arranged(

@@ -251,8 +251,7 @@ def _roots(study: Study, q: list[float]) -> ComplexArray:
     if not study.moves and belt in p.model.parameters:  # friction is that at rest then, whatever the speed
         p = p.replace(**{belt: LEVEL})
     given = np.array(p.scalars(*p.model.parameters))
-    parts = linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None])
-    return roots(*(part[..., 0] for part in parts))
+    return roots(*linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None]))[0]
 
 
 def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:

@@ -93,8 +93,7 @@ def _linearized(
     balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array
 ) -> tuple[FloatArray, Int8Array, ComplexArray]:
     """The fields of :class:`Linearized` for some of the states."""
-    with np.errstate(all="ignore"):
-        every = roots(*(np.moveaxis(part, -1, 0) for part in linearization(balance, q, given)))
+    every = roots(*linearization(balance, q, given))
     every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     fastest = every[:, 0].real
     sign = -decay(balance, given, ends, alone, undamped, fastest)
@@ -112,7 +111,7 @@ def classified(
     n, count = states.shape
     if not count:
         return np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex)
-    M, _, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
+    M, _, K = linearization(balance, states, given)
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
     roots = np.sqrt(squares)
@@ -129,15 +128,19 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
     return np.where(known[..., 0], out, np.nan)
 
 
-def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
-    at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
-    return filled(at.mass(), at.shape), filled(at.damping(), at.shape), filled(at.stiffness(), at.shape)
+def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, ...]:
+    """Mass, damping and stiffness matrices at float states, each of shape (N, n, n).
+
+    They are NaN where a law has no value, like Hertz's beyond the touch.
+    """
+    with np.errstate(all="ignore"):
+        at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
+        return tuple(np.moveaxis(filled(part, at.shape), -1, 0) for part in (at.mass(), at.damping(), at.stiffness()))
 
 
 def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     """The code of one state, shape (n, 1), where one λ is 0, as at a fold: the others decide."""
-    M, _, K = (part[:, :, 0] for part in linearization(balance, states, given))
+    (M,), _, (K,) = linearization(balance, states, given)
     squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     others = np.delete(squares, np.abs(squares).argmin())
     if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
@@ -319,8 +322,7 @@ def is_damped(balance: Balance, over: Intervals) -> bool:
     """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
     point = np.repeat(0.5 * over.low + 0.5 * over.high, PLACES, axis=1)
     states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
-    with np.errstate(all="ignore"):
-        C = linearization(balance, states, point)[1]
+    C = linearization(balance, states, point)[1]
     return bool((np.isfinite(C) & (C != 0)).any())
 
 

@@ -99,7 +99,7 @@ def _crosses(model, p, found, vary):
             eq = ss.equilibria(beside)
             states = np.array([getattr(eq, name) for name in model.coordinates])
             given = np.array([[float(getattr(beside, name))] * states.shape[1] for name in model.parameters])
-            parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(Balance(model, True), states, given))
+            parts = stability.linearization(Balance(model, True), states, given)
             unstable.append((stability.roots(*parts).real > 0).sum(axis=-1))
         assert sorted(np.abs(unstable[1] - unstable[0]).tolist())[-1] == 2
 

@@ -159,7 +159,7 @@ def test_where_friction_alone_damps_all_points_are_known() -> None:
     for row in range(2):
         p = model.Parameters(**{name: float(getattr(points, name)[row]) for name in model.parameters})
         state = np.array([[points.x[row]], [points.y[row]]])
-        M, C, K = (part[:, :, 0] for part in linearization(Balance(model, True), state, columns(p)))
+        M, C, K = (part[0] for part in linearization(Balance(model, True), state, columns(p)))
         assert abs(np.linalg.det(K)) < 1e-12
         # The pair is ± iω for any size of the only entry of C.
         for damping in (C, C / C[0, 0]):

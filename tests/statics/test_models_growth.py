@@ -22,7 +22,7 @@ def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[
 
     given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
     q = np.array([[eq.coordinates[name][slot]] for name in model.coordinates])
-    M, C, K = (mpmath.matrix(part[:, :, 0].tolist()) for part in linearization(Balance(model, eq.contact), q, given))
+    M, C, K = (mpmath.matrix(part[0].tolist()) for part in linearization(Balance(model, eq.contact), q, given))
     n = M.rows
     with mpmath.workdps(40):
         A = mpmath.zeros(2 * n)

@@ -12,7 +12,6 @@ cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 from typing import Any, Self
 
 import numpy as np
@@ -22,15 +21,13 @@ from ..models import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
-from ..numerics.balls import XP as BALLS
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
-from ..numerics.precise_roots import Digits
-from ..statics.balance import AWAY, Balance, PreciseBalance, Spans, StateSystem
-from ..statics.forces import State
+from ..statics.balance import AWAY, Balance, StateSystem
+from ..statics.forces import State, Values
 from ..statics.namespaces import XP
 from ..statics.precise_balance import boxes_of, settled_by_digits
 from ..statics.regions import by_hand
@@ -279,16 +276,12 @@ class OfFamily(StateSystem):
         self.n = self.balance.n + len(family.vary)
         self.limits = np.pad(self.balance.limits, ((0, 0), (0, len(family.vary))), constant_values=np.inf)
 
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Prepared parameters of the balance; an unknown is replaced at each evaluation."""
-        return self.balance.prepared(bounds)
-
     def fixed(self, count: int) -> Intervals:
         """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
         with np.errstate(all="ignore"):
             return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
 
-    def parted(self, unknowns: Sequence[Any], fixed: Mapping[str, Any], xp: Any = XP) -> tuple[list[Any], dict[str, Any]]:
+    def parted(self, unknowns: Sequence[Any], fixed: Values, xp: Any = XP) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""
         n = self.balance.n
         changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
@@ -300,23 +293,15 @@ class Augmented(OfFamily):
 
     def __init__(self, family: Family, condition: Condition) -> None:
         super().__init__(family)
-        self.condition = condition
+        self.condition, self.order = condition, condition.order
 
-    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
-        """The evaluation at intervals or jets of them."""
-        return self.evaluated(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:], sides=sides)
-
-    def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
-        """The augmented system in ball arithmetic, at one point of the other parameters."""
-        return PreciseAugmented(self, given, bits)
-
-    def evaluated(
-        self, unknowns: Sequence[Any], fixed: Mapping[str, Any], shape: Shape, xp: Any = XP,
-        sides: Sequence[int] | None = None,
-    ) -> State:  # fmt: skip
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at unknowns of any number type, from arguments of which those that vary are replaced."""
-        q, values = self.parted(unknowns, fixed, xp)
-        return State(self.balance, q, values, shape, xp=xp, sides=sides)
+        return State(self.balance, *self.parted(q, values, xp), shape, xp)
+
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """Forces and condition."""
+        return [*at.forces(), *self.condition.equations(at)]
 
     def residuals(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> Intervals:
         """Forces and condition over boxes, where torsion angles jump on all sides of the ray or on some."""
@@ -373,25 +358,6 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
         if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
             return found  # no number of digits tells what is there
     return settled_by_digits(system, system.family.begin, region, found, most=CLUSTERS)
-
-
-class PreciseAugmented(PreciseBalance):
-    """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
-
-    slopes = Digits.slopes
-
-    def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        super().__init__(system.balance, np.nan_to_num(given), bits, spans)
-        self.system, self.order = system, system.condition.order
-
-    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Residuals of the balance of forces and of the bifurcation condition."""
-        at = self.state(unknowns)
-        return [*at.forces(), *self.system.condition.equations(at)]
-
-    def state(self, unknowns: Sequence[Any]) -> State:
-        """The evaluation at balls or jets of balls."""
-        return self.system.evaluated(unknowns, self.arguments, (), BALLS)
 
 
 def regular_at_anchors(at: State, among: BoolArray) -> BoolArray:

@@ -25,7 +25,7 @@ from ..statics.precise_balance import once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
-from .defining_systems import Augmented, Family, PreciseAugmented, cusp
+from .defining_systems import Augmented, Family, cusp
 from .singularities import isolated
 
 T = TypeVar("T")
@@ -137,10 +137,11 @@ def precise_cusps(
     family = Family.of(p, vary, between, given=given)
     found, coordinates = isolated(family), family.balance.coordinates
     systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
+    names = [*vary, *columns_of(p.model)]
 
     def attempt(bits: int) -> list[PreciseCusp]:
-        precise = [PreciseAugmented(system, family.given[:, 0], bits, _ends(exact)) for system in systems]
-        return _each(found.roots, partial(_by_any_column, precise, digits))
+        precise = [PreciseBalance(system, family.given[:, 0], bits, _ends(exact)) for system in systems]
+        return _each(found.roots, partial(_by_any_column, names, precise, digits))
 
     cusps = with_enough_bits(digits, attempt, "cusps")
     complete = _held(ends) and bool(found.whole.all()) and not found.roots.left_point.size and not family.endless
@@ -148,23 +149,27 @@ def precise_cusps(
     return CuspProof(tuple(ordered), complete, _searched((*coordinates, *vary), found.region))
 
 
-def _by_any_column(systems: Sequence[PreciseAugmented], digits: int, box: FloatArray, alone: FloatArray) -> PreciseCusp | None:
+def _by_any_column(
+    names: Sequence[str], systems: Sequence[PreciseBalance], digits: int, box: FloatArray, alone: FloatArray
+) -> PreciseCusp | None:
     """The cusp by the first column of the adjugate that decides: none does by one that is 0 there."""
     for column, system in enumerate(systems):
         try:
-            return _cusp(system, column, box, alone, digits)
+            return _cusp(names, system, column, box, alone, digits)
         except Undecided:
             if system is systems[-1]:
                 raise
     return None
 
 
-def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:
+def _cusp(
+    names: Sequence[str], system: PreciseBalance, number: int, box: FloatArray, alone: FloatArray, digits: int
+) -> PreciseCusp | None:
     """The cusp in a box; None where it lies beyond the border of the contact.
 
     At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the parameters unfold it.
     """
-    augmented, n = system.system, system.system.balance.n
+    n = system.balance.n
     root = _narrowed(system, box, alone)
     at = system.state(root)
     column = [XP.taken(cofactor(at.slopes(), number, i)) for i in range(n)]
@@ -173,8 +178,7 @@ def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatAr
     if not _on_its_side(at):
         return None
     numbers, _, radius = as_numbers((*root[n:], *_columns(at), *root[:n]), digits)
-    named = dict(zip((*augmented.family.vary, *columns_of(augmented.balance.model)), numbers, strict=True))
-    return PreciseCusp(named, as_mpf(radius), versal=True)
+    return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), versal=True)
 
 
 def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Any]:

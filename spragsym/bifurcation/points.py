@@ -23,14 +23,14 @@ from numpy.typing import NDArray
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance
-from ..statics.forces import TURN, State, as_intervals
+from ..statics.forces import TURN, State, Values, as_intervals
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_its_side, once_around
 from ..statics.reference_state import in_order
@@ -322,23 +322,20 @@ class _AtInfinity(OfFamily):
         super().__init__(family)
         self.order, self.limits = len(family.vary) - 1, None
 
-    def state(self, unknowns: Any, parameters: Intervals) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""
-        order = max((part.order for part in unknowns if isinstance(part, Jet)), default=0)
+        order = max((part.order for part in q if isinstance(part, Jet)), default=0)
         w = Jet.variable(0, self.n, order)
-        u, arguments = self.parted(unknowns, self.balance.arguments(parameters))
-        values = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
-        q = [Scaled(part, int(i not in self.balance.around), w) for i, part in enumerate(u)]
-        return self.balance.at(q, values, xp=SCALED)
+        u, arguments = self.parted(q, values, xp)
+        scaled = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
+        return self.balance.at(
+            [Scaled(part, int(i not in self.balance.around), w) for i, part in enumerate(u)], scaled, xp=SCALED
+        )
 
-    def rows(self, unknowns: Sequence[Any], parameters: Intervals) -> list[Any]:
-        """G, and |u|² − 1."""
-        forces, far = self.state(unknowns, parameters).rows("forces"), set(range(self.balance.n)) - set(self.balance.around)
-        return [*map(_regular, forces), sum((unknowns[i] ** 2 for i in far), -1)]
-
-    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """These rows, and with two parameters the determinant."""
-        rows = self.rows(unknowns, parameters)
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """G, |u|² − 1, and with two parameters the determinant."""
+        far = set(range(self.balance.n)) - set(self.balance.around)
+        rows = [*map(_regular, at.rows("forces")), sum((unknowns[i] ** 2 for i in far), -1)]
         if not self.order:
             return rows
         return [*rows, determinant([[slope(row, k) for k in range(self.n - 1)] for row in rows])]
@@ -352,7 +349,7 @@ class _AtInfinity(OfFamily):
         """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not known, and of two parameters."""
         if self.order:
             return np.zeros(unknowns.shape[1], dtype=np.int64)
-        slopes = [gradient(row, self.n + 1) for row in self.rows(variables(list(unknowns), 1), parameters)]
+        slopes = [gradient(row, self.n + 1) for row in self.equations(variables(list(unknowns), 1), parameters)]
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         sign = (ratio.low > 0).astype(np.int64) - (ratio.high < 0)

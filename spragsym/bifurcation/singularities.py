@@ -33,7 +33,7 @@ from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
 from ..results.equilibria import Stability
@@ -41,7 +41,7 @@ from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.balance import NOTHING, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
 from ..statics.forces import State, Values
-from ..statics.namespaces import follows
+from ..statics.namespaces import XP, follows
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.regions import region
@@ -155,26 +155,21 @@ class _OnMirror(OfFamily):
         super().__init__(family)
         self.mirror = mirror
 
-    def state(self, unknowns: Any, parameters: Intervals) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The state on the mirror with these even coordinates and this parameter, whatever the odd ones are."""
-        q, values = self.parted(unknowns, self.balance.arguments(parameters))
+        there, values = self.parted(q, values, xp)
         for i in self.mirror.odd:
-            q[i] = 0
-        image = self.mirror.image(q, values)
+            there[i] = 0
+        image = self.mirror.image(there, values)
         for i in self.mirror.odd:
-            q[i] = image[i] * 0.5
-        return State(self.balance, q, values, parameters.shape[1:], upright=self.mirror.upright)
+            there[i] = image[i] * 0.5
+        return State(self.balance, there, values, shape, xp, self.mirror.upright)
 
-    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Even rows of the balance, the odd coordinates less those on the mirror, and the determinant of the turned block."""
-        at, odd = self.state(unknowns, parameters), self.mirror.odd
-        K = at.slopes()
+        K, odd = at.slopes(), self.mirror.odd
         rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(at.forces())]
         return [*rows, determinant([[K[i][j] for j in odd] for i in odd])]
-
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes beyond the contact's border."""
-        return self.state(unknowns, parameters).beside_border()[1]
 
 
 def _mirrors(family: Family) -> list[_Mirror]:

@@ -19,7 +19,7 @@ from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix
 from ..numerics.balls import ball
 from ..numerics.boxes import POLE, System
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.precise_roots import Digits
 from .forces import Forces, State, Values
 from .namespaces import FREE, XP
@@ -31,6 +31,9 @@ GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
+#: The argument by which a length among the unknowns is measured, where there is one.
+SCALE = "l/scale"
+
 #: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
 Excluded: TypeAlias = Callable[[IntArray, Sequence[int]], BoolArray]
 #: Rows of forces at a state.
@@ -41,15 +44,35 @@ Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
 class StateSystem(System):
-    """A system of which the roots are states of a model."""
+    """A system of which the roots are states of a model: what vanishes at a state, over boxes or with many digits."""
 
-    def state(self, unknowns: Any, parameters: Intervals) -> State:
+    balance: Balance
+
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+        """The evaluation at unknowns, of any number type as the arguments are."""
+        raise NotImplementedError
+
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """What vanishes at a state, of the number type of the unknowns."""
+        raise NotImplementedError
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Prepared parameters of the balance."""
+        return self.balance.prepared(bounds)
+
+    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation over boxes, whose unknowns are intervals or jets of them."""
-        raise NotImplementedError
+        at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])
+        at.sides = sides
+        return at
 
-    def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
-        """The system with many digits at one point of parameters."""
-        raise NotImplementedError
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """What vanishes, over boxes."""
+        return self.conditions(self.state(unknowns, parameters), unknowns)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes beyond the contact's border."""
+        return self.state(unknowns, parameters).beside_border()[1]
 
 
 class Balance(Forces, StateSystem):
@@ -62,13 +85,9 @@ class Balance(Forces, StateSystem):
     #: Whether forces contain a length, once that was asked.
     _lengths: bool | None = None
 
-    def precise(self, given: FloatArray, bits: int) -> PreciseBalance:
-        """The balance of forces in ball arithmetic, at one point of the parameters."""
-        return PreciseBalance(self, given, bits)
-
-    def state(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
-        """The evaluation over boxes."""
-        return State(self, list(unknowns), self.arguments(parameters), unknowns.shape[1:], sides=sides)
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """The forces."""
+        return at.forces()
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""
@@ -213,27 +232,30 @@ def _no_direction(at: State, spring: int) -> BoolArray:
 
 
 class PreciseBalance(Digits):
-    """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
+    """A system of states at one point of the parameters that do not vary, of balls or jets of balls.
 
-    def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        self.balance, self.bits = balance, bits
+    ``given`` are those parameters, of a system with a scale with that behind them, and ``spans`` parameters that lie in a range.
+    """
+
+    def __init__(self, system: StateSystem, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
+        self.system, self.balance, self.bits, self.order = system, system.balance, bits, system.order
         with balls.precision(bits):
             between = {name: balls.between(*ends) for name, ends in spans.items()}
-        numbers = zip(balance.parameters, given, strict=True)
+        numbers = zip([*self.balance.parameters, SCALE], np.nan_to_num(given), strict=False)
         values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
-        self.arguments = balance.arguments_of(values, balls.XP)
+        self.arguments = self.balance.arguments_of(values, balls.XP)
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Forces at coordinates."""
-        return self.state(unknowns).forces()
+        """What vanishes at a state."""
+        return self.system.conditions(self.state(unknowns), unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
-        """Stiffness at coordinates."""
-        return self.state(unknowns).slopes()
+        """Slopes of it: of forces alone the stiffness, as it is generated."""
+        return self.state(unknowns).slopes() if self.system is self.balance else super().slopes(unknowns)
 
     def state(self, unknowns: Sequence[Any]) -> State:
-        """The evaluation at coordinates."""
-        return self.balance.at(unknowns, self.arguments, xp=balls.XP)
+        """The evaluation at unknowns."""
+        return self.system.at(unknowns, self.arguments, xp=balls.XP)
 
 
 class BalanceInUnits(Balance):

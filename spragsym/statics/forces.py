@@ -38,6 +38,8 @@ class Forces:
         #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
         self.law = law
         self.model, self.contact = model, contact
+        #: The balance of a system of states: its own, here.
+        self.balance: Any = self
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])

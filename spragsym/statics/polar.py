@@ -43,12 +43,10 @@ from typing import Any
 import numpy as np
 
 from ..numerics import certified_roots, contractors, jets
-from ..numerics.balls import ball
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, stacked
-from ..numerics.precise_roots import Digits
-from .balance import Balance, PreciseBalance, StateSystem
-from .forces import State, as_intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, raised, stacked
+from .balance import SCALE, Balance, StateSystem
+from .forces import State, Values, as_intervals
 from .namespaces import XP
 from .precise_balance import once_around, refined, settled_by_digits
 
@@ -82,9 +80,10 @@ class Polar(StateSystem):
         """Prepared parameters of the balance, with the scale last."""
         return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
 
-    def place(self, unknowns: Sequence[Any], nowhere: State, scale: Any) -> tuple[State, Any]:
-        """The state with φ as its turning, and the elongation; ``nowhere`` is the evaluation at the coordinates 0."""
-        angle, part, *others = unknowns
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+        """The state with φ as its turning."""
+        nowhere = self.balance.at((), values, shape, xp)
+        angle, part, *others = q
         cosine, sine = nowhere.xp.cos(angle), nowhere.xp.sin(angle)
         c0, s0 = nowhere.at_rest[0] if self.turns else (1, 0)
         c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
@@ -92,22 +91,24 @@ class Polar(StateSystem):
         for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
             q[number] = value
         *anchor, rest = replace(nowhere, q=q).geometry[self.spring]
-        far = part * scale
-        length, elongation = (far + rest, far) if self.tight else (far, far - rest)
+        length = part * values[SCALE] + rest if self.tight else part * values[SCALE]
         for number, end, share in zip(self.chart, anchor, (c, s), strict=True):
             q[number] = -(length * share) + end
         at = replace(nowhere, q=q)
         lines = [
             (c, s, length) if number == self.spring else at.direction(dx, dy) for number, (dx, dy, _) in enumerate(at.geometry)
         ]
-        return replace(at, fixed=self.turned(itertools.chain(*lines), angle)), elongation
+        at.fixed = self.turned(itertools.chain(*lines), angle)
+        return at
 
     def turned(self, directions: Iterable[Any], angle: Any) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def rows(self, at: State, elongation: Any) -> list[Any]:
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> list[Any]:
         """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
+        far = unknowns[1] * at.values[SCALE]
+        elongation = far if self.tight else far - at.geometry[self.spring][2]
         c, s, length = at.directions[3 * self.spring : 3 * self.spring + 3]
         forces = self.other_forces(at)
         x, y = self.chart
@@ -139,16 +140,9 @@ class Polar(StateSystem):
 
     # ------------------------------------------------------------------------------------------ over boxes
 
-    def _placed(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[State, Any]:
-        return self.place(unknowns, self.balance.at((), self.balance.arguments(parameters), parameters.shape[1:]), parameters[-1])
-
-    def state(self, unknowns: Any, parameters: Intervals) -> State:
+    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation over boxes."""
-        return self._placed(list(unknowns), parameters)[0]
-
-    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """The equations over boxes."""
-        return self.rows(*self._placed(unknowns, parameters))
+        return self.at(list(unknowns), self.balance.arguments(parameters, {SCALE: parameters[-1]}), parameters.shape[1:])
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces of their directions."""
@@ -159,24 +153,6 @@ class Polar(StateSystem):
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
         return stacked(self.state(Intervals(ends), parameters).q, ends.shape[2:]).ends
-
-    def precise(self, given: FloatArray, bits: int) -> _PrecisePolar:
-        """The equations of balls."""
-        return _PrecisePolar(self, given, bits)
-
-
-class _PrecisePolar(PreciseBalance):
-    """The equations at one point, of balls or jets of balls."""
-
-    slopes = Digits.slopes
-
-    def __init__(self, system: Polar, given: FloatArray, bits: int) -> None:
-        super().__init__(system.balance, given[:-1], bits)
-        self.system, self.given = system, (self.state(()), ball(float(given[-1]), bits))
-
-    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """The equations."""
-        return self.system.rows(*self.system.place(unknowns, *self.given))
 
 
 def end_slopes(at: State, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:

@@ -21,7 +21,7 @@ from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ..numerics.precise_roots import Reduced, as_intervals, narrowed, outward, reduced_roots
-from .balance import StateSystem
+from .balance import PreciseBalance, StateSystem
 
 #: Bits of the forces where roots are looked for, and of a root that is known.
 BITS, ROOT_BITS = (160, 320), 256
@@ -50,7 +50,7 @@ def refined(system: StateSystem, given: FloatArray, found: Roots, among: BoolArr
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
-        box = narrowed(system.precise(given[:, found.point[root]], ROOT_BITS), ends[:, :, root], found.alone[:, :, root])
+        box = narrowed(PreciseBalance(system, given[:, found.point[root]], ROOT_BITS), ends[:, :, root], found.alone[:, :, root])
         if box is not None:
             ends[:, :, root] = np.fmin(as_intervals(box).ends[:, :, 0], ends[:, :, root])
     return replace(found, ends=ends)
@@ -102,7 +102,7 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
     found = Reduced([], [], [[(Fraction(low), Fraction(high)) for low, high in box]])
     for bits in BITS if not pole and np.isfinite(slopes).all() else ():
         with suppress(Undecided):
-            found = reduced_roots(system.precise(given, bits).values, box, slopes, bits)
+            found = reduced_roots(PreciseBalance(system, given, bits).values, box, slopes, bits)
             if not found.left or len(found.left) > ALL_OVER:
                 break
     ends, alone, left = (
@@ -147,7 +147,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
 
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
-        digits = system.precise(given[:, found.point[row]], ROOT_BITS)
+        digits = PreciseBalance(system, given[:, found.point[row]], ROOT_BITS)
         with suppress(Undecided, ZeroDivisionError):
             root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
             gap = None if root is None else digits.state(root).gap()

@@ -142,6 +142,9 @@ class Affine(Rounded):
         error = np.maximum(interval.high - middle, middle - interval.low) * _SLACK + _TINY
         return cls(middle, np.zeros((1, *middle.shape)), np.where(np.isfinite(error), error, np.inf))
 
+    def __abs__(self) -> Affine:
+        return Affine.linear(self, Affine.between(abs(Intervals.point(self.value))), self.interval().sign())
+
     def interval(self) -> Intervals:
         """The interval in which the numbers lie."""
         radius = self.radius()

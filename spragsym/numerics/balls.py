@@ -25,7 +25,7 @@ import mpmath
 
 from ..errors import ConvergenceError
 from .arithmetic import Arithmetic
-from .jets import Functions, constant
+from .jets import Functions
 
 #: A :class:`Ball`, or what is made of balls and numbers beside them.
 Interval: TypeAlias = Any
@@ -81,6 +81,13 @@ class Ball(Arithmetic):
 
     def __neg__(self) -> Ball:
         return Ball(-self.mid, self.rad, self.exp, self.bits)
+
+    def __abs__(self) -> Ball:
+        return Ball(abs(self.mid), self.rad, self.exp, self.bits)
+
+    def sign(self) -> int:
+        """−1 or 1; :class:`Undecided` where the ball holds 0."""
+        return decided(self, "the sign of a ball that holds 0")
 
     def __mul__(self, other: Any) -> Ball:
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
@@ -327,16 +334,6 @@ class _Functions(Functions):
     def pi(self) -> Ball:
         """π."""
         return pi()
-
-    @staticmethod
-    def sign(value: Any) -> int:
-        """−1 or 1; :class:`Undecided` where the ball holds 0."""
-        return decided(constant(value), "the sign of a ball that holds 0")
-
-    @classmethod
-    def abs(cls, value: Any) -> Any:
-        """Absolute value."""
-        return value if cls.sign(value) > 0 else -value
 
 
 #: ``xp`` of generated functions for balls and jets of them.

@@ -13,10 +13,7 @@ from itertools import cycle, islice
 from math import comb, factorial
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from .arithmetic import Arithmetic, is_zero, repeated_product
-from .interval_arrays import Intervals
 
 #: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
 Term: TypeAlias = tuple[int, ...]
@@ -126,10 +123,14 @@ class Jet(Arithmetic):
 
     def sign(self) -> Jet:
         """−1, 0, 1; its slope is unknown where an interval holds 0."""
-        return self.composed([self.value.sign(), *(_flat(self.value) for _ in range(self.order))])
+        return self.composed([self.value.sign(), *[self._flat()] * self.order])
 
     def __abs__(self) -> Jet:
-        return self.composed([abs(self.value), self.value.sign(), *(_flat(self.value) for _ in range(self.order - 1))])
+        return self.composed([abs(self.value), self.value.sign(), *[self._flat()] * (self.order - 1)])
+
+    def _flat(self) -> Any:
+        """0, and nothing known where the value may be 0."""
+        return 1 / self.value * 0
 
     def function(self, name: str, value: Any) -> Jet:
         """A function by its Taylor series; ``value`` is that of the value, of cosine and sine both."""
@@ -210,6 +211,10 @@ class Functions:
         at = value.value
         return value.function(name, (self.cos(at), self.sin(at)) if name in ("cos", "sin") else self.of(name, at))
 
+    def sign(self, value: Any) -> Any:
+        """−1, 0, 1."""
+        return (value if isinstance(value, Jet) else self.taken(value)).sign()
+
     def atan2(self, sine: Any, cosine: Any) -> Any:
         """Angle of the vector (cosine, sine), from −π to π."""
         if isinstance(sine, Jet) or isinstance(cosine, Jet):
@@ -269,12 +274,6 @@ def constant(value: Any) -> Any:
 def _times(one: Jet, other: Jet) -> Jet:
     """A product, also of a thing with itself, without its constant term."""
     return one * Jet(other.terms, other.order)
-
-
-def _flat(value: Intervals) -> Intervals:
-    """0, and nothing known where the interval holds 0."""
-    unknown = np.where(value.holds_zero(), np.nan, 0.0)
-    return Intervals(np.stack([unknown, unknown]))
 
 
 def _power(value: Any, power: int) -> Any:

@@ -46,11 +46,6 @@ class LawFunctions(Functions):
         """Exponential: 1 of the number 0."""
         return 1 if isinstance(value, int | float) and value == 0 else self.of("exp", value)
 
-    @staticmethod
-    def sign(value: Any) -> Any:
-        """−1, 0, 1."""
-        return _enclosed(value).sign()
-
 
 def _enclosed(value: Any) -> Any:
     """A number as an interval, so that a function of it is one that is rounded outward."""
@@ -101,6 +96,9 @@ class Scaled(Arithmetic):
 
     def __neg__(self) -> Scaled:
         return Scaled(-self.value, self.order, self.w)
+
+    def __abs__(self) -> Any:
+        return abs(self.finite())
 
     def __add__(self, other: Any) -> Scaled:
         other = self._of(other)
@@ -175,6 +173,9 @@ class Parity:
 
     def __neg__(self) -> Parity:
         return self
+
+    def __abs__(self) -> Parity:
+        return Parity(None if self.odd is None else False)
 
     def __mul__(self, other: Any) -> Any:
         if not isinstance(other, Parity):

@@ -99,8 +99,7 @@ def primitive(polynomial: Sequence[Coefficient]) -> tuple[int, ...]:
 
 def has_root(polynomial: Polynomial, low: Fraction, high: Fraction) -> bool:
     """Whether a polynomial other than zero has a root in (low, high], or at low = high."""
-    simple = squarefree(polynomial)
-    return sign_at(simple, high) == 0 or (low < high and bool(real_roots(simple, low, high, 0)))
+    return bool(_isolated(squarefree(polynomial), low, high)[1])
 
 
 def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]:
@@ -196,11 +195,6 @@ def _sign(value: Any) -> int:
     return found
 
 
-def sign_at(polynomial: Sequence[int], t: Fraction) -> int:
-    """Sign of the polynomial at a rational."""
-    return _sign(_homogeneous(polynomial, t.numerator, t.denominator))
-
-
 def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits: int) -> list[Root]:
     """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a distance from 0 that is below 1.
 
@@ -276,15 +270,6 @@ def _sign_changes(coefficients: Sequence[Any]) -> int:
     return sum(left != right for left, right in itertools.pairwise(signs))
 
 
-def _homogeneous(coefficients: Sequence[Any], numerator: int, denominator: int) -> Any:
-    """denominator^degree times the polynomial at numerator/denominator."""
-    value, power = coefficients[-1], 1
-    for coefficient in reversed(coefficients[:-1]):
-        power *= denominator
-        value = value * numerator + coefficient * power
-    return value
-
-
 def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int], int]) -> _Cell:
     """The root in a cell that lacks nothing and whose ends are no roots, or the root itself.
 
@@ -296,7 +281,12 @@ def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int
         return cell
 
     def value(n: int, k: int) -> Any:
-        return _homogeneous(polynomial, n, 1 << k)
+        """2^(k degree) times the polynomial at n/2^k."""
+        found, scale = polynomial[-1], 1
+        for coefficient in reversed(polynomial[:-1]):
+            scale <<= k
+            found = found * n + coefficient * scale
+        return found
 
     low, high = value(n, k), value(n + 1, k)
     j = 1

@@ -205,11 +205,6 @@ def sign(value: Ball | Fraction | int) -> int:
     return (value > 0) - (value < 0)
 
 
-def power(value: Ball) -> int:
-    """n with 2ⁿ⁻¹ ≤ |middle| < 2ⁿ, for a middle that is not 0."""
-    return value.mid.bit_length() + value.exp
-
-
 def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
     """Cosine and sine: each changes by no more than the angle does."""
     if not angle.mid:

@@ -21,9 +21,8 @@ from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, raised
 class Newton:
     """One step for N boxes."""
 
-    ends: FloatArray  #: −low and high of the operator's result, (2, n, N)
+    ends: FloatArray  #: −low and high of the operator's result, (2, n, N), infinite where A_ii may be 0
     noise: FloatArray  #: half the width of Y F(m), which does not shrink with the box, (n, N)
-    dominant: BoolArray  #: where A_ii is positive, without which a component of the result is unbounded, (n, N)
     none: BoolArray  #: where |Y F(m)| > |A| r in some row, so that there is no root, (N,)
 
 
@@ -69,13 +68,12 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     magnitude[diagonal, diagonal] = 0.0
     around = _reached(magnitude, reach)
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
-    dominant = least > 0
     ends = raised(b[::-1] + around)
     ends = raised(np.where(ends >= 0, ends / least, ends / most))
     ends = raised(ends + np.stack([-middle, middle]))
     noise = 0.5 * (b[0] + b[1])
     none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > raised(around + own, 2))
-    return Newton(np.where(dominant, ends, np.inf), noise, dominant, none)
+    return Newton(np.where(least > 0, ends, np.inf), noise, none)
 
 
 def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:

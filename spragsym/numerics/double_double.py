@@ -64,7 +64,8 @@ class DoubleDouble(NDArrayOperatorsMixin):
     def __array_function__(self, function: Any, types: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
         if options or function is not np.where:
             return NotImplemented
-        return chosen_of(*arguments)
+        flag, one, other = arguments
+        return _of(dd.dd_where(flag, _wide(one), _wide(other)))
 
 
 def _of(pair: double_double.Wide) -> DoubleDouble:
@@ -81,11 +82,6 @@ def _wide(value: Any) -> DoubleDouble:
 
 def _is_power_of_two(value: Any) -> bool:
     return isinstance(value, int | float) and math.frexp(abs(value))[0] == 0.5
-
-
-def chosen_of(flag: Any, one: Any, other: Any) -> DoubleDouble:
-    """The one where the flag is set, the other elsewhere."""
-    return _of(dd.dd_where(flag, _wide(one), _wide(other)))
 
 
 def _sum(one: Any, other: Any) -> DoubleDouble:

@@ -104,18 +104,21 @@ def _linearized(
 def classified(
     balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray
 ) -> tuple[Int8Array, BoolArray, ComplexArray]:
-    """Codes of N states, whether each is proved; and the 2 n roots without damping, floats.
+    """Codes of :class:`spragsym.Stability`, whether each is proved; and the 2 n roots without damping, floats.
 
-    States have the shape (n, N), parameters (P, N), boxes around the states, and around each alone, (2, n, N).
+    States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each, the only one in that of ``alone``,
+    (2, n, N). A sign that is not known counts as that of 0.
     """
-    n, count = states.shape
-    if not count:
-        return np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex)
+    with np.errstate(all="ignore"):
+        elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
+    codes, proved = _told(elementary, minors, conservative)
+    for row, (elementary, minors) in _with_digits(balance, given, ends, alone, ~proved, lambda _: _types):
+        codes[row], proved[row] = _told(elementary, minors, conservative[row])
     M, _, K = linearization(balance, states, given)
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
     roots = np.sqrt(squares)
-    return *proved_types(balance, given, ends, alone), np.concatenate([roots, -roots], axis=1)
+    return codes, proved, np.concatenate([roots, -roots], axis=1)
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
@@ -151,20 +154,6 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
 def filled(rows: Matrix, shape: Shape) -> FloatArray:
     """A matrix of numbers and arrays as an array, each entry of one shape."""
     return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])
-
-
-def proved_types(balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray) -> tuple[Int8Array, BoolArray]:
-    """Codes of :class:`spragsym.Stability`, and whether each is proved; a sign that is not known counts as that of 0.
-
-    ``given`` are parameters, shape (P, N), ``ends`` boxes with one equilibrium each, shape (2, n, N), the only one in those of
-    ``alone``.
-    """
-    with np.errstate(all="ignore"):
-        elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
-    codes, proved = _told(elementary, minors, conservative)
-    for row, (elementary, minors) in _with_digits(balance, given, ends, alone, ~proved, lambda _: _types):
-        codes[row], proved[row] = _told(elementary, minors, conservative[row])
-    return codes, proved
 
 
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:

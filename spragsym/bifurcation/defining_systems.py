@@ -23,7 +23,7 @@ from ..numerics import contractors
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..statics.balance import AWAY, Balance, StateSystem
@@ -303,9 +303,8 @@ class Augmented(OfFamily):
         """Forces and condition."""
         return [*at.forces(), *self.condition.equations(at)]
 
-    def residuals(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int] | None = None) -> Intervals:
-        """Forces and condition over boxes, where torsion angles jump on all sides of the ray or on some."""
-        sides = sides or self.balance.anywhere
+    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+        """Forces and condition over boxes."""
         at = extra = self.state(unknowns, parameters, sides)
         if self.condition.order:
             # Derivatives that the condition itself is made of.
@@ -324,19 +323,11 @@ class Augmented(OfFamily):
         ]
         return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], at.shape)
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes beyond the contact's border, or without what the condition asks for."""
-        at = self.state(unknowns, parameters)
+    def nothing_at(self, at: State) -> BoolArray:
+        """Boxes where no state is, or without what the condition asks for."""
         out: BoolArray = self.balance.nothing_at(at)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
-        if self.condition.singular:
-            out = out | regular_at_anchors(at, ~out)
-
-        def no_root(rows: IntArray, sides: Sequence[int]) -> BoolArray:
-            values = self.residuals(unknowns[:, rows], parameters[:, rows], sides)
-            return ~np.logical_and.reduce(values.holds_zero())
-
-        return out | self.balance.beside_jumps(at, ~out, no_root)
+        return out | regular_at_anchors(at, ~out) if self.condition.singular else out
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""

@@ -267,7 +267,7 @@ class Tubes(ByColumn):
     def _rows(self, at: State) -> list[list[Any]]:
         """Derivatives of the forces by row; by the free parameters only where some box has a width."""
         names, none = ([*self.free], []) if self.half.any() else ([], [0] * len(self.free))
-        moved = at.by_parameters([self.vary, *names])
+        moved = self.balance.by_parameters(at, [self.vary, *names])
         return [[*row, *more, *none] for row, more in zip(at.stiffness(), moved, strict=True)]
 
     def floats(self, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:

@@ -168,7 +168,9 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     with np.errstate(all="ignore"):
         values = balance.floats(np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns]))
         at = balance.at(list(states), values, xp=np)
-        K, moved = (np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), at.by_parameters(names)))
+        K, moved = (
+            np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), balance.by_parameters(at, names))
+        )
         along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)
         slopes = 0.0 - along / along[moving]
     slopes[moving] += 1.0

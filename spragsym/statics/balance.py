@@ -19,7 +19,7 @@ from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix
 from ..numerics.balls import ball
 from ..numerics.boxes import POLE, System
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
 from ..numerics.precise_roots import Digits
 from .forces import Forces, State, Values
 from .namespaces import FREE, XP
@@ -34,8 +34,6 @@ NOTHING = 1e-290
 #: The argument by which a length among the unknowns is measured, where there is one.
 SCALE = "l/scale"
 
-#: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
-Excluded: TypeAlias = Callable[[IntArray, Sequence[int]], BoolArray]
 #: Rows of forces at a state.
 Rows: TypeAlias = Callable[[State], Sequence[Any]]
 #: Ends of parameters that lie in a range.
@@ -70,9 +68,32 @@ class StateSystem(System):
         """What vanishes, over boxes."""
         return self.conditions(self.state(unknowns, parameters), unknowns)
 
+    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+        """What vanishes, on the given sides of the rays where torsion angles jump."""
+        given = jets.variables(list(unknowns), self.order) if self.order else list(unknowns)
+        found = self.conditions(self.state(given, parameters, sides), given)
+        return stacked([jets.constant(value) for value in found], unknowns.shape[1:])
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """What vanishes, on any side: turnings that jump in a box have any value there."""
+        return self.values(unknowns, parameters, self.balance.anywhere)
+
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes where no state is, and those in which a turning jumps, and that are excluded on each side of the jump."""
+        at = self.state(unknowns, parameters)
+        out, torsions = self.nothing_at(at), self.balance.torsions
+        if torsions:
+            jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in at.directions[3 * self.balance.springs :]])
+            rows = np.flatnonzero(~out & jumps)
+            for sides in itertools.product((1, -1), repeat=len(torsions)) if rows.size else ():
+                still = np.logical_and.reduce(self.values(unknowns[:, rows], parameters[:, rows], sides).holds_zero())
+                rows = rows[~still]
+            out[rows] = True
+        return out
+
+    def nothing_at(self, at: State) -> BoolArray:
         """Boxes beyond the contact's border."""
-        return self.state(unknowns, parameters).beside_border()[1]
+        return at.beside_border()[1]
 
 
 class Balance(Forces, StateSystem):
@@ -88,10 +109,6 @@ class Balance(Forces, StateSystem):
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""
         return at.forces()
-
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Forces over boxes, shape (n, N)."""
-        return stacked(self.state(unknowns, parameters, self.anywhere).forces(), unknowns.shape[1:])
 
     @property
     def anywhere(self) -> list[int]:
@@ -112,35 +129,14 @@ class Balance(Forces, StateSystem):
         """Stiffness over boxes, shape (n, n, N)."""
         return matrix(self.state(unknowns, parameters).slopes(), unknowns.shape[1:])
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
-        return self.nothing_at(self.state(unknowns, parameters))
-
     def nothing_at(self, at: State) -> BoolArray:
-        """Whether nothing acts at coordinates."""
-        _, out = at.beside_border()
+        """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
+        out = super().nothing_at(at)
         for spring, (dx, dy) in enumerate(at.anchors):
             # Farther from the anchor the direction is known so well that the forces themselves tell.
             rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
             if rows.size:
                 out[rows] = _no_direction(at.some(rows), spring)
-
-        def unbalanced(rows: IntArray, sides: Sequence[int]) -> BoolArray:
-            forces = replace(at.some(rows), sides=sides).forces()
-            return ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
-
-        return out | self.beside_jumps(at, ~out, unbalanced)
-
-    def beside_jumps(self, at: State, among: BoolArray, excluded: Excluded) -> BoolArray:
-        """Boxes in which a turning jumps, and that are excluded on each side of the jump."""
-        out = np.zeros(among.shape, dtype=np.bool_)
-        if not self.torsions or not among.any():
-            return out
-        jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in at.directions[3 * self.springs :]])
-        rows = np.flatnonzero(among & jumps)
-        if rows.size:
-            every = itertools.product((1, -1), repeat=len(self.torsions))
-            out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
         return out
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
@@ -289,15 +285,8 @@ class BalanceInUnits(Balance):
             found[name] = _times(values[name], found[code])
         return found
 
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Arguments of the generated functions, units and p/P."""
-        found = self.scaled(dict(zip(self.parameters, bounds, strict=True)), XP, self.needed)
-        shape = bounds.shape[1:]
-        known = super().prepared(stacked([found[name] for name in self.parameters], shape))
-        return Intervals(np.concatenate([known.ends, *(found[self.factors[name]].ends[:, None] for name in self.needed)], axis=1))
-
     def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
-        """Arguments by name, of any number type."""
+        """Arguments of the generated functions, units and p/P by name, of any number type."""
         return super().arguments_of(self.scaled(values, xp, self.needed), xp)
 
     def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:

@@ -53,9 +53,10 @@ class Forces:
         ]
         #: Angles that the functions take by themselves too, beside their cosines and sines.
         self.alone = [name for name in self.angles if name in about["arguments"]["motion"]]
-        self.codes = [
-            code for name in self.parameters for code in (*self.angles.get(name, ()), *(() if self.only_turns(name) else (name,)))
-        ]
+        self.codes: list[str] = []
+        for name in self.parameters:
+            self.codes += self.angles.get(name, ())
+            self.codes += [name] if name in self.alone or name not in self.angles else []
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
@@ -81,12 +82,8 @@ class Forces:
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P, N)."""
-        parts: list[Intervals] = []
-        for place, name in enumerate(self.parameters):
-            value = bounds[place]
-            parts += [XP.cos(value), XP.sin(value)] if name in self.angles else []
-            parts += [] if self.only_turns(name) else [value]
-        return stacked(parts, bounds.shape[1:])
+        values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
+        return stacked([values[code] for code in self.codes], bounds.shape[1:])
 
     def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
         """Arguments by name, from parameters of any number type."""
@@ -104,16 +101,12 @@ class Forces:
         """Arguments as floats, shape (parameters, N)."""
         return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
-    def only_turns(self, name: str) -> bool:
-        """Whether a parameter is an angle of which the functions take cosine and sine, and not itself."""
-        return name in self.angles and name not in self.alone
-
     def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """By name; ``changed`` are parameters that are unknowns, of any number type.
 
         A parameter that is 0 everywhere, and may be, is the number 0: products with it and exponentials of it are exact.
         """
-        values: dict[str, Any] = {code: prepared[place] for place, code in enumerate(self.codes)}
+        values: dict[str, Any] = dict(zip(self.codes, prepared, strict=False))
         values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
         return values | self.with_angles(changed or {}, XP)
 
@@ -162,10 +155,10 @@ class State:
     fixed: Sequence[Any] | None = None
     turnings: Sequence[Any] | None = None
 
-    def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion", xp: Any = None) -> Any:
+    def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion") -> Any:
         """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
         listed = [self.values[name] for name in self.balance.model.about["arguments"][kind]]
-        return undecorated(getattr(self.balance.model.algebra, name))(*first, *listed, *last, xp=xp or self.xp)
+        return undecorated(getattr(self.balance.model.algebra, name))(*first, *listed, *last, xp=self.xp)
 
     def some(self, rows: IntArray) -> State:
         """The evaluation at some of the boxes."""
@@ -250,10 +243,6 @@ class State:
         """The stiffness matrix K."""
         return self.rows("forces_jacobian") if self.balance.sums else self._slopes
 
-    def by_parameters(self, names: Sequence[str]) -> list[list[Any]]:
-        """Derivatives of the forces by parameters."""
-        return self.balance.by_parameters(self, names)
-
     def contact_force(self, pushing: Any) -> Any:
         """The normal force of the contact."""
         return self.call("contact_force", self.q, pushing)
@@ -295,7 +284,7 @@ class State:
 
     def mirrored(self) -> Sequence[Any]:
         """The image of the state in the model's mirror."""
-        return self.call("mirror", self.q, kind="statics", xp=XP)
+        return self.call("mirror", self.q, kind="statics")
 
 
 def _is_nothing(values: Intervals) -> bool:

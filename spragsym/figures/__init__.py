@@ -152,8 +152,8 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     return lines
 
 
-def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, of: str | None = None, **options: Any) -> Any:
-    return draw_motion(motion.after(transient), of, ax, **options)
+def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, **options: Any) -> Any:
+    return draw_motion(motion.after(transient), ax=ax, **options)
 
 
 def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:

@@ -46,7 +46,7 @@ from .style import (
 )
 
 #: Names of axes in the article's figures.
-LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\theta$ (deg)", "L": r"$L$"}
+LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$"}
 
 
 #: Equilibria by their indices into the columns.

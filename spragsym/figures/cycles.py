@@ -77,25 +77,18 @@ WIDE = 10.0
 MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 
 
-def found_cycles() -> dict[str, Any]:
-    """The branches that ``python -m validation.cycle_search`` found, with how they were looked for."""
-    text = shipped_text("spragsym.figures", "cycles.json")
-    found: dict[str, Any] = json.loads(text)
-    for line in found["branches"]:
-        line |= {name: np.array(line[name]) for name in ("theta0", "period", "rms", "stable")}
-    return found
-
-
 def _sliding() -> Parameters:
     """The article's values with the friction μ(V)."""
-    return Parameters.article(mu0=float(MODEL.friction(Parameters.article(V=V, d=D))))
+    return Parameters.article(mu0=float(MODEL.friction(Parameters.article())))
 
 
 @styled
 def figure_cycles() -> Sheet:
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
     figure, ax = single(DOUBLE, 4.2)
-    rest, found = branches(_sliding(), "theta0", np.radians(1.0), np.radians(179.0)), found_cycles()
+    rest = branches(_sliding(), "theta0", np.radians(1.0), np.radians(179.0))
+    # The branches that ``python -m validation.cycle_search`` found, with how they were looked for.
+    found = json.loads(shipped_text("spragsym.figures", "cycles.json"))
     for curve in rest:  # |x| is the root mean square
         ax.plot(curve.shown("theta0"), np.abs(curve.x), color=BLACK, linestyle=LINES[curve.stability], linewidth=1.0)
     colours: dict[str, str] = {}
@@ -103,21 +96,22 @@ def figure_cycles() -> Sheet:
     for line in found["branches"]:
         family, _, doubled = line["name"].partition(",")
         colour = colours.setdefault(family, COLOURS[len(colours) % len(COLOURS)])
-        angles, stable = np.degrees(line["theta0"]), line["stable"] == 1
-        draw_stretches(ax, angles, line["rms"], stable, colour, 0.9 if doubled else 1.4)
+        theta0, periods, heights, is_stable = (np.array(line[name]) for name in ("theta0", "period", "rms", "stable"))
+        angles, stable = np.degrees(theta0), is_stable == 1
+        draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
-        nearest = int(np.argmin(np.abs(line["theta0"] - value) + np.abs(line["period"] - period)))
         if not doubled or np.ptp(angles[stable]) > WIDE:
-            place = float(np.degrees(value)), line["rms"][nearest] + LIFTED
+            nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
+            place = float(np.degrees(value)), heights[nearest] + LIFTED
             write_along(ax, f"{period:.0f}", *place, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
             events.append((line["name"], kind, float(np.degrees(at)), length, rms, how))
             if kind in MARKERS:
                 ax.plot(np.degrees(at), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
-        columns.append({"branch": np.full(angles.size, line["name"]), "theta0_deg": angles, "period": line["period"],
-                        "rms_x": line["rms"], "stable": line["stable"]})  # fmt: skip
+        columns.append({"branch": np.full(angles.size, line["name"]), "theta0_deg": angles, "period": periods,
+                        "rms_x": heights, "stable": is_stable})  # fmt: skip
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
-    fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
+    fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)))
     places = float(np.degrees(fate.value)), first_fold(Parameters.article()), first_fold(_sliding())
     for line_place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
@@ -203,7 +197,7 @@ FRICTIONS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
 
 def _along(vary: str) -> CycleBranch:
     """The branch of the cycle of period 34 from 42 degrees and friction 0.5."""
-    first = cycle(Parameters.article(theta0=np.radians(42.0)), V=V, d=D, near=ON_CYCLE, patient=False)
+    first = cycle(Parameters.article(theta0=np.radians(42.0)), near=ON_CYCLE, patient=False)
     if vary == "theta0":
         return cycle_branch(first, vary, (np.radians(41.0), np.radians(72.0)))
     return cycle_branch(first, vary, (0.05, 0.5), points=90)
@@ -234,7 +228,7 @@ def figure_cycles_plane(
         p = Parameters.article(mu0=mu0)
         fold = np.radians(first_fold(p))
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
-            fate = fate_boundary(p, vary="theta0", bracket=(fold - np.radians(9.0), fold - 0.003), V=V, d=D)
+            fate = fate_boundary(p, vary="theta0", bracket=(fold - np.radians(9.0), fold - 0.003))
             fates["theta0_deg"].append(float(np.degrees(fate.value)))
             fates["mu0"].append(mu0)
     ax.plot(*fates.values(), "o", color=BLACK, markersize=3)

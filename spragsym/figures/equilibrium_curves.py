@@ -143,13 +143,12 @@ def figure_9() -> Sheet:
     values = (0.007, 0.07, 0.7)
     labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((40, -0.27), (82, -0.01))]
     figure, ax = _family(9, "alpha", values, labels)
-    onsets = np.degrees(ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0)
-    low, high = float(onsets.min()), float(onsets.max())
+    low, high = np.degrees(ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0).tolist()
     _flutter(ax, low, high, -0.14, 8)
     inset = _magnified(ax, "alpha", values)
     _flutter(inset, low, high, -0.002, 7)
-    for text, place, color in zip(("0.007", "0.07", "0.7"), ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
-        write_along(inset, rf"$\alpha = {text}$", *place, color=color, fontsize=7)
+    for value, place, color in zip(values, ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
+        write_along(inset, rf"$\alpha = {value:g}$", *place, color=color, fontsize=7)
     figure.caption += (
         f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "
         "which the brackets mark: at the scale of the outer axes the three curves coincide there."

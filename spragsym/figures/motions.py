@@ -81,14 +81,14 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     """The motion in time at 49°, and the root mean square of x over θ₀."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.5)
     p = Parameters.article()
-    trajectory = simulate(p.replace(theta0=np.radians(49.0)), V=V, d=D)
+    trajectory = simulate(p.replace(theta0=np.radians(49.0)))
     t = np.linspace(0.0, 2000.0, 8001)
     x = trajectory(t)[0]
     left.plot(t, x, color=BLACK, linewidth=0.6)
     left.set(xlabel=r"$\tau$", ylabel=r"$x$", xlim=(0, 2000))
     remark(left, r"$\theta_0 = 49^\circ$")
     angles = np.arange(step_deg, 180.0 - step_deg / 2, step_deg)
-    sweep = rms_sweep(p.replace(theta0=np.radians(angles)), V, D, workers=workers)
+    sweep = rms_sweep(p.replace(theta0=np.radians(angles)), workers=workers)
     right.plot(angles, sweep.rms, color=BLACK, marker=".", markersize=2.2, linewidth=0.5)
     fold = first_fold(p)
     line_at(right, fold, VERMILION, 0.8)
@@ -272,7 +272,7 @@ def _divided(
             rms, asked = (cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms)))
         row, column = np.nonzero(asked)
         where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
-        sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
+        sweep = rms_sweep(where, rtol=1e-8, workers=workers)
         rms[row, column] = sweep.rms
         tables.append({
             "theta0_deg": angles[column], "mu0": frictions[row], "rms_x": sweep.rms, "regime": sweep.regime,
@@ -303,8 +303,8 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     along = p.replace(theta0=np.radians(angles))
     speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
     for letter, ax, name, sweep, values in (
-        ("a", axes[0], "V", rms_sweep(along, speeds[:, None], D, workers=workers), speeds),
-        ("b", axes[1], "d", rms_sweep(along, V, creeps[:, None], workers=workers), creeps),
+        ("a", axes[0], "V", rms_sweep(along, speeds[:, None], workers=workers), speeds),
+        ("b", axes[1], "d", rms_sweep(along, d=creeps[:, None], workers=workers), creeps),
     ):
         tables[letter] = columns = {"theta0_deg": angles}
         for rms, value, color in zip(sweep.rms, values, _SHADES, strict=True):

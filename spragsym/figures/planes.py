@@ -14,7 +14,7 @@ import spragsym as ss
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..errors import ModelError
 from ..models import Model
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Ranges
 from ..results import BifurcationSet
 from .style import (
     BLACK,
@@ -22,7 +22,6 @@ from .style import (
     LETTERS,
     SINGLE,
     VERMILION,
-    Between,
     Sheet,
     Table,
     as_drawn,
@@ -109,7 +108,7 @@ def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[
     return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
 
-def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None:
+def _span(ax: Axes, model: Model, vary: Sequence[str], between: Ranges) -> None:
     """Have the axes span what was asked, and not what was found; wide angles by 30 degrees."""
     for direction, name in zip("xy", vary, strict=True):
         low, high = as_drawn(model, name, np.array(between[name]))
@@ -149,7 +148,7 @@ def _no(what: str, complete: bool) -> str:
 
 
 def draw_plane(
-    ax: Axes, p: ParameterSet, between: Between, vary: Sequence[str] | None = None, n: int | None = None
+    ax: Axes, p: ParameterSet, between: Ranges, vary: Sequence[str] | None = None, n: int | None = None
 ) -> tuple[BifurcationSet, bool]:
     """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model that counts in closed form."""
     model = p.model
@@ -172,7 +171,7 @@ def draw_plane(
 
 @styled
 def bifurcation_figure(
-    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Between | None = None, n: int = 60,
+    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Ranges | None = None, n: int = 60,
     onsets: OnsetCurves | None = None,
 ) -> Sheet:  # fmt: skip
     """The bifurcation set of any model in the plane of two parameters, as a figure.
@@ -192,13 +191,12 @@ def bifurcation_figure(
     """
     figure, ax = single(SINGLE, 2.7)
     model = p.model
-    vary = tuple(model.two(vary))
     found, shaded = draw_plane(ax, p, between or (onsets.between if onsets else {}), vary, n)
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):
         say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
-    fixed = [one["name"] for one in model.about["parameters"] if one["role"] == "both" and one["name"] not in vary]
+    fixed = [one["name"] for one in model.about["parameters"] if one["role"] == "both" and one["name"] not in found.vary]
     at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(fixed, p.scalars(*fixed), strict=True))
     return figure.describe(
         f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{

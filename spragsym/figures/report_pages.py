@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -71,21 +71,10 @@ def report_page(report: Report) -> str:
     del headed["Warnings"]
     last = {"What to do next": headed.pop("What to do next")}
     title = about.pop("title") or "Sprag-slip report"
-    return document(
-        title, ", ".join(filter(None, about.values())), report.verdict, report.warnings, pictures(report),
-        (headed | {"Data": data} | last).items(), study.kind.drawing,
-    )  # fmt: skip
-
-
-def document(
-    title: str, about: str, verdict: str, warnings: Iterable[str], drawn: Iterable[tuple[str, str]],
-    headed: Iterable[tuple[str, Iterable[tuple[str, str]]]], mechanism: str,
-) -> str:  # fmt: skip
-    """A page from its title, what it is about, verdict and warnings, pictures as SVG with captions, headings with rows of a name
-    and a value, and the mechanism drawn in characters."""
     return filled(
-        "spragsym.figures", "report.html", "the page of a report", title=title, about=about, verdict=verdict, warnings=warnings,
-        drawn=drawn, headed=headed, mechanism=mechanism,
+        "spragsym.figures", "report.html", "the page of a report", title=title, about=", ".join(filter(None, about.values())),
+        verdict=report.verdict, warnings=report.warnings, drawn=pictures(report),
+        headed=(headed | {"Data": data} | last).items(), mechanism=study.kind.drawing,
     )  # fmt: skip
 
 
@@ -121,13 +110,13 @@ def _planes(report: Report) -> Rows:
     unit, size = unit_of(study)
     # Angles are drawn in degrees by the picture itself.
     options: dict[str, Any] = dict(length=size if unit == "mm" else 1.0, label=f"{first['name']} in {unit}", n=_VALUES)
+    rises = "the friction"
     if not study.of_friction:
-        name, scale = study.rises.quantity, study.rise_scale
-        low, high, one = low / scale, high / scale, study.quantities[name]
-        drawn = math.radians(1.0) if study.kind.units[name] == "rad" else 1.0
-        options |= {**study.along(), "size": study.in_file(name, drawn * scale)}
-        options["across"] = f"{name} in {one.unit}" if one.unit else name
-    rises = "the friction" if study.of_friction else study.rises.quantity
+        rises, scale = study.rises.quantity, study.rise_scale
+        low, high, one = low / scale, high / scale, study.quantities[rises]
+        drawn = math.radians(1.0) if study.kind.units[rises] == "rad" else 1.0
+        options |= {**study.along(), "size": study.in_file(rises, drawn * scale)}
+        options["across"] = f"{rises} in {one.unit}" if one.unit else rises
     meaning = first["meaning"].partition(",")[0]
     yield (
         picture(partial(draw_rising, p, (low, high), **options)),
@@ -229,9 +218,9 @@ def mark_brake(
     low, high = np.degrees(theta0)
     ax.add_patch(Rectangle((low, mu0[0]), high - low, mu0[1] - mu0[0], facecolor=SKY, edgecolor=BLUE, linewidth=0.8, alpha=0.6,
                            zorder=3))  # fmt: skip
-    (point,) = ax.plot([angle], [friction], "o", color=BLUE, markersize=4.5, zorder=5)
+    (point,) = ax.plot(angle, friction, "o", color=BLUE, markersize=4.5, zorder=5)
     if np.isfinite(jump):
-        ax.plot([angle], [jump], marker="x", color=BLACK, markersize=5, zorder=5)
+        ax.plot(angle, jump, marker="x", color=BLACK, markersize=5, zorder=5)
         ax.annotate(f"jump at {jump:.3f}", (angle, jump), (6, -2), textcoords="offset points", va="top")
     return point
 

@@ -81,7 +81,7 @@ class Sheet(Figure):
 
     def describe(self, caption: str, **tables: Table) -> Sheet:
         """Set the caption, and the data of panels ``a``, ``b``, …."""
-        self.caption = " ".join(textwrap.dedent(caption).split())
+        self.caption = " ".join(caption.split())
         self.tables = tables
         return self
 
@@ -193,8 +193,6 @@ RANGE_TEXT = "The ranges of the axes are our choice."
 HIDDEN_TEXT = "Thin dashes lie behind a sheet."
 
 
-#: Range of a parameter, by its name.
-Between = Ranges
 #: What is shown beyond the farthest cusp.
 ROOM = 1.25
 
@@ -284,7 +282,7 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
             axis.set_major_formatter(lambda value, _: f"{one * value:.6g}")
 
 
-def window(model: Model, vary: Sequence[str], between: Between, cusps: Callable[[], Points] | None = None) -> Between:
+def window(model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[], Points] | None = None) -> Ranges:
     """Ranges to show: those given, the parameter's own, or of one without end as far as its base value, 1 and all cusps need."""
     out = dict(between)
     for entry in model.about["parameters"]:

@@ -11,7 +11,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import figures
-from spragsym.figures import report_pages as pages
+from spragsym.files.text import filled
 from spragsym.report import redesigns, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
@@ -260,10 +260,10 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
 def test_no_text_of_a_page_is_taken_for_html() -> None:
     pytest.importorskip("jinja2")
     odd = "<b>&\"'"
-    text = pages.document(odd, odd, odd, [odd], [("<svg></svg>", odd)], [(odd, [(odd, odd)]), ("nothing", iter(()))], odd)
+    words, rows = dict.fromkeys(("title", "about", "verdict", "mechanism"), odd), [(odd, [(odd, odd)]), ("nothing", iter(()))]
+    text = filled("spragsym.figures", "report.html", odd, **words, warnings=[odd], drawn=[("<svg></svg>", odd)], headed=rows)
     assert odd not in text
-    assert text.count("&lt;b&gt;&amp;&#34;&#39;") == 10  # twice in the title
-    assert text.count("<svg></svg>") == 1
+    assert (text.count("&lt;b&gt;&amp;&#34;&#39;"), text.count("<svg></svg>")) == (10, 1)  # ten, as the title stands twice
     assert "nothing" not in text
     assert text.endswith("</html>\n")
 

@@ -7,7 +7,7 @@ import shlex
 import sys
 import webbrowser
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -141,7 +141,10 @@ def explore(
     chosen = load(study.model if study is not None else model or USUAL)
     if method == "closed" and chosen.search is chosen:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
-    out = _page_name(out)
+    if out.is_dir():
+        out /= "explorer.html"
+    elif not out.suffix:  # by which browsers take a file for a page
+        out = out.with_name(f"{out.name}.html")
     probe(out, made=True)
     write({out: page(chosen.search if method == "search" else chosen, study, onsets)}, force, made=True)
     click.echo(out)
@@ -153,28 +156,18 @@ def explore(
         click.echo(f"there is no display; open {out} in a browser", err=True)
 
 
-def _page_name(out: Path) -> Path:
-    """A file that browsers take for a page: they go by its ending."""
-    if out.is_dir():
-        return out / "explorer.html"
-    return out if out.suffix else out.with_name(f"{out.name}.html")
-
-
 def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     """The page of a model, at the user's point if there is one."""
-    if study is None:
-        _, first = model.cases()[0]
-        return explorer_page(model, onsets=_map(model, first, None, onsets))
-    point = study.kind.parameter_set(study.values)
-    preset = Preset.of(f"Your data: {study.source}", point)
-    drawn = _map(model, point, study, onsets)
-    return explorer_page(model, [preset], units=_units(study), onsets=drawn)
+    _, p = model.cases()[0]
+    about: dict[str, Any] = {}
+    if study is not None:
+        p = study.kind.parameter_set(study.values)
+        about = {"presets": [Preset.of(f"Your data: {study.source}", p)], "units": _units(study)}
+    return explorer_page(model, **about, onsets=_map(model, p, study) if onsets else ("", ""))
 
 
-def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tuple[str, str]:
-    """The map of stability at a point of a model, and the command that prints its numbers; empty where nobody asks for it."""
-    if not asked:
-        return "", ""
+def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
+    """The map of stability at a point of a model, and the command that prints its numbers."""
     from ..figures.planes import draw_onset_curves
     from ..figures.report_pages import picture
     from ..figures.style import window
@@ -186,7 +179,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
         found = ss.onset_curves(p, model.plane, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
     taken += " --trust" if study is not None and model.where not in shipped() else ""
-    spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
+    spans = (one if model.is_angle(one) else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
     return picture(lambda ax: draw_onset_curves(found, ax)), command
 

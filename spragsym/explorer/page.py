@@ -126,7 +126,7 @@ def explorer_page(
             "WORDS": _words(title_and_words(model.about)[1]),
             "UNITS": beside,
             "LINES": _escaped(", ".join(lines)),
-            "ONSETS": _onsets(*onsets),
+            "ONSETS": _filled("onsets.html", {"DRAWING": onsets[0], "COMMAND": _escaped(onsets[1])}) if onsets[0] else "",
             "VERSION": _escaped(__version__),
             "SOURCE": _escaped(f"Model: {model.about['summary']}"),
             "LICENCES": _escaped(_asset("licences.txt")),
@@ -234,11 +234,6 @@ def _words(blocks: Sequence[str]) -> str:
     return "\n".join(f"<pre>{text}</pre>" if formula else f"<p>{text}</p>" for text, formula in texts)
 
 
-def _onsets(drawing: str, command: str) -> str:
-    """The part of a page with the map of stability as SVG, and the command that prints its numbers; nothing without a map."""
-    return _filled("onsets.html", {"DRAWING": drawing, "COMMAND": _escaped(command)}) if drawing else ""
-
-
 def _derived(model: Model) -> tuple[str, str]:
     """The module and the drawing, as SVG: those that come with the package, or derived now (extra ``derive``)."""
     folder = resources.files("spragsym.generated") / "models" / model.name
@@ -267,9 +262,9 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
         "parameters": [
             {key: entry[key] for key in ("name", "meaning", "role")}
             | {
-                "angle": entry["name"] in about["angles"], "flag": options_of(about, entry["name"])[0],
+                "angle": entry["unit"] == "rad", "flag": options_of(about, entry["name"])[0],
                 "range": {key: entry[key] for key in ("low", "high", "low_open", "high_open") if entry[key] is not None},
-                **_slider(entry, entry["name"] in about["angles"], [preset.point[entry["name"]] for preset in presets]),
+                **_slider(entry, [preset.point[entry["name"]] for preset in presets]),
             }
             for entry in about["parameters"]
         ],
@@ -281,7 +276,7 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _slider(entry: Mapping[str, Any], angle: bool, values: Sequence[float]) -> dict[str, float]:
+def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, float]:
     """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base value and presets."""
     low, high, base = entry["low"], entry["high"], entry["base"]
     reach = max([_REACH * abs(base) if base else _PLAIN, *(_ROOM * abs(value) for value in values)])
@@ -289,5 +284,5 @@ def _slider(entry: Mapping[str, Any], angle: bool, values: Sequence[float]) -> d
     last = reach if high is None else high
     room = _INWARD * (last - first)
     first, last = first + room * bool(entry["low_open"]), last - room * (high is not None and bool(entry["high_open"]))
-    shown = math.degrees if angle else float
+    shown = math.degrees if entry["unit"] == "rad" else float
     return {"low": shown(first), "high": shown(last)}

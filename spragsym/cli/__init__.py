@@ -10,7 +10,7 @@ import sys
 import traceback
 import warnings
 from contextlib import suppress
-from typing import IO, Any, NoReturn
+from typing import NoReturn
 
 import click
 
@@ -105,7 +105,13 @@ def main(arguments: list[str] | None = None) -> NoReturn:
             stream.reconfigure(errors="spragsym.latin")
     code = _run([argument for argument in arguments if argument != "--debug"], debug)
     for stream in (sys.stdout, sys.stderr):
-        _let_go(stream)
+        try:
+            if stream is not None:
+                stream.flush()
+        except (OSError, ValueError):
+            # Let go of what can't be written; otherwise the interpreter tries again when it ends, and exits with code 120.
+            with suppress(OSError, ValueError):
+                os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     sys.exit(code)
 
 
@@ -187,13 +193,3 @@ def _message(error: click.ClickException, arguments: list[str]) -> str:
     long = [flag for flag in options if flag.startswith("--")] + ["--help", "--debug"]
     meant = short if short in options else closest(typed, long)
     return f"no option {typed}" + (f"; did you mean {meant}?" if meant else "")
-
-
-def _let_go(stream: IO[str] | Any) -> None:
-    """Drop what a stream could not write; otherwise the interpreter tries again when it ends, and exits with code 120."""
-    try:
-        if stream is not None:
-            stream.flush()
-    except (OSError, ValueError):
-        with suppress(OSError, ValueError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

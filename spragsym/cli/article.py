@@ -2,6 +2,7 @@
 
 import difflib
 import inspect
+import itertools
 import re
 import sys
 from collections.abc import Mapping, Sequence
@@ -206,15 +207,18 @@ def figures(first: list[str], names: list[str], out: Path, kinds: str, workers: 
     from ..motion.sweeps.workers import count, pool
 
     formats = _known([kinds], FORMATS, "--format")
-    names = list(dict.fromkeys([*first, *names])) or list(FIGURES)
-    refuse((path for name in names for path in _written_before(out, _stem(name), formats)), force, made=True)
+    chosen = [FIGURES[name] for name in dict.fromkeys([*first, *names] or FIGURES)]
+    written = (
+        [*(out / f"{draw.__name__}.{kind}" for kind in (*formats, "txt")), *sorted(out.glob(f"{draw.__name__}_[a-z].csv"))]
+        for draw in chosen
+    )
+    refuse(itertools.chain(*written), force, made=True)
     size = count(workers)
     # One pool for all figures, since a process takes a second to start.
-    with nullcontext(1) if size == 1 else pool(size) as mapping, advance(not quiet, len(names), 0) as step:
-        for name in names:
-            draw = FIGURES[name]
+    with nullcontext(1) if size == 1 else pool(size) as mapping, advance(not quiet, len(chosen), 0) as step:
+        for draw in chosen:
             moving = {"workers": mapping} if "workers" in inspect.signature(draw).parameters else {}
-            for path in write(draw(**moving), out, _stem(name), formats):
+            for path in write(draw(**moving), out, draw.__name__, formats):
                 click.echo(path)
             step()
 
@@ -226,12 +230,3 @@ def _known(given: list[str], allowed: Mapping[str, Any], option: str) -> list[st
         if name not in allowed:
             raise ParameterError(f"{option}: {name!r} is not one of {', '.join(allowed)}{hint(name, allowed)}")
     return list(dict.fromkeys(names))
-
-
-def _stem(name: str) -> str:
-    return f"figure_{name.replace('-', '_')}"
-
-
-def _written_before(out: Path, stem: str, formats: list[str]) -> list[Path]:
-    """Files of a figure that would be overwritten."""
-    return [*(out / f"{stem}.{kind}" for kind in (*formats, "txt")), *sorted(out.glob(f"{stem}_[a-z].csv"))]

@@ -213,7 +213,10 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
         angles = (name for name in after if name.startswith("theta"))
         room = [*lengths(after), *lengths(names), "error", *angles, *after[::-1]]
         print_rows(f"{title} along {' and '.join(where)}", shown, room)
-    lost = [row for row in rows if row.get("ends") in ("lower", "upper") and _is_lost(row)]
+    lost = [
+        row for row in rows
+        if row.get("ends") in ("lower", "upper") and any(math.isnan(value) for name, value in row.items() if "_after" in name)
+    ]  # fmt: skip
     if lost:
         everywhere = math.isinf(next(iter(told["searched"].values()))[0])  # as by closed forms: a search may be undecided
         known = "is left" if told["complete"] and everywhere else "was found"
@@ -230,10 +233,6 @@ def print_open(title: str, told: Mapping[str, Any]) -> None:
         click.echo(f"{title}: not complete")
     for remark in told["remarks"]:
         click.echo(f"{title}: {remark}")
-
-
-def _is_lost(row: Mapping[str, Any]) -> bool:
-    return any(math.isnan(value) for name, value in row.items() if "_after" in name)
 
 
 def lengths(columns: Sequence[str] | Mapping[str, Any]) -> list[str]:

@@ -87,7 +87,7 @@ class Case:
     def require(self, values: Mapping[str, Any], spanned: Sequence[str] = ()) -> None:
         """An error that names the option of a parameter that has no value, and is not one of those that vary."""
         for name in (name for name, value in values.items() if value is None and name not in spanned):
-            flag, number = options_of(self.model.about, name)[0], "DEGREES" if name in self.model.about["angles"] else "NUMBER"
+            flag, number = options_of(self.model.about, name)[0], "DEGREES" if self.model.is_angle(name) else "NUMBER"
             varying = f" while {' and '.join(span.name for span in self.spans)} varies" if self.spans else ""
             raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
 
@@ -118,7 +118,7 @@ class Case:
 
     def parameter(self, name: str) -> tuple[str, float]:
         """What a parameter is called, and what one of it is there."""
-        return self._titled(name, "rad" if name in self.model.about["angles"] else "1")
+        return self._titled(name, "rad" if self.model.is_angle(name) else "1")
 
     def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
         """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
@@ -131,7 +131,7 @@ class Case:
             name, _, value = word.partition("=")
             chosen[name] = math.nan
             with suppress(ValueError):
-                chosen[name] = float(value) / self.state(name) if name in self.model.coordinates else math.nan
+                chosen[name] = float(value) / self.of(name)[1] if name in self.model.coordinates else math.nan
             if not math.isfinite(chosen[name]):
                 known = ", ".join(self.model.coordinates)
                 raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
@@ -149,7 +149,7 @@ class Case:
         allowed, count = self.model.Parameters.ranges[name], typed.count or COUNT
         if typed.ends is None:
             return Span(typed.name, name, unit, title, None, count)
-        angle = name in self.model.about["angles"]
+        angle = self.model.is_angle(name)
         for end in typed.ends:
             value = end / unit
             if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
@@ -169,8 +169,7 @@ class Case:
         for typed in texts:
             if typed.ends is None:
                 raise ParameterError(f"--within {typed.text} is no range; give it as {self.model.coordinates[0]}=0:1")
-            unit = self.of(typed.name)[1] if typed.name in self.model.coordinates else 1.0
-            low, high = typed.ends
+            unit, (low, high) = self.of(typed.name)[1], typed.ends
             found[typed.name] = (low / unit, high / unit)
         return found
 
@@ -187,9 +186,12 @@ class Case:
         return 1.0 if self.study is None else self.study.scales.time
 
     def of(self, name: str, end: str = "") -> tuple[str, float]:
-        """What a column of states or a measure of motions is called, and what one of it is in the answer."""
+        """What a column of states or a measure of motions is called, and what one of it is in the answer, and where it is typed.
+
+        Angles are degrees, their rates are not.
+        """
         for span in self.spans:
-            if span.name == name and name not in self.model.coordinates:
+            if span.name == name:
                 return span.title, span.unit
         coordinate = self.si.get(name)
         if coordinate is None and self.study is not None and name in (*RATES, "period"):
@@ -215,7 +217,7 @@ class Case:
         """A parameter, or with a file its quantity: the parameter, its title, and what one of it is there."""
         entries = self.model.about["parameters"]
         for entry in entries:
-            if name == entry["name"] and (self.study is None or name != entry["quantity"] or entry["quantity_unit"] == "1"):
+            if name == entry["name"] and (self.study is None or name != entry["quantity"]):
                 return name, *self._titled(name, entry["unit"])
         for entry in entries:
             if name == entry["quantity"]:
@@ -244,12 +246,6 @@ class Case:
         quantity, si = entries.get(name, (name, "m"))
         unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity if name in entries else "")
         return f"{before}${symbol(quantity)}${f' ({unit})' if unit else ''}{after}", size
-
-    def state(self, name: str) -> float:
-        """What one of a coordinate or of its rate is where a state is typed: angles are degrees, their rates are not."""
-        if name in self.model.rates:
-            return 1.0 if self.study is None else self.study.unit_of(self.si[name])[1]
-        return self.of(name)[1]
 
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with what they say of parameters and coordinates in the units of the file."""

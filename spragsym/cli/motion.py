@@ -58,8 +58,15 @@ def simulate(
     if output is not None:
         storage.check_target(output, 10_000_000)
     with show_progress("following the motion"):
-        tr = ss.simulate(p, t_end=t_end, **case.start, **settings)
-    summary = case.row(_summary(tr, transient))
+        tr: Any = ss.simulate(p, t_end=t_end, **case.start, **settings)
+    late, first = tr.after(transient), tr.components[0]
+    summary = case.row({
+        "rms": late.rms(0.0, of=first), "rms_about_mean": late.rms(0.0, of=first, about="mean"),
+        "mean": late.mean(0.0, of=first), "largest": late.largest(0.0, of=first),
+        "period": late.period(0.0), "converged": late.converged(0.0),
+        **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event}, "backend": tr.backend,
+        **({} if tr.error is None else {"error": tr.error.max()}),
+    })  # fmt: skip
     if output is not None:
         tr.save(output)
 
@@ -89,18 +96,6 @@ def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple
         limit = f"{LONGEST:g} {unit}" + (f", which is {LONGEST * second:.3g} s" if of_file else "")
         raise ParameterError(f"--t-end is {t_end:g} {unit}, and {why}: give at most {limit}")
     return t_end, transient
-
-
-def _summary(tr: Any, transient: float) -> dict[str, Any]:
-    """What is said of a motion."""
-    late, first = tr.after(transient), tr.components[0]
-    return {
-        "rms": late.rms(0.0, of=first), "rms_about_mean": late.rms(0.0, of=first, about="mean"),
-        "mean": late.mean(0.0, of=first), "largest": late.largest(0.0, of=first),
-        "period": late.period(0.0), "converged": late.converged(0.0),
-        **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event}, "backend": tr.backend,
-        **({} if tr.error is None else {"error": tr.error.max()}),
-    }  # fmt: skip
 
 
 @o.of_model(kind=o.Numbers, start=True)
@@ -216,7 +211,7 @@ def cycles(
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
     names = case.model.components
-    ones = np.array([case.state(name) for name in names])  # as a state is typed, and printed to be typed again
+    ones = np.array([case.of(name)[1] for name in names])  # as a state is typed, and printed to be typed again
     start = None if near is None else _state(near, names) / ones
     p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
     if whole:
@@ -230,8 +225,16 @@ def cycles(
     })  # fmt: skip
     summary["state"] = (found.state * ones).tolist()
     if prove:
+        from .. import precise
+
         with show_progress("proving it"):
-            summary |= _proof(found, {} if digits is None else {"digits": digits})
+            proof = precise.prove_cycle(found, **({} if digits is None else {"digits": digits}))
+        summary["proved"] = proof.proved
+        if proof.proved:
+            summary |= {f"{name}_proved": str(decimal) for name, decimal in proof.decimals().items()}
+            summary["stable_proved"] = proof.stable
+        else:
+            summary["reason"] = proof.reason
     branch = {} if along is None else _branch(case, found, points, plot)
 
     def tables() -> None:
@@ -274,16 +277,6 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
             click.echo(remark)
 
     return {"labels": labels, "branches": branches, "remarks": remarks}, tables
-
-
-def _proof(found: Cycle, asked: dict[str, int]) -> dict[str, Any]:
-    from .. import precise
-
-    proof = precise.prove_cycle(found, **asked)
-    if not proof.proved:
-        return {"proved": False, "reason": proof.reason}
-    decimals = {f"{name}_proved": str(decimal) for name, decimal in proof.decimals().items()}
-    return {"proved": True, **decimals, "stable_proved": proof.stable}
 
 
 def _state(text: str, names: Sequence[str]) -> FloatArray:

@@ -249,7 +249,14 @@ class OfModel(Command):
         # What varies unless told otherwise: what the help of --vary names as its default.
         usual, texts = {"{axes}": model.axes, "{last}": model.axes[-1:]}, str([getattr(one, "help", "") for one in self.own])
         self.varied = [name for word, names in usual.items() if word in texts for name in names]
-        self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *ABOUT]
+        kind, si = self.kind(Range(-math.inf)), Case(model).si
+        start = [
+            click.Option(
+                [f"--{name}0", f"{name}0"], type=kind, default=0.0, help=f"Initial {name}{', degrees' * (si[name] == 'rad')}."
+            )
+            for name in model.components if self.start
+        ]  # fmt: skip
+        self.params = [*self._parameters(), *start, *(_worded(option, words) for option in self.own), *ABOUT]
         of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
         self.help, self.callback = f"{self.text}{of}", self._work
 
@@ -271,15 +278,16 @@ class OfModel(Command):
         """Do the work, about the case that the parameters are."""
         ctx = click.get_current_context()
         units = Case(self.model, ctx.obj)
-        values = {name: given.pop(name) for name in self.model.parameters}
+        values = {}
         for entry in self.model.about["parameters"]:
-            name = entry["name"]
-            if name in self.model.about["angles"]:
-                values[name] = None if values[name] is None else np.radians(values[name])
+            value = given.pop(name := entry["name"])
+            if value is not None and self.model.is_angle(name):
+                value = np.radians(value)
             elif ctx.obj and name == entry["quantity"] and is_typed(name):
                 # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
-                values[name] = values[name] / units.varied(name)[2]
-        start = {f"{name}0": given.pop(f"{name}0") / units.state(name) for name in self.model.components if self.start}
+                value = value / units.varied(name)[2]
+            values[name] = value
+        start = {f"{name}0": given.pop(f"{name}0") / units.of(name)[1] for name in self.model.components if self.start}
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
         asked = given.pop("vary", None) or [Typed(name, name) for name in self.varied]
         typed = [asked] if isinstance(asked, Typed) else asked
@@ -301,9 +309,9 @@ class OfModel(Command):
 
     def _parameters(self) -> Iterator[click.Option]:
         for entry in self.model.about["parameters"]:
-            name, default = entry["name"], self.model.base.get(entry["name"])
+            name, default = entry["name"], entry["base"]
             allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
-            if name in self.model.about["angles"]:
+            if self.model.is_angle(name):
                 allowed = in_degrees(allowed, f"give the {entry['meaning']} in degrees")
                 meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
             exact = default is not None and float(f"{default:.7g}") == default
@@ -311,13 +319,6 @@ class OfModel(Command):
             rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
             flags = (*options_of(self.model.about, name), name)
             yield click.Option(flags, type=self.kind(allowed), default=default, show_default=exact, help=f"{meaning}.{rounded}")
-
-    def _start(self) -> list[click.Option]:
-        kind, si = self.kind(Range(-math.inf)), Case(self.model).si
-        texts = {
-            name: f"Initial {name}{', degrees' if si[name] == 'rad' else ''}." for name in self.model.components if self.start
-        }
-        return [click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, help=text) for name, text in texts.items()]
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them: of statics with the friction that works."""
@@ -337,9 +338,9 @@ of_model = partial(command, cls=OfModel)
 def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:
     """An option with the words of a model in its help."""
     other = copy.copy(option)
-    for text in ("help", "metavar"):
-        if "{" in (getattr(option, text, None) or ""):
-            setattr(other, text, getattr(option, text).format(**words))
+    for name in ("help", "metavar"):
+        if text := getattr(option, name, None):
+            setattr(other, name, text.format(**words))
     return other
 
 

@@ -77,12 +77,8 @@ def _written(name: str, cell: object, digits: int) -> str:
 def print_json(thing: Any) -> None:
     """Print JSON; NaN and infinities, which JSON does not have, become null."""
     # Where the stream can't write Greek letters, JSON has an escape for them.
-    click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=not writes_unicode(sys.stdout), allow_nan=False))
-
-
-def writes_unicode(stream: Any) -> bool:
-    """Whether the stream can write every character."""
-    return (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "").startswith("utf")
+    escaped = not (getattr(sys.stdout, "encoding", None) or "utf").lower().startswith("utf")
+    click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=escaped, allow_nan=False))
 
 
 def _plain(thing: Any) -> Any:

@@ -13,6 +13,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -33,6 +34,9 @@ JUMPED = (
 
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
+
+#: ``xp`` of floats, one by one: Python's functions, and the sign that slopes of |p| by a parameter p take.
+FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 
 #: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the order of its square.
 GAP = 1e-12
@@ -184,7 +188,7 @@ class Field:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
 
-    def matrix(self, state: Sequence[float], constants: Any, mode: Any, xp: Any = math) -> FloatArray:
+    def matrix(self, state: Sequence[float], constants: Any, mode: Any, xp: Any = FLOATS) -> FloatArray:
         """The derivative of the rates of all numbers of a state by these: the linearized motion at an equilibrium."""
         n = len(self.coordinates)
         return np.vstack([np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)])
@@ -403,6 +407,7 @@ def library() -> Any:
     with held():
         import heyoka as hy
     hy.set_logger_level_error()
+    hy.expression.__abs__ = lambda value: value * XP.sign(value)  # which generated functions take of parameters
     return hy
 
 
@@ -425,6 +430,11 @@ class Functions:
             return found(*taken)
 
         return call
+
+    def sign(self, value: Any) -> Any:
+        """−1, 0, 1."""
+        hy = library()
+        return hy.select(hy.gt(value, 0.0), 1.0, hy.select(hy.lt(value, 0.0), -1.0, 0.0))
 
     def tanh(self, value: Any) -> Any:
         """By exponentials: where heyoka's rounds to 1, all its Taylor coefficients are zero, and a step misses what follows."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import SETTLED, Field, Mode, in_one_turn
+from ..models.field import FLOATS, SETTLED, Field, Mode, in_one_turn
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from .measures import KEPT, Course
@@ -109,7 +109,7 @@ def equilibrium_near(
     for _ in range(ROUNDS):
         state = [*q.tolist(), *[0.0] * n]
         mode = kept or field.initial_mode(state, constants)
-        pull = np.array(field.acceleration(state, constants, mode, math), dtype=float)
+        pull = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
         try:
             step = np.linalg.solve(field.matrix(state, constants, mode)[n:, :n], -pull)
         except np.linalg.LinAlgError as error:

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import TURN, Field, apart
+from ..models.field import FLOATS, TURN, Field, apart
 from ..models.parameters import FloatArray
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
@@ -187,7 +187,7 @@ def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
     n = len(field.coordinates)
     numbers = [float(value) for value in state]
     try:
-        return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, math)])
+        return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, FLOATS)])
     except ZeroDivisionError:
         return np.full(field.size, np.nan)
 

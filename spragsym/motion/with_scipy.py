@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, Mode
+from ..models.field import FLOATS, GAP, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
@@ -18,8 +18,8 @@ from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, par
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
-FLOATS = SimpleNamespace(**{**vars(math), "exp": lambda z: math.exp(min(z, 100.0))})
-ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 100.0))})
+TRIAL_FLOATS = SimpleNamespace(**{**vars(FLOATS), "exp": lambda z: math.exp(min(z, 100.0))})
+TRIAL_ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 100.0))})
 
 #: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a share of it.
 RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
@@ -165,13 +165,13 @@ class Flight:
 
         def rates(_: float, whole: FloatArray) -> FloatArray:
             state = whole[:m].tolist()
-            own = np.array([*state[n:], *field.acceleration(state, constants, mode, FLOATS)])
+            own = np.array([*state[n:], *field.acceleration(state, constants, mode, TRIAL_FLOATS)])
             if directions is None:
                 return own
             columns = whole[m:].reshape(m, -1)
-            change = field.matrix(state, constants, mode, FLOATS) @ columns
+            change = field.matrix(state, constants, mode, TRIAL_FLOATS) @ columns
             if directions.size:
-                change[n:, m:] += np.array(field.by_parameters(state, constants, mode, FLOATS), dtype=float) @ directions.T
+                change[n:, m:] += np.array(field.by_parameters(state, constants, mode, TRIAL_FLOATS), dtype=float) @ directions.T
             return np.concatenate([own, change.ravel()])
 
         return rates
@@ -182,7 +182,7 @@ class Flight:
         Or how far ``inside`` those of a mode, negative beyond.
         """
         field, constants = self.problem.field, self.problem.constants
-        accelerations = field.acceleration(states, constants, mode, ARRAYS)
+        accelerations = field.acceleration(states, constants, mode, TRIAL_ARRAYS)
         found = np.empty((len(field.borders) + 1, 2, *states.shape[1:]))
         for row, border in zip(found, field.borders, strict=False):
             sign = border.sign(mode) if inside else 1

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import Field
+from ..models.field import FLOATS, Field
 from ..models.parameters import FloatArray
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
@@ -152,7 +152,7 @@ def level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArra
         guess = guess.at(index, value)
     constants, state = field.constants(guess.values), place[:size].tolist()
     mode, that = field.initial_mode(state, constants), field.borders[border]
-    accelerations = field.acceleration(state, constants, mode, math)
+    accelerations = field.acceleration(state, constants, mode, FLOATS)
     return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..models.field import Field, apart
+from ..models.field import FLOATS, Field, apart
 from ..models.model import Model
 from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
@@ -343,7 +343,7 @@ def _of_the_motion(
         constants = field.constants(values.tolist())
         u = [*unknowns[:n].tolist(), *[0.0] * n]
         mode = field.exact(field.mode_at_rest(u, constants))
-        accelerations = field.acceleration(u, constants, mode, math)
+        accelerations = field.acceleration(u, constants, mode, FLOATS)
         roots = np.linalg.eigvals(field.matrix(u, constants, mode))
         near = roots[np.abs(roots - 1j * form.omega).argmin()]
         return np.array([*accelerations, near.real / form.crossing])

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, Field, Mode
+from ..models.field import FLOATS, GAP, Field, Mode
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
@@ -225,9 +225,9 @@ class Rest:
         there, by_parameters = self.at(state, constants), np.zeros((self.field.size, 2))
         n = len(self.field.coordinates)
         try:
-            force = self.field.acceleration(*there, math)
+            force = self.field.acceleration(*there, FLOATS)
             by_state = np.eye(self.field.size) + self.field.matrix(*there)
-            by_parameters[n:] = np.array(self.field.by_parameters(*there, math), dtype=float) @ directions.T
+            by_parameters[n:] = np.array(self.field.by_parameters(*there, FLOATS), dtype=float) @ directions.T
         except ArithmeticError as error:
             raise ConvergenceError("there is no motion") from error
         return Passage(state + np.append(state[n:], force), by_state, by_parameters, (), ())

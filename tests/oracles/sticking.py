@@ -22,13 +22,13 @@ LAWS = {
 
 def model(law: str) -> Any:
     """The model of μ_s/(1 + δ|v|) times the steep factor."""
-    text = f"mu_s / (1 + delta * Abs(v)) * {LAWS[law][0]}"
+    text = f"mu_s / (1 + Abs(delta) * Abs(v)) * {LAWS[law][0]}"
     return model_of(
         shipped_page(
             "stick_slip", ("import Page", "import Abs, Page, atan, exp, pi, sgn, tanh"),
             ("2 * mu_s * v * v_s / (v**2 + v_s**2)", text),
             ('v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.1)\n',
-             'delta = page.parameter("delta", "s/m", "fall", ">= 0", 0.5)\nd = page.parameter("d", "s/m", "steepness", "> 0", 1e2)\n'),
+             'delta = page.parameter("delta", "s/m", "fall", "real", 0.5)\nd = page.parameter("d", "s/m", "steepness", "> 0", 1e2)\n'),
         ),
         law,
     )  # fmt: skip

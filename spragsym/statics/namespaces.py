@@ -97,8 +97,8 @@ class Scaled(Arithmetic):
     def __neg__(self) -> Scaled:
         return Scaled(-self.value, self.order, self.w)
 
-    def __abs__(self) -> Any:
-        return abs(self.finite())
+    def __abs__(self) -> Scaled:
+        return Scaled(abs(self.finite()), 0, self.w)
 
     def __add__(self, other: Any) -> Scaled:
         other = self._of(other)

@@ -13,7 +13,7 @@ from spragsym.figures.planes import bifurcation_figure, stability_figure
 from spragsym.figures.style import Sheet, house_style, picture, styled
 from spragsym.models import Model
 from spragsym.models.load import USUAL, shipped
-from spragsym.models.model import title_and_words
+from spragsym.models.model import title_drawing_words
 
 HERE = Path(__file__).parent
 #: What is shown of a model: the plane and its ranges; curves of onsets with damping ("hopf") and without ("flutter").
@@ -28,7 +28,7 @@ GALLERY = {
 def page(points: bool = True) -> str:
     """The page as Markdown; without ``points``, nothing is computed."""
     models = [ss.load(name) for name in sorted(shipped(), key=lambda name: (name != USUAL, name))]
-    rows = [(model.about, *title_and_words(model.about), computed(model) if points else []) for model in models]
+    rows = [(model.about, *title_drawing_words(model.about)[::2], computed(model) if points else []) for model in models]
     made = jinja2.Environment(undefined=jinja2.StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
     return made.from_string((HERE / "models.jinja").read_text(encoding="utf-8")).render(models=rows)
 

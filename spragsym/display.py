@@ -36,8 +36,8 @@ class Table:
 class Shown:
     """Gives a dataclass a table in a notebook."""
 
-    #: Columns of codes, each with the enumeration that says what they mean.
-    table_codes: ClassVar[tuple[tuple[str, type[enum.IntEnum]], ...]] = ()
+    #: The column of codes, and the enumeration that says what they mean.
+    table_codes: ClassVar[tuple[str | None, type[enum.IntEnum]]] = (None, enum.IntEnum)
     #: Angles that are no parameters, coordinates or directions of springs.
     table_angles: ClassVar[frozenset[str]] = frozenset()
 
@@ -79,7 +79,8 @@ class Words:
             value = value.item() if value.ndim == 0 else self.listed(key, value)
         if isinstance(value, tuple):
             return ", ".join(self.cell(key, part) for part in value)
-        if (code := dict(self.kind.table_codes).get(key)) is not None:
+        column, code = self.kind.table_codes
+        if key == column:
             value = code(value) if value in set(code) else "other"
         if isinstance(value, enum.Enum):
             return value.name.lower()
@@ -101,21 +102,23 @@ class Words:
         return f"[{text}{', …' if flat.size > 8 else ''}]"
 
 
-def words(thing: Any, above: Words | None = None) -> Words:
-    """Table words of a result; a part that does not know its model or its parameter takes those of the result ``above``."""
-    kind = type(thing) if isinstance(thing, Shown) else Shown
-    model, vary = thing.table_model if kind is not Shown else None, getattr(thing, "vary", None)
-    known: Callable[[str], bool] = getattr(model, "is_angle", above.known if above is not None else _by_name)
-    varies = vary if isinstance(vary, str) else above.vary if above is not None else "value"
-    return Words(known, kind, varies)
-
-
 def _by_name(name: str) -> bool:
     """Whether the article's nomenclature calls an angle so."""
     return name.partition("_")[0] in ("theta", "theta0") and not name.endswith("_deg")
 
 
-def tables(thing: Any, above: Words | None = None) -> Iterator[Table]:
+#: Of a result that stands in no other.
+_ALONE = Words(_by_name)
+
+
+def words(thing: Any, above: Words = _ALONE) -> Words:
+    """Table words of a result; a part that does not know its model or its parameter takes those of the result ``above``."""
+    kind = type(thing) if isinstance(thing, Shown) else Shown
+    model, vary = (getattr(thing, name, None) for name in ("table_model", "vary"))
+    return Words(getattr(model, "is_angle", above.known), kind, vary if isinstance(vary, str) else above.vary)
+
+
+def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
     """The tables of a dataclass: one of its columns, and one of each part that has columns itself."""
     if hasattr(thing, "as_table"):  # one whose rows are not its fields
         yield thing.as_table()

@@ -109,9 +109,7 @@ def of(model: Model, thing: Any) -> Any:
     return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
 
 
-@functools.cache
-def _signature(function: Callable[..., Any]) -> inspect.Signature:
-    return inspect.signature(function)
+_signature = functools.cache(inspect.signature)
 
 
 def _closed_form(model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]) -> Callable[..., Any] | None:

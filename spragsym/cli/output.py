@@ -17,7 +17,7 @@ import click
 
 from ..display import aligned
 from ..errors import TargetError
-from ..files.storage import overwriting, probe, put
+from ..files.storage import OVERWRITING, probe, put
 from ..numerics.decimals import upward
 from ..progress import show_progress
 
@@ -113,11 +113,13 @@ def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool
 @contextmanager
 def resumed(force: bool) -> Iterator[None]:
     """Work that goes on in its file where it stopped; with ``force`` whatever is there, which stays until that is done."""
+    token = OVERWRITING.set(force)
     try:
-        with overwriting(force):
-            yield
+        yield
     except TargetError as error:
         raise TargetError(f"{error}, or use --force to overwrite") from error
+    finally:
+        OVERWRITING.reset(token)
 
 
 def drawn(

@@ -17,7 +17,7 @@ from ..derive.kang_nam.library import exported
 from ..errors import MissingExtraError
 from ..models import Model, load
 from ..models.load import USUAL, page_of
-from ..models.model import options_of, title_and_words
+from ..models.model import options_of, title_drawing_words
 from ..models.parameters import ParameterSet
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
@@ -123,7 +123,7 @@ def explorer_page(
             "TITLE": _escaped(f"{model.name} explorer"),
             "STYLE": _in_a_script(_asset("style.css")),
             "DRAWING": drawing,
-            "WORDS": _words(title_and_words(model.about)[1]),
+            "WORDS": _words(title_drawing_words(model.about)[2]),
             "UNITS": beside,
             "LINES": _escaped(", ".join(lines)),
             "ONSETS": _filled("onsets.html", {"DRAWING": onsets[0], "COMMAND": _escaped(onsets[1])}) if onsets[0] else "",
@@ -271,7 +271,7 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
         "axes": list(model.plane),
         **{key: about[key] for key in ("angles", "arguments", "layers", "ties", "drawn")},
         **{key: contact[key] for key in ("gap", "unilateral", "polynomial")},
-        "torsions": len(about.get("torsions", ())),
+        "torsions": len(about["torsions"]),
         "belt": about["friction"] and about["friction"]["belt"],
     }  # fmt: skip
 

@@ -52,8 +52,13 @@ def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[i
             _append(file, path, _line(fingerprint, [index, *record]))
             done[index] = record
 
-        with _told(path, done, total):
+        kept = f"of {total} points are kept in {path}, and the same call goes on from there"
+        try:
             yield done, keep
+        except KeyboardInterrupt as stop:
+            raise KeyboardInterrupt(f"{len(done)} {kept}") from stop
+        except (SweepError, StoreError) as error:
+            raise type(error)(f"{error}; {len(done)} {kept}") from error
         if os.name == "posix":
             path.unlink()  # while it is locked, so that no other process has it
     if os.name != "posix":
@@ -77,9 +82,10 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
     try:
         while True:
             file = stack.enter_context(FileIO(path, "a+"))
-            if not _locked(file, path) or _is_at(file, path):
-                file.seek(0)
-                return file, file.readall() or b""
+            with suppress(FileNotFoundError):
+                if not _locked(file, path) or os.path.samestat(os.fstat(file.fileno()), path.stat()):
+                    file.seek(0)
+                    return file, file.readall() or b""
             file.close()  # it was renamed or removed between opening and locking
     except StoreError:
         raise
@@ -102,28 +108,6 @@ def _locked(file: FileIO, path: Path) -> bool:
         )
         return False
     return True
-
-
-def _is_at(file: FileIO, path: Path) -> bool:
-    try:
-        return os.path.samestat(os.fstat(file.fileno()), path.stat())
-    except FileNotFoundError:
-        return False
-
-
-@contextmanager
-def _told(path: Path, done: dict[int, Record], total: int) -> Iterator[None]:
-    """Errors and interruptions that end a sweep early say what is kept."""
-
-    def kept() -> str:
-        return f"{len(done)} of {total} points are kept in {path}, and the same call goes on from there"
-
-    try:
-        yield
-    except KeyboardInterrupt as stop:
-        raise KeyboardInterrupt(kept()) from stop
-    except (SweepError, StoreError) as error:
-        raise type(error)(f"{error}; {kept()}") from error
 
 
 # ---------------------------------------------------------------------------------------------------- its lines

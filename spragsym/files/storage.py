@@ -21,8 +21,8 @@ import secrets
 import shutil
 import stat
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from contextvars import ContextVar
 from enum import IntEnum
 from io import FileIO
@@ -80,18 +80,8 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 
 # ----------------------------------------------------------------------------------------------- before the work
 
-#: Whether a file that is there is computed anew.
+#: Whether a file that is there is computed anew; it stays as it is until the new one takes its place.
 OVERWRITING: ContextVar[bool] = ContextVar("overwriting", default=False)
-
-
-@contextmanager
-def overwriting(asked: bool = True) -> Iterator[None]:
-    """Within, a file that is there is computed anew; it stays as it is until the new one takes its place."""
-    token = OVERWRITING.set(asked)
-    try:
-        yield
-    finally:
-        OVERWRITING.reset(token)
 
 
 def check_target(path: str | os.PathLike[str], bytes_needed: int) -> Path:

@@ -30,7 +30,7 @@ class Surface(Result):
     Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
     """
 
-    table_codes = (("stability", Stability),)
+    table_codes = ("stability", Stability)
 
     theta: FloatArray
     theta0: FloatArray

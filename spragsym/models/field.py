@@ -193,10 +193,6 @@ class Field:
         n = len(self.coordinates)
         return np.vstack([np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)])
 
-    def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
-        """Whether a state lies in its mode, or beyond a border by no more than the gap."""
-        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
-
 
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
     """The algebra of a generated function, without the common shape of results; it takes a namespace even where it needs none."""
@@ -240,7 +236,7 @@ def exact_field(where: str) -> Field:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
     if model.about.get("waves"):
         raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
-    if model.about.get("torsions"):
+    if model.about["torsions"]:
         raise ParameterError(
             "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"
         )
@@ -258,7 +254,7 @@ class _Motion:
     def __init__(self, model: Model, reach: float) -> None:
         about = model.about
         self.model, self.reach, self.contact = model, reach, about["contact"]
-        self.layers, self.torsions = about["layers"], len(about.get("torsions", ()))
+        self.layers, self.torsions = about["layers"], len(about["torsions"])
         self.rooted = not self.contact["polynomial"]
         self.turns = int(self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates)
         #: Places in a mode of the turn of the gap, and of the first torsion spring.

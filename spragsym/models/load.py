@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import hashlib
 import importlib
 import importlib.util
@@ -13,7 +12,7 @@ import sys
 import threading
 import warnings
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -30,7 +29,7 @@ _LOADED: dict[str, Model] = {}
 _LOCK = threading.RLock()
 
 
-@functools.cache
+@cache
 def shipped() -> tuple[str, ...]:
     """Names of the models that come with the package."""
     return tuple(sorted(path.parent.name for path in _shipped_folder().glob("*/model.json")))
@@ -136,9 +135,7 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) -> Model:
-    def module() -> ModuleType:
-        return _module(where, files)
-
+    module = partial(_module, where, files)
     room = f"{__package__.rpartition('.')[0]}.{where}"
     if not files and importlib.util.find_spec(room):  # a shipped model with closed forms
         own = importlib.import_module(room)
@@ -160,20 +157,18 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
         whole = f"{package}.{name}".rstrip(".")
         if whole in sys.modules:
             continue
-        module = ModuleType(whole)
+        module = sys.modules[whole] = ModuleType(whole)
         module.__package__ = package
-        if name:
-            module.__file__ = os.path.join(where, f"{name}.py")
-            code = compile(files[f"{name}.py"], module.__file__, "exec")
-        else:
+        if not name:
             module.__path__ = []
-        sys.modules[whole] = module
-        if name:
-            try:
-                exec(code, module.__dict__)  # noqa: S102  # a model's folder is code, as load says
-            except BaseException:
-                del sys.modules[whole]
-                raise
+            continue
+        module.__file__ = os.path.join(where, f"{name}.py")
+        try:
+            # A model's folder is code, as load says.
+            exec(compile(files[f"{name}.py"], module.__file__, "exec"), module.__dict__)  # noqa: S102
+        except BaseException:
+            del sys.modules[whole]
+            raise
     return sys.modules[f"{package}.algebra"]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, make_dataclass
 from functools import cache, cached_property
@@ -251,8 +252,6 @@ class Model:
         return (load, (self.where,)) if self.whole is self else (getattr, (self.whole, "search"))
 
 
-#: Remedy for friction or a belt of the other sign.
-MIRRORED = "a belt that runs the other way is the mirror image of the mechanism"
 #: Options whose names are not those of their parameters.
 _OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
 
@@ -303,8 +302,12 @@ def _names(about: Mapping[str, Any]) -> tuple[str, ...]:
 def _range(entry: Mapping[str, Any]) -> Range:
     low, high = (default if entry[end] is None else entry[end] for end, default in (("low", -math.inf), ("high", math.inf)))
     # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
-    remedy = MIRRORED if entry["name"] in ("mu0", "V") else f"it is the {entry['meaning']}"
-    remedy = "angles are radians; use numpy.radians for degrees" if entry["unit"] == "rad" else remedy
+    if entry["unit"] == "rad":
+        remedy = "angles are radians; use numpy.radians for degrees"
+    elif entry["name"] in ("mu0", "V"):
+        remedy = "a belt that runs the other way is the mirror image of the mechanism"
+    else:
+        remedy = f"it is the {entry['meaning']}"
     return Range(low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"])
 
 
@@ -322,13 +325,13 @@ def _documentation(about: Mapping[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def title_and_words(about: Mapping[str, Any]) -> tuple[str, list[str]]:
-    """What a page says above its drawing, and the blocks below it; formulas that are set apart are indented."""
+def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
+    """What a page says above its drawing, the drawing in characters, and the blocks below; formulas set apart are indented."""
     title, _, rest = about["drawing"].partition("\n\n::\n\n")
     drawn, *blocks = rest.split("\n\n")
     while drawn.startswith(" ") and blocks and blocks[0].startswith("    "):  # a drawing with blank lines
-        del blocks[0]
-    return title, blocks
+        drawn += "\n\n" + blocks.pop(0)
+    return title, textwrap.dedent(drawn).strip("\n"), blocks
 
 
 def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from .. import assumed
 from ..display import Shown
@@ -75,6 +75,8 @@ def _bound(value: float) -> str:
 POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
+#: What NumPy's kinds of arrays hold that are no real numbers.
+_KINDS = {"U": "text", "S": "bytes", "b": "booleans", "c": "complex numbers", "O": "objects or ragged lists"}
 
 
 def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
@@ -101,7 +103,8 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
         raise ParameterTypeError(f"{name} is not an array of numbers ({error}); give one number or a regular array") from error
     if array.dtype.kind not in "iuf":
         raise ParameterTypeError(
-            f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, not {_kind(array)}"
+            f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, "
+            f"not {_KINDS.get(array.dtype.kind, array.dtype)}"
         )
     array = array.astype(np.float64)
     inside = allowed.inside(array)
@@ -170,12 +173,6 @@ def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -
 def _short(value: object) -> str:
     text = repr(value)
     return text if len(text) <= 40 else text[:37] + "..."
-
-
-def _kind(array: NDArray[Any]) -> str:
-    return {"U": "text", "S": "bytes", "b": "booleans", "c": "complex numbers", "O": "objects or ragged lists"}.get(
-        array.dtype.kind, str(array.dtype)
-    )
 
 
 def degrees(angle: float) -> float:
@@ -388,13 +385,10 @@ _REMEDIES = {
 }
 
 
-def _range(name: str, remedy: str) -> Range:
-    quantity = QUANTITIES[name]
-    return Range(quantity.low, quantity.high, quantity.low_open and not math.isinf(quantity.low), remedy)
-
-
 #: The belt's speed and the steepness of the friction law (10) are for the motion only.
-RANGES = {name: _range(name, _REMEDIES.get(name, "")) for name in NAMES} | {
+RANGES = {
+    name: Range(QUANTITIES[name].low, QUANTITIES[name].high, QUANTITIES[name].low_open, _REMEDIES.get(name, "")) for name in NAMES
+} | {
     "V": Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"),
     "d": Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction"),
 }

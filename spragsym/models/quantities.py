@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import inspect
-import itertools
 import math
 import re
-import textwrap
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
@@ -17,8 +15,8 @@ import numpy as np
 from ..display import Shown
 from ..errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
 from .load import load
-from .model import Model
-from .parameters import Parameters, Range, Values, as_numbers, named
+from .model import Model, title_drawing_words
+from .parameters import POSITIVE, Parameters, Range, Values, as_numbers, named
 
 if TYPE_CHECKING:
     import pint
@@ -85,7 +83,7 @@ class Quantities:
 
         Without values, in those of the parameters, of which ends other than 0 are rare.
         """
-        found = {name: Range(0.0, open_low=True) for name in self.bases}
+        found = dict.fromkeys(self.bases, POSITIVE)
         for quantity, name in self.parameters.items():
             allowed = self.model.Parameters.ranges[name]
             scale = 1.0 if values is None else self.scale(self.units[quantity], values)
@@ -124,8 +122,7 @@ class Quantities:
     @property
     def drawing(self) -> str:
         """The mechanism as its page draws it, in characters."""
-        rest = self.about["drawing"].partition("\n\n::\n\n")[2]
-        return textwrap.dedent("\n".join(itertools.takewhile(lambda line: line[:1] in ("", " "), rest.split("\n")))).strip("\n")
+        return title_drawing_words(self.about)[1]
 
     @property
     def rises(self) -> str | None:

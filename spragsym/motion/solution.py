@@ -149,7 +149,7 @@ class Events(Result):
         Names of the coordinates and rates.
     """
 
-    table_codes = (("which", Event),)
+    table_codes = ("which", Event)
 
     t: FloatArray
     state: FloatArray

@@ -334,7 +334,8 @@ class Carrier:
             check_stiffness(problem, state, (t - begun) / made, problem.t_end - t)
         elif len(self.some) == 1 and outcome not in (outcomes.time_limit, outcomes.step_limit):  # of many, another may stop it
             raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
-        if not t < end and not self.field.is_inside(state, problem.constants, one.mode):
+        levels = (border.sign(one.mode) * border.level(state, problem.constants, one.mode) for border in self.field.borders)
+        if not t < end and not all(level >= -2 * GAP for level in levels):
             raise missed(t)
 
     # ------------------------------------------------------------------------------------------ a motion by itself

@@ -251,7 +251,7 @@ class FateMap(Result):
     model : Model
     """
 
-    table_codes = (("kind", Kind),)
+    table_codes = ("kind", Kind)
 
     inputs: dict[str, FloatArray]
     start: tuple[float, ...]

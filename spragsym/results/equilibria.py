@@ -113,7 +113,7 @@ class Equilibria(OfStates):
         Of closed forms only: points that are a fold to the last digit that could be tried: one state stands in two slots.
     """
 
-    table_codes = (("stability", Stability),)
+    table_codes = ("stability", Stability)
 
     parameters: Any
     contact: bool

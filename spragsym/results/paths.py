@@ -46,7 +46,7 @@ class Path(OfStates, Rows):
     """
 
     held_in = "places"
-    table_codes = (("stability", Stability),)
+    table_codes = ("stability", Stability)
 
     parameters: Any
     vary: str

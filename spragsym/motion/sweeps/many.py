@@ -187,7 +187,7 @@ class Sweep(Named):
 
     held_in = "measured"
 
-    table_codes = (("regime", Regime),)
+    table_codes = ("regime", Regime)
 
     inputs: dict[str, FloatArray]
     t_end: float
@@ -232,7 +232,7 @@ class Sweep(Named):
         }  # fmt: skip
         columns = {**self._told(), "reason": self.reason.astype(object)}
         results = {name: (dims, values) for name, values in columns.items()}
-        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, dict(self.table_codes))
+        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, {"regime": Regime})
 
     def _told(self) -> dict[str, NDArray[Any]]:
         return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}

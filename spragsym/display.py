@@ -274,10 +274,10 @@ def _html(table: Table) -> str:
 
 def text(table: Table) -> str:
     """A table in columns, as it is printed."""
-    return "\n".join([table.title, *aligned(list(zip(table.header, *table.rows, strict=True)))])
+    return "\n".join([table.title, *aligned([table.header, *table.rows])])
 
 
-def aligned(columns: Sequence[Sequence[str]]) -> list[str]:
-    """The lines of some columns, each as wide as its longest cell."""
-    even = [[cell.ljust(max(map(len, column))) for cell in column] for column in columns]
-    return ["  ".join(line).rstrip() for line in zip(*even, strict=True)]
+def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Rows as lines, each column as wide as its longest cell; a row without cells is none."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows if row]

@@ -152,7 +152,7 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
 def _print_rows(last: str, styles: Mapping[str, Style], rows: Sequence[tuple[str, str, str, str]]) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
     table = [("row", "where", "status", last), *rows]
-    lines = aligned(list(zip(*table, strict=True))[:3])
+    lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
         styled = line.removesuffix(status) + click.style(status, **styles.get(status, {"bold": True}))

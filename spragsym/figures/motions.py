@@ -285,8 +285,7 @@ def _beside_a_step(rms: FloatArray) -> BoolArray:
     """Cells that differ from a neighbour, beside or above, by a step."""
     cross = ndimage.generate_binary_structure(2, 1)
     above, below = ndimage.maximum_filter(rms, footprint=cross) - rms, rms - ndimage.minimum_filter(rms, footprint=cross)
-    found: BoolArray = np.maximum(above, below) > _STEP_OF_RMS
-    return found
+    return np.maximum(above, below) > _STEP_OF_RMS
 
 
 #: Of the smaller, the assumed and the larger value.

@@ -208,8 +208,7 @@ class _Columns(ByColumn):
         """Whether there are as many points, and with μ₀ ≥ 0 none is farther than a step in θ₀/π or μ₀/(1 + μ₀)."""
         one, two = (np.stack([it.theta0 / np.pi, 1 / (1 + np.abs(it.mu0))]) for it in (self, other))
         far = (np.abs(one - two) > step).any(axis=0) & ((self.mu0 >= 0) | (other.mu0 >= 0))
-        as_many: BoolArray = (np.isnan(self.theta0) == np.isnan(other.theta0)).all(axis=0)
-        return as_many & ~far.any(axis=0)
+        return (np.isnan(self.theta0) == np.isnan(other.theta0)).all(axis=0) & ~far.any(axis=0)
 
 
 def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatArray:

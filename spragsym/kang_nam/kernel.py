@@ -36,8 +36,7 @@ def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:
 def state_of(*given: Any) -> tuple[Any, Any, Any]:
     """L, x and y in contact, from cos θ, sin θ, cos θ₀ and sin θ₀, and all of κ, α, σ and β."""
     *angles, kappa, _, sigma, beta = given
-    found: tuple[Any, Any, Any] = state(*angles, kappa, sigma, beta, 1)
-    return found
+    return state(*angles, kappa, sigma, beta, 1)
 
 
 def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:

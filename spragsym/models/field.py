@@ -391,9 +391,7 @@ class _Rooted:
 
 def _namespace(state: Any) -> Any:
     """Where functions of a state's numbers are: in NumPy, or heyoka for its expressions."""
-    if not type(state[0]).__module__.startswith("heyoka"):
-        return np
-    return library()
+    return library() if type(state[0]).__module__.startswith("heyoka") else np
 
 
 @cache

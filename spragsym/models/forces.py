@@ -37,8 +37,8 @@ def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArr
     """The normal force of the contact: 0 where the gap is open; ``states`` begin with the coordinates."""
     q = states[: len(model.coordinates)]
     gap = model.algebra.contact_gap(*q, *of_statics(model, constants))
-    closed = np.asarray(gap) <= 0 if model.about["contact"]["unilateral"] else np.ones(np.shape(gap), dtype=bool)
-    return model.algebra.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
+    closed = np.less_equal(gap, 0).astype(int) if model.about["contact"]["unilateral"] else 1
+    return np.add(model.algebra.contact_force(*q, *constants, closed), 0.0)  # without the sign of a zero
 
 
 def told_of(model: Any) -> dict[str, partial[FloatArray]]:

@@ -157,7 +157,7 @@ class Model:
         for entry in about["parameters"]:
             base = "" if entry["base"] is None else f"{entry['base']:g}"
             parameters.append((entry["name"], base, entry["domain"], roles[entry["role"]], meaning(entry)))
-        tables = ("\n".join(aligned(list(zip(*rows, strict=True)))) for rows in (coordinates, parameters))
+        tables = ("\n".join(aligned(rows)) for rows in (coordinates, parameters))
         units = ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))
         return "\n\n".join([f"{self.name}: {about['summary']}", about["drawing"].strip(), *tables, f"measured in: {units}"])
 
@@ -291,8 +291,7 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
 @cache
 def _imported(module: str, name: str) -> Callable[..., Any]:
     """A function of a module: looking the module up takes as long as a tenth of one point's equilibria."""
-    found: Callable[..., Any] = getattr(import_module(module, "spragsym"), name)
-    return found
+    return getattr(import_module(module, "spragsym"), name)
 
 
 def _names(about: Mapping[str, Any]) -> tuple[str, ...]:

@@ -326,8 +326,7 @@ def factor(unit: str, si: str) -> float:
     # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
     if of_given != of_wanted or (angle != wanted_angle and of_wanted != _TORQUE):
         raise ParameterError(f"the unit {unit!r} ({given}) does not measure what {si} does")
-    size: Any = registry().Quantity(1.0, given).to(wanted).magnitude
-    return float(size)
+    return float(registry().Quantity(1.0, given).to(wanted).magnitude)
 
 
 def parsed(unit: str) -> pint.Unit:

@@ -92,8 +92,7 @@ def parted(point: Point) -> FloatArray:
     apart = states[half:] - states[:half]
     flows = np.array([rate(point.loop.field, state, point.loop.constants) for state in states[:half]])
     along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
-    across: FloatArray = (apart - along[:, None] * flows).ravel() / np.sqrt(half)
-    return across
+    return (apart - along[:, None] * flows).ravel() / np.sqrt(half)
 
 
 def meets(one: Point, other: Point) -> float | None:

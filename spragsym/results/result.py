@@ -36,7 +36,7 @@ class Result(Shown):
         return ()
 
     def __str__(self) -> str:
-        return "\n\n".join(text(table) for table in tables(self))
+        return "\n\n".join(map(text, tables(self)))
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self.offered})

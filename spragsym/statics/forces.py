@@ -40,8 +40,8 @@ class Forces:
         self.model, self.contact = model, contact
         #: The balance of a system of states: its own, here.
         self.balance: Any = self
-        self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
-        self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
+        self.coordinates: list[str] = list(model.coordinates)
+        self.parameters: list[str] = list(model.parameters)
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
         #: Parameters on which the balance depends, and not the motion alone.
         self.balanced: list[str] = [entry["name"] for entry in about["parameters"] if entry["role"] == "both"]
@@ -72,7 +72,7 @@ class Forces:
         self.around = [place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")]
         self.border[:, self.around] = TURN
         #: Beyond them the forces are not asked for.
-        self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border.copy()
+        self.limits = np.full((2, self.n), np.inf) if about["contact"]["polynomial"] else self.border.copy()
         self.border += room
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
@@ -224,8 +224,7 @@ class State:
     def rows(self, name: str = "forces", pushing: Any = None) -> Sequence[Any]:
         """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0 as in lift-off."""
         pushing = self.balance.pushing if pushing is None else pushing
-        found: Sequence[Any] = self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
-        return found
+        return self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""

@@ -212,7 +212,7 @@ class Claim(ABC):
 def corner_values(
     names: Sequence[str], low: Any, high: Any, units: Mapping[str, Unit] = MappingProxyType({})
 ) -> tuple[FloatArray, FloatArray]:  # fmt: skip
-    """Parameters of two corners of a box, and ends of units, each of shape (P,)."""
+    """Parameters of two corners of a box, and ends of units, each of shape (P, 1)."""
     for what, corner in (("low", low), ("high", high)):
         if corner.shape:
             raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
@@ -221,7 +221,7 @@ def corner_values(
     for name, least, most in zip([*names, *units], one, other, strict=True):
         if least > most:
             raise ParameterError(f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two")
-    return one, other
+    return one[:, None], other[:, None]
 
 
 #: Boxes of coordinates of one part: what needs more is halved sooner.
@@ -273,7 +273,7 @@ class ClaimOfStates(Claim):
         self.sides = tuple(self.balance.parameters)
         self.true, self.false = STATES[claim]
         nowhere = np.full((2, self.balance.n, 1), np.inf)
-        low, high = (end[:, None] for end in corner_values(self.sides, low, high))
+        low, high = corner_values(self.sides, low, high)
         bounds = self.balance.prepared(Intervals.between(low, high))
         never = claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()  # wherever a state is
         self.whole = Parts(low, high, np.array([never]), nowhere)

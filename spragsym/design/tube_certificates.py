@@ -62,15 +62,15 @@ class Splitting(Claim):
         self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
         self.balance = BalanceInUnits(model, True, units or {})
         names, ends = self.balance.parameters, corner_values(model.parameters, low, high, self.balance.units)
-        least = ends[0][names.index(vary)]
+        least = ends[0][names.index(vary), 0]
         if begin > least:
             raise ParameterError(f"begin = {begin:g} is above low.{vary} = {least:g}; begin where {vary} is lower")
         matter = {*self.balance.balanced, *self.balance.matter} - {vary}
         self.free = tuple(name for name, *end in zip(names, *ends, strict=True) if name in matter and end[0] != end[1])
         self.sides = (*self.free, vary)
-        self.tubes = Tubes.of_points(self.balance, vary, ends[0][:, None], self.free)
+        self.tubes = Tubes.of_points(self.balance, vary, ends[0], self.free)
         self.rows = self.tubes.moving
-        one, other = (end[self.rows, None] for end in ends)
+        one, other = (end[self.rows] for end in ends)
         middle = 0.5 * (one + other)[:-1]
         start = self._beginning(middle[:, 0])
         start = replace(start, by_p=self._over(one, other).tangents(start.z)[1])

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -47,6 +47,10 @@ def claims(
     return _Closed(low, high, claim, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
 
 
+#: Of which boxes something is proved, and how much each side matters for the others.
+Proved: TypeAlias = tuple[BoolArray, FloatArray]
+
+
 class _Closed(Claim):
     """One of the claims of :data:`CLAIMS`."""
 
@@ -62,7 +66,7 @@ class _Closed(Claim):
             name: tuple((side, _whole_number(name, unit.powers[name])) for side, unit in sided if name in unit.powers)
             for name in NAMES
         }
-        ends = [end[:, None] for end in corner_values(NAMES, low, high, matter)]
+        ends = corner_values(NAMES, low, high, matter)
         if claim == "no jump":  # what goes on to the largest friction goes on to every other
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
         self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), powers)
@@ -99,8 +103,8 @@ _MARGINS = (0.7, 0.25)
 # ----------------------------------------------------------------------------------------------- all states in contact
 
 
-def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[BoolArray, FloatArray]:
-    """Every equilibrium in contact has f′ of a sign, or a positive discriminant of K in λ² if that is asked for too.
+def _at_all_states(boxes: Boxes, slope_sign: int) -> Proved:
+    """Every equilibrium in contact has f′ of a sign, or, where that is negative, a positive discriminant of K in λ².
 
     All have f′ > 0: of three the middle one has not, and of two that meet neither has, so there is one. All have f′ < 0, which is
     divergence, or a positive discriminant: there is no flutter.
@@ -109,12 +113,12 @@ def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[B
     def test(ground: Ground) -> Verdict:
         value, slope, _, _ = ground.balance()
         done = (value.sign() != 0) | (slope.sign() == slope_sign) | (ground.pressed().sign() < 0)
-        if not discriminant:
-            return Verdict(done, (value, slope))
+        if slope_sign > 0:
+            return done, (value, slope)
         mu0, _, *springs = ground.others()
         K = kernel.stiffness(ground.c, ground.s, ground.length(), mu0, *springs, 1)
         flutter = kernel.invariants(*K[0], *K[1])[2]
-        return Verdict(done | (flutter.sign() > 0), (value, slope, flutter))
+        return done | (flutter.sign() > 0), (value, slope, flutter)
 
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
@@ -122,87 +126,87 @@ def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[B
 # ------------------------------------------------------------------------------------------------------------ no jump
 
 
-def _no_jump(boxes: Boxes) -> tuple[BoolArray, FloatArray]:
+def _no_jump(boxes: Boxes) -> Proved:
     """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at another, and is 0 once between,
     at the reference state: so that is followed without a fold.
 
     Candidates for the two directions come from the middle of a box, and the proof does not depend on how.
     """
-    result, weight = _followed_with(boxes, _MARGINS[0])
-    for margin in _MARGINS[1:]:
+    result, weight = np.zeros(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
+    for margin in _MARGINS:
         left = np.flatnonzero(~result)
         if left.size:
             result[left], weight[:, left] = _followed_with(boxes[left], margin)
     return result, weight
 
 
-def _followed_with(boxes: Boxes, margin: float) -> tuple[BoolArray, FloatArray]:
+def _followed_with(boxes: Boxes, margin: float) -> Proved:
     with np.errstate(all="ignore"):
-        *lines, known = _directions(boxes, margin)
-    result, weight = known.copy(), np.zeros_like(boxes.low)
+        middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
+        *_, first, later, result = with_and_without_friction(middle)
+        # A direction below the state at μ₀ = 0, one above it, and one above the state at the largest friction.
+        lowest, start = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
+        highest = _moved(boxes, middle, later, margin)
+        result &= (lowest.value - lowest.reach() > 0) & (highest.value + highest.reach() < math.pi)
+    weight = np.zeros_like(boxes.low)
     for check in (_ends_hold, _rises, _is_small):
         some = np.flatnonzero(result)
         if some.size:
-            result[some], weight[:, some] = check(boxes[some], *(line[some] for line in lines))
+            result[some], weight[:, some] = check(boxes[some], lowest[some], start[some], highest[some])
     return result, weight
-
-
-def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, BoolArray]:
-    """A direction below the state at μ₀ = 0, one above it, one above the state at the largest friction; where they exist."""
-    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
-    *_, first, later, known = with_and_without_friction(middle)
-    low, above = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
-    high = _moved(boxes, middle, later, margin)
-    known &= (low.value - low.reach() > 0) & (high.value + high.reach() < math.pi)
-    return low, above, high, known
 
 
 def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
     """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
-    slopes = boxes.change(_motion(values, theta))
-    slopes[_MU0] = 0.0
+    slopes = _change(boxes, values, theta)
     line = Line(theta, slopes)
     return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
 
 
-def _motion(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatArray]:
-    """How an equilibrium moves with each parameter: dθ/dp by name."""
+def _change(
+    boxes: Boxes, values: dict[str, Any], theta: FloatArray, term: Callable[[FloatArray], FloatArray] = np.positive
+) -> FloatArray:  # fmt: skip
+    """What half of each side but μ₀ moves an equilibrium, to first order: a unit changes all parameters that depend on it.
+
+    With ``np.abs`` for a ``term`` the value if nothing cancelled.
+    """
     c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
     others = [values[name] for name in NAMES[1:]]
     slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, *others, 1))
-    changes = _catastrophe.unfolding(c, s, c0, s0, *others)
-    return {name: -change / slope for name, (change, _) in zip(NAMES, changes, strict=True)}
+    changes, moved = _catastrophe.unfolding(c, s, c0, s0, *others), boxes.parameters(sides(boxes.low, boxes.high))
+    found = np.asarray(sum(term(-one / slope * moved[name].terms) for name, (one, _) in zip(NAMES, changes, strict=True)))
+    found[_MU0] = 0.0
+    return found
 
 
-def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
+def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
     result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
     for line, friction, wanted in ((lowest, 0.0, -1), (highest, boxes.high[_MU0], 1)):
         ground = at(boxes, line).with_friction(friction)
         value, inside = ground.balance()[0], ground.pressed()
-        known = value.sign() == wanted, inside.sign() > 0
-        result &= known[0] & known[1]
+        holds, presses = value.sign() == wanted, inside.sign() > 0
+        result &= holds & presses
         # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
-        second = boxes.change(_motion(boxes.middle() | {"mu0": friction}, line.value), np.abs)
-        second[_MU0] = 0.0
+        second = _change(boxes, boxes.middle() | {"mu0": friction}, line.value, np.abs)
         first = np.abs(inside.terms[:-1])
-        straight = known[0] & ~known[1] & (first.sum(axis=0) > inside.error)
+        straight = holds & ~presses & (first.sum(axis=0) > inside.error)
         weight = np.maximum(weight, np.where(straight, first / np.maximum(first.sum(axis=0), 1e-300), second**2))
     return result, weight
 
 
-def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
+def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
 
     def test(ground: Ground) -> Verdict:
         value, slope, change, change_slope = ground.with_friction(0.0).balance()
         rise = slope * change - value * change_slope
-        return Verdict(rise.sign() < 0, (rise,))
+        return rise.sign() < 0, (rise,)
 
     return covered(boxes, lowest, highest, test)
 
 
-def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[BoolArray, FloatArray]:
+def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
     """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
 
     Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has \\|x\\| ≥ \\|cos θ₀\\|: see
@@ -228,7 +232,7 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> BoolArray:
 
     def test(ground: Ground) -> Verdict:
         value = ground.with_friction(0.0).balance()[0]
-        return Verdict((value.sign() != 0) | (ground.pressed().sign() < 0), (value,))
+        return (value.sign() != 0) | (ground.pressed().sign() < 0), (value,)
 
     return covered(boxes, low, high, test)[0]
 
@@ -242,12 +246,12 @@ def _jumps(p: Parameters) -> BoolArray:
     return out
 
 
-#: For each claim, of which boxes it is proved and which side to cut of the others; and at which points it is false.
-CLAIMS: dict[str, tuple[Callable[[Boxes], tuple[BoolArray, FloatArray]], Callable[[Parameters], BoolArray]]] = {
+#: For each claim, of which boxes it is proved; and at which points it is false.
+CLAIMS: dict[str, tuple[Callable[[Boxes], Proved], Callable[[Parameters], BoolArray]]] = {
     "no jump": (_no_jump, _jumps),
-    "one equilibrium": (partial(_at_all_states, slope_sign=1, discriminant=False), lambda p: count(p) == 3),
+    "one equilibrium": (partial(_at_all_states, slope_sign=1), lambda p: count(p) == 3),
     "no flutter": (
-        partial(_at_all_states, slope_sign=-1, discriminant=True),
+        partial(_at_all_states, slope_sign=-1),
         lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1),
     ),
 }
@@ -283,17 +287,8 @@ class Boxes(Held):
         """Their middles, by parameter."""
         return self.parameters(0.5 * (self.low + self.high))
 
-    def change(self, changes: Mapping[str, FloatArray], term: Callable[[FloatArray], FloatArray] = np.positive) -> FloatArray:
-        """What half of each side changes, from derivatives by each parameter: a unit changes all that depend on it.
 
-        With ``np.abs`` for a ``term`` the value if nothing cancelled.
-        """
-        moved = self.parameters(sides(self.low, self.high))
-        return np.asarray(sum(term(changes[name] * moved[name].terms) for name in NAMES))
-
-
-@dataclass(frozen=True)
-class Ground:
+class Ground(NamedTuple):
     """What a claim is tested with: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells or at one θ of each box."""
 
     c: Affine
@@ -310,11 +305,11 @@ class Ground:
         """The same with another friction, or one for each box."""
         none = 0.0 * self.parameters["kappa"].terms
         friction = Affine(none[0] + mu0, none, none[0])
-        return replace(self, parameters=self.parameters | {"mu0": friction})
+        return self._replace(parameters=self.parameters | {"mu0": friction})
 
     def balance(self) -> tuple[Affine, Affine, Affine, Affine]:
         """f, f′, f_μ₀ and f_μ₀′."""
-        return kernel.f_in_differences(self.c, self.s, self.c0, self.s0, *self.others())
+        return kernel.f_in_differences(*self[:4], *self.others())
 
     def pressed(self) -> Affine:
         """κ − σ (sin θ₀ − sin θ), which is positive where the state of a direction has y < 0."""
@@ -322,7 +317,7 @@ class Ground:
 
     def length(self) -> Affine:
         """L of the state of a direction."""
-        return kernel.state_of(self.c, self.s, self.c0, self.s0, *self.others()[1:])[0]
+        return kernel.state_of(*self[:4], *self.others()[1:])[0]
 
 
 @dataclass(frozen=True)
@@ -362,14 +357,11 @@ def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray
     return Ground(*cosine_and_sine(theta), *cosine_and_sine(own[0]), boxes.parameters(own))
 
 
-class Verdict(NamedTuple):
-    """Which cells are decided, and the quantities whose terms say which side of a box to cut where one is not."""
-
-    done: BoolArray
-    decisive: tuple[Affine, ...]
+#: Which cells are decided, and the quantities whose terms say which side of a box to cut where one is not.
+Verdict: TypeAlias = tuple[BoolArray, tuple[Affine, ...]]
 
 
-def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[BoolArray, FloatArray]:
+def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> Proved:
     """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
     size = len(boxes)
     weight = np.zeros_like(boxes.low)

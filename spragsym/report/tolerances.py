@@ -292,7 +292,7 @@ class _Law:
         names = study.kind.law["quantities"]
         taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
         low, high, units = parameter_ends(study.with_quantities(taken))
-        self.low, self.high = (end[:, None] for end in corner_values(low.model.parameters, low, high, units))
+        self.low, self.high = corner_values(low.model.parameters, low, high, units)
         self.balance = BalanceInUnits(low.model, True, units, study.law)
 
     def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:

@@ -83,7 +83,7 @@ def test_every_direction_is_looked_at() -> None:
     def test(ground: Ground) -> Verdict:
         angle = np.arctan2(ground.s.value, ground.c.value)
         reach = np.maximum(ground.c.radius(), ground.s.radius()) * 1.5 + 1e-9
-        return Verdict(np.abs(angle - 0.3) > reach + 1e-4, (ground.c,))
+        return np.abs(angle - 0.3) > reach + 1e-4, (ground.c,)
 
     assert certificates.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
 

@@ -26,8 +26,6 @@ from ..statics.stability import filled
 
 #: Points at a time.
 BLOCK = 4096
-#: The least step of a tube, over the whole way.
-THIN = 2.0**-14
 #: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
 ROUNDS, PAST = 4, 2.0**-8
 #: Segments towards a fold where an answer in haste is asked for: beside a cusp more are needed.
@@ -286,7 +284,7 @@ class Followed:
         left, at = np.arange(goal.size), start
         decided, z, error = np.zeros(goal.size, dtype=np.bool_), np.full(start.z.shape, np.nan), np.zeros(goal.size)
         for _ in range(rounds):
-            at = tubes[left].followed(at, goal[left], THIN)
+            at = tubes[left].followed(at, goal[left])
             arrived = at.sure & (at.v == goal[left])
             decided[left[arrived]] = True
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]

@@ -99,11 +99,11 @@ def estimated(
     correlation: Correlation | None,
     n: int,
     rng: int | np.random.Generator | None,
-    confidence: float,
-    sobol: bool,
+    confidence: float = 0.95,
+    sobol: bool = True,
     replicates: int,
-    workers: Workers,
-    progress: bool,
+    workers: Workers = 1,
+    progress: bool = False,
 ) -> JumpProbability:
     """The probability of any event, 1 or 0 of many points or NaN."""
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
@@ -127,12 +127,9 @@ def estimated(
             step()
     found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence, True)
     first, total, first_error, total_error = (
-        dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {}
-        for part in (found.first, found.total, found.first_error, found.total_error)
+        dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {} for part in found[6:]
     )
-    return JumpProbability(
-        found.mean, found.low, found.high, confidence, found.n, found.undecided, first, total, first_error, total_error
-    )
+    return JumpProbability(*found[:6], first, total, first_error, total_error)
 
 
 # ------------------------------------------------------------------------------------------------------ variables

@@ -64,14 +64,14 @@ def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chu
     return result
 
 
-@dataclass(frozen=True)
-class Estimate:
+class Estimate(NamedTuple):
     """Mean with its interval, share without a value, and indices with half-widths of theirs, an array over the variables each."""
 
-    n: int
     mean: float
     low: float
     high: float
+    confidence: float
+    n: int
     undecided: float
     first: FloatArray
     total: FloatArray
@@ -105,7 +105,7 @@ def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confi
         low, high = max(low, 0.0), min(high + missing / n, 1.0)
     first, first_error = _index(table[:, 4::2], table, 2.0, quantile)
     whole, whole_error = _index(table[:, 5::2], table, 1.0, quantile)
-    return Estimate(int(n), mean, low, high, float(unknown.sum() / n), first, whole, first_error, whole_error)
+    return Estimate(mean, low, high, confidence, int(n), float(unknown.sum() / n), first, whole, first_error, whole_error)
 
 
 def _index(parts: FloatArray, table: FloatArray, factor: float, quantile: float) -> tuple[FloatArray, FloatArray]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes import Place, Tubes
+from ..bifurcation.tubes import LEAST, Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet, as_count
@@ -19,8 +19,8 @@ from ..statics.balance import BalanceInUnits
 from ..statics.reference_state import taken_up
 from .certificates import ENDS, OPEN, SAFE, STATES, Boxes, Certificate, Claim, ClaimOfStates, corner_values
 
-#: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
-WIDE, THIN = 2.0**-6, 2.0**-14
+#: The least step of a tube over a wide part, over the whole way. One that needs smaller ones is halved instead.
+WIDE = 2.0**-6
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class Splitting(Claim):
         """The pieces with what is proved of them and with their own beginnings, and how much each free side matters."""
         tubes, start = self._begun(pieces)
         goal = pieces.high[-1]
-        reached = tubes.followed(start, goal, THIN if (pieces.low == pieces.high).all() else WIDE)
+        reached = tubes.followed(start, goal, LEAST if (pieces.low == pieces.high).all() else WIDE)
         safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
         width = (pieces.high - pieces.low)[:-1]
         # As far as it got, by how far each parameter moves the state.

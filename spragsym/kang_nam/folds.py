@@ -140,9 +140,9 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     fixed = {name: balls.exact(exact[name]) for name in NAMES if name != vary}
     c0, s0 = balls.cos_sin(fixed.pop("theta0"))
     others = [fixed[name] for name in NAMES[1:] if name != vary]
-    without, change = _parts(vary, c0, s0, others)
+    without, change, sextic = lines_and_sextic(vary, c0, s0, others)
     try:
-        roots = roots_on_the_line(tuple(kernel.fold_sextic(*without, *change)), bits // 2, positive=True)
+        roots = roots_on_the_line(sextic, bits // 2, positive=True)
         directions = [_Direction(root.interval()) for root in roots]
     except Undecided:
         common = _independent_of_theta0(vary, exact)
@@ -161,17 +161,15 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
             yield _classified(vary, exactly, angles, direction)
 
 
-def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence[Any], Sequence[Any]]:
-    """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ."""
+def lines_and_sextic(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Any, Any, polynomials.Polynomial]:
+    """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ; and f′ f_λ − f f_λ′ times (1 + t²)³.
+
+    That is zero at the folds, and a polynomial in t.
+    """
     values = list(others)
     values.insert(NAMES.index(vary) - 1, 0 * others[0])
-    return kernel.f_along(vary, c0, s0, *values)
-
-
-def _eliminated(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> polynomials.Polynomial:
-    """f′ f_λ − f f_λ′ times (1 + t²)³: zero at the folds, a polynomial in t."""
-    without, change = _parts(vary, c0, s0, others)
-    return tuple(kernel.fold_sextic(*without, *change))
+    without, change = kernel.f_along(vary, c0, s0, *values)
+    return without, change, tuple(kernel.fold_sextic(*without, *change))
 
 
 def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials.Polynomial | None:
@@ -190,7 +188,7 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     common: polynomials.Polynomial = ()
     for v in _SAMPLES:
         c0, s0, _ = on_circle(v)
-        polynomial = polynomials.primitive(_eliminated(vary, c0, s0, others))
+        polynomial = polynomials.primitive(lines_and_sextic(vary, c0, s0, others)[2])
         if common and polynomial and polynomial not in (common, tuple(-value for value in common)):
             return None
         common = common or polynomial

@@ -15,7 +15,7 @@ from ..questions import NotInClosedForm
 from ..results.paths import LowestEnd
 from . import kernel
 from .cusps import proved_cusps
-from .folds import Angles, ExactRoot, Point, in_contact, unfolded, with_multiplicity
+from .folds import Angles, ExactRoot, Point, in_contact, lines_and_sextic, unfolded, with_multiplicity
 from .kernel import FIXED
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
@@ -129,8 +129,7 @@ def _turning_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]
 def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0 leave."""
     level = Fraction(1), Fraction(0)
-    without, change = kernel.f_along("mu0", *level, Fraction(0), *exact)
-    polynomial = polynomials.primitive(kernel.fold_sextic(*without, *change))
+    polynomial = polynomials.primitive(lines_and_sextic("mu0", *level, exact)[2])
     values = tuple(map(balls.exact, exact))
     for _, direction in with_multiplicity(polynomial, [], bits):
         c, s, _ = on_circle(direction.t)

@@ -174,7 +174,7 @@ def chance(study: Study, n: int) -> JumpProbability:
     """How probable a jump is with the distributions of the file, what varies together included."""
     return estimated(
         study.values | {name: study.quantities[name].whole for name in varied(study)}, lambda values: ending(study, values),
-        correlation=study.pairs(varied(study)), n=n, rng=0, confidence=0.95, sobol=True, replicates=8, workers=1, progress=False,
+        correlation=study.pairs(varied(study)), n=n, rng=0, replicates=8,
     )  # fmt: skip
 
 

@@ -267,9 +267,9 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
 
     def eliminated(of: Any) -> None:
         def polynomial(_: str, c0: Fraction, s0: Fraction, *__: Any) -> Any:
-            return polynomials.interpolate(lambda t: of(s0 / (1 + c0), t), 6)
+            return (), (), polynomials.interpolate(lambda t: of(s0 / (1 + c0), t), 6)
 
-        monkeypatch.setattr(folds, "_eliminated", polynomial)
+        monkeypatch.setattr(folds, "lines_and_sextic", polynomial)
 
     for zeros in ((1, 5), (2, 3), (3,), (1, 2, 4), (2, 4, 5)):
         eliminated(lambda v, t, zeros=zeros: math.prod(7 * v - zero for zero in zeros) * (t * t - 2))

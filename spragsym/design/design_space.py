@@ -19,7 +19,7 @@ import numpy as np
 from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import secants, size_of
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number
+from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number, set_of
 from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..progress import doing
@@ -77,8 +77,8 @@ class Space:
 
     def sets(self, z: FloatArray) -> ParameterSet:
         """The same as a set of the model, of the shape of z without its last axis."""
-        p = self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
-        return p if self.design.followed is None else p.following(**self.design.followed)
+        values = {name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()}
+        return set_of(self.design.of_model.model_of_class(), values, self.design.followed)
 
     def at(self, name: str, value: float) -> Space:
         """The same designs with a parameter at a value, that of its quantity where it is told as one."""

@@ -14,7 +14,7 @@ from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import FLOATS, Field, apart
 from ..models.model import Model
-from ..models.parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
 from ..motion.integrators import Flow
 from ..motion.regimes import Regime
@@ -195,7 +195,7 @@ def _state(field: Field, near: Any) -> FloatArray:
     state = np.zeros(field.size) if near is None else np.asarray(near, dtype=object)
     if state.shape != (field.size,):
         raise ParameterError(f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle")
-    return np.array([as_number("near", value, FINITE) for value in state.tolist()])
+    return np.array([as_number("near", value) for value in state.tolist()])
 
 
 def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:

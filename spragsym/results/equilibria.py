@@ -131,7 +131,7 @@ class Equilibria(OfStates):
     @property
     def regime(self) -> str:
         """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or ``"rest"`` without friction too."""
-        return self._model.regimes[self.contact]
+        return self.parameters.model.regimes[self.contact]
 
     @property
     def states(self) -> tuple[IntArray, ...]:
@@ -203,10 +203,6 @@ class Equilibria(OfStates):
         found = self._source.linearized(self, states)
         return found.damped, found.growth
 
-    @property
-    def _model(self) -> Any:
-        return self.parameters.model
-
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
         return told_of_states(self.parameters, list(self.coordinates.values()))
@@ -221,7 +217,7 @@ class Equilibria(OfStates):
         if known is not None:
             return known
         if name == "region":
-            return np.broadcast_to([-np.inf, np.inf], (*self.count.shape, len(self._model.coordinates), 2))
+            return np.broadcast_to([-np.inf, np.inf], (*self.count.shape, len(self.parameters.model.coordinates), 2))
         if name == "whole":
             return np.broadcast_to(np.True_, self.count.shape)
         if name not in _LINEARIZED:

@@ -300,8 +300,8 @@ class ClaimOfStates(Claim):
         )
         ends, point = found.every
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
-        proved = np.arange(point.size) < found.point.size
-        kept, left = proved & in_contact, ~beyond & ~(proved & in_contact)
+        kept = in_contact & (np.arange(point.size) < found.point.size)  # of which the root is proved
+        left = ~(beyond | kept)
         states = Roots(ends[:, :, kept], ends[:, :, kept], point[kept], ends[:, :, left], point[left])
         where = np.full(around.shape, -np.inf)
         np.maximum.at(np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0))

@@ -125,8 +125,8 @@ class Splitting(Claim):
         base.put(start.sure, start[start.sure])
         of = np.where(start.sure, np.stack([pieces.low[:-1], pieces.high[:-1]]), pieces.of)
         # What holds of a piece holds of its halves.
-        known = {"safe": np.maximum(pieces.safe, safe), "top": np.minimum(pieces.top, top)}
-        return replace(pieces, base=base, of=of, **known), weight
+        safe, top = np.maximum(pieces.safe, safe), np.minimum(pieces.top, top)
+        return replace(pieces, base=base, of=of, safe=safe, top=top), weight
 
     def _begun(self, pieces: Pieces) -> tuple[Tubes, Place]:
         """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""

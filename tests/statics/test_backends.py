@@ -64,7 +64,7 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
 
 def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "available", lambda: False)
-    assert solver.chosen() == (block, 1)
+    assert (solver.chosen(), solver._choice.threads) == (block, 1)
     with pytest.raises(ss.BackendError, match="install spragsym again, with a compiler"):
         ss.set_backend("compiled")
 

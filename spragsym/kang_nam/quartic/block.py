@@ -89,17 +89,9 @@ def rows_of(record: Any, rows: IntArray) -> Any:
 
 
 def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
-    theta = 2.0 * kernel.arctangent(t.high) if isinstance(t, DoubleDouble) else 2.0 * np.arctan(t)
-    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": _error(t, root), "stability": root.code}
-
-
-def _error(t: Any, root: kernel.Root) -> Any:
-    return root.error + _STORED if isinstance(t, DoubleDouble) else root.error
-
-
-def _sure(t: Any, root: kernel.Root) -> Any:
-    """Whether an equilibrium has its digits."""
-    return root.member & root.known & (_error(t, root) <= TOLERANCE)
+    wide = isinstance(t, DoubleDouble)
+    theta, error = 2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t)), root.error + _STORED if wide else root.error
+    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": error, "stability": root.code}
 
 
 def _some(
@@ -110,10 +102,12 @@ def _some(
     # What depends on the point alone is computed once for all of its roots; arrays of one root are faster without an axis for it.
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
     root = kernel.Root(*(value[None] for value in root)) if alone else root
-    sure = _sure(t, root) | root.outsider
+    candidates = _columns(t, root)
+    # An equilibrium that has its digits, or certainly none.
+    sure = root.member & root.known & (candidates["error"] <= TOLERANCE) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
     settled: BoolArray = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
-    count, packed = gathered(root.member, _columns(t, root))
+    count, packed = gathered(root.member, candidates)
     if point.nbar > 0:
         settled &= (count % 2 == 1) & (t[0] > 0.0)
     out.put(rows, np.where(settled, count, 0), packed)

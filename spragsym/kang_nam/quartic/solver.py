@@ -97,9 +97,9 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         raise NotInClosedForm  # the general algorithm says what contact may be
     p.require("theta0", "mu0")
     out = Slots(math.prod(p.shape), 3 if contact else 4)
-    backend, threads = chosen()
+    backend = chosen()
     unsettled = _in_blocks(
-        p, threads, backend.A_THREAD, lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size)
+        p, backend.A_THREAD, lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size)
     )
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
@@ -126,8 +126,8 @@ def count(p: Parameters) -> Int8Array:
     positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
     """
     p.require("theta0", "mu0")
-    backend, threads = chosen()
-    blocks = _in_blocks(p, threads, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size))
+    backend = chosen()
+    blocks = _in_blocks(p, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size))
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
@@ -139,15 +139,17 @@ def count(p: Parameters) -> Int8Array:
 # ----------------------------------------------------------------------------------------------------- float64
 
 
-def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[FloatArray], int, int], T]) -> list[T]:
+def _in_blocks(p: Parameters, a_thread: int, work: Callable[[list[FloatArray], int, int], T]) -> list[T]:
     """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
 
     No more threads than have ``a_thread`` points each.
     """
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)
-    threads = max(1, min(threads, size // a_thread))
-    length = _block(size, threads)
+    threads = max(1, min(_choice.threads, size // a_thread))
+    # As many blocks for each thread, all alike, and none shorter than BLOCK while there are points.
+    share = size / threads
+    length = max(1, math.ceil(share / max(1, share // BLOCK)))
 
     def one(begin: int) -> T:
         part = slice(begin, begin + length)
@@ -161,12 +163,6 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
         with ThreadPoolExecutor(threads) as pool:
             return list(pool.map(one, begins))
     return [one(begin) for begin in begins]
-
-
-def _block(size: int, threads: int) -> int:
-    """The length of a block: as many blocks for each thread, all alike, and none shorter than BLOCK while there are points."""
-    share = size / threads
-    return max(1, math.ceil(share / max(1, share // BLOCK)))
 
 
 def _column(p: Parameters, name: str) -> FloatArray:
@@ -209,7 +205,7 @@ def _solve_widely(
     given: list[FloatArray], contact: bool, out: Slots, rows: IntArray
 ) -> IntArray:  # fmt: skip
     """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
-    backend, _ = chosen()
+    backend = chosen()
     again = Slots(rows.size, out.slots)
     left = []
     for begin in range(0, rows.size, WIDE_BLOCK):
@@ -298,7 +294,6 @@ def get_backend() -> str:
     return _choice.name
 
 
-def chosen() -> tuple[ModuleType, int]:
-    """What solves points, and its threads."""
-    name = ("compiled" if compiled.available() else "numpy") if _choice.name == "auto" else _choice.name
-    return (compiled if name == "compiled" else block), _choice.threads
+def chosen() -> ModuleType:
+    """What solves points."""
+    return compiled if _choice.name != "numpy" and compiled.available() else block

@@ -15,7 +15,7 @@ from ..numerics.polynomials import ChartRoot, roots_on_the_line
 from ..questions import NotInClosedForm
 from ..results.points import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import Angles, ExactRoot, Point, in_contact, listed, unfolded
+from .folds import STATE, Angles, ExactRoot, Point, in_contact, listed, unfolded
 from .kernel import FIXED
 
 
@@ -48,7 +48,7 @@ def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str],
     """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
     if tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
-    exact = tuple(given[name] for name in ("kappa", "alpha", "sigma", "beta"))
+    exact = tuple(given[name] for name in FIXED)
 
     def attempt(bits: int) -> list[PreciseCusp]:
         return [_cusp(point, digits) for point in proved_cusps(exact, bits)]
@@ -62,9 +62,8 @@ def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str],
 
 
 def _cusp(point: Point, digits: int) -> PreciseCusp:
-    names = ("theta0", "mu0", "theta", "L", "x", "y")
     numbers, _, radius = as_numbers((*point.parameters[:2], point.theta, point.L, point.x, point.y), digits)
-    return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), is_versal(point))
+    return PreciseCusp(dict(zip(("theta0", "mu0", *STATE), numbers, strict=True)), as_mpf(radius), is_versal(point))
 
 
 #: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².

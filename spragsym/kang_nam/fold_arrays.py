@@ -161,16 +161,15 @@ def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> 
     with np.errstate(all="ignore"):
         exact = {name: Rounded(column) for name, column in given.items()}
         wide = Rounded(found.value.value, 2 * found.value.error)  # with the surface beside the fold
-        return _sharpened(vary, exact, (found.t, wide), _cosine_and_sine, lambda one: Rounded(one.value), _narrower, _STEPS)
+        return _sharpened(
+            vary, exact, (found.t, wide), _cosine_and_sine, lambda one: Rounded(one.value),
+            lambda one, other: _where(2 * other.error <= one.error, other, one), _STEPS,
+        )  # fmt: skip
 
 
 def _cosine_and_sine(angle: Rounded) -> tuple[Rounded, Rounded]:
     cosine, sine = cosine_and_sine(angle.value)
     return Rounded(cosine.value, cosine.error + angle.error), Rounded(sine.value, sine.error + angle.error)
-
-
-def _narrower(one: Rounded, other: Rounded) -> Rounded:
-    return _where(2 * other.error <= one.error, other, one)
 
 
 def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: Rounded) -> float:

@@ -320,7 +320,7 @@ class _AtInfinity(OfFamily):
 
     def __init__(self, family: Family) -> None:
         super().__init__(family)
-        self.order, self.limits = len(family.vary) - 1, None
+        self.order, self.limits = len(family.vary) - 1, np.inf
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""

@@ -49,7 +49,7 @@ class System:
     #: How many derivatives the equations themselves are made of.
     order = 0
     #: Beyond these, −low and high, (2, n), F is not asked for.
-    limits: Any = None
+    limits: Any = np.inf
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P, N)."""
@@ -59,10 +59,6 @@ class System:
         """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
         given = variables(list(unknowns), self.order) if self.order else list(unknowns)
         return stacked([constant(value) for value in self.equations(given, parameters)], unknowns.shape[1:])
-
-    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
-        """F at floats, of which a system may know more digits than over boxes."""
-        return self.residuals(Intervals.point(middles), parameters)
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
@@ -114,10 +110,8 @@ class Outcome:
     looks: int
 
 
-def joined(parts: list[Pairs], n: int) -> Pairs:
-    """One list of several."""
-    empty = Pairs(np.empty((2, n, 0)), np.empty(0, dtype=np.int64))
-    parts = [empty, *parts]
+def joined(parts: list[Pairs]) -> Pairs:
+    """One list of several, of one at least."""
     return Pairs(np.concatenate([part.ends for part in parts], axis=2), np.concatenate([part.nodes for part in parts]))
 
 
@@ -134,14 +128,14 @@ def search(
 
     ``budget`` is how many boxes one point may take, and ``narrow`` the relative width of boxes that are not halved any more.
     """
-    points, n = tree(low, high), region.shape[1]
+    points = tree(low, high)
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with np.errstate(all="ignore"):
-        beyond = np.full((2, n, 1), np.inf) if system.limits is None else system.limits[:, :, None]
+        beyond = np.asarray(system.limits)[..., None]
         regions = points.hulls(region) if region.shape[2] > 1 else None
         here = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), regions, system.prepared(points.bounds))
         here.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
-    unique, where, undecided = (joined(part, n) for part in (here.unique, here.where, here.undecided))
+    unique, where, undecided = map(joined, (here.unique, here.where, here.undecided))
     return Outcome(unique, where, undecided, points, here.looks)
 
 
@@ -170,13 +164,12 @@ class _Search:
 
     def run(self, start: Pairs) -> None:
         stack = [start]
-        n = start.ends.shape[1]
         while stack:
             taken, total = [], 0
             while stack and total < CHUNK:
                 taken.append(stack.pop())
                 total += len(taken[-1])
-            pairs = joined(taken, n)
+            pairs = joined(taken)
             if len(pairs) > 2 * CHUNK:
                 stack.append(pairs[:-CHUNK])
                 pairs = pairs[-CHUNK:]
@@ -193,23 +186,23 @@ class _Search:
         room = MARGIN * Intervals(pairs.ends).width + NARROW * np.maximum(1.0, np.abs(pairs.ends).max(axis=0))
         wide = np.minimum(pairs.ends + room, self.limits)
         middle = Intervals(pairs.ends).middle
-        at_middle = self.system.at_points(middle, parameters)
+        at_middle = self.system.residuals(Intervals.point(middle), parameters)
         slopes = self.system.jacobian(Intervals(wide), parameters)
         step = contractors.newton(at_middle, slopes, middle, contractors.distance(wide, middle))
         proved = contractors.inside(step.ends, wide)
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(step.ends, pairs.nodes)[proved])
         rest = np.flatnonzero(~proved & ~step.none & ~contractors.apart(step.ends, pairs.ends))
-        given, pairs, ends, noise = given[rest], pairs[rest], step.ends[:, :, rest], step.noise[:, rest]
-        slopes, closed = slopes[:, :, rest], np.logical_and.reduce(ends < wide[:, :, rest])
+        ends = step.ends[:, :, rest]
         if self.sharp:
-            middle = middle[:, rest]
-            by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes, middle, contractors.distance(pairs.ends, middle))
+            middle, before = middle[:, rest], pairs.ends[:, :, rest]
+            reach = contractors.distance(before, middle)
+            by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes[:, :, rest], middle, reach)
             ends = np.fmin(ends, by_rows)
-            none |= np.logical_or.reduce(ends[0] + ends[1] < 0) | contractors.apart(ends, pairs.ends)
-            rest = np.flatnonzero(~none)
-            given, pairs, ends, noise = given[rest], pairs[rest], ends[:, :, rest], noise[:, rest]
-            slopes, closed = slopes[:, :, rest], closed[:, rest]
+            some = np.flatnonzero(~(none | np.logical_or.reduce(ends[0] + ends[1] < 0) | contractors.apart(ends, before)))
+            ends, rest = ends[:, :, some], rest[some]
+        given, pairs, noise, slopes = given[rest], pairs[rest], step.noise[:, rest], slopes[:, :, rest]
+        closed = np.logical_and.reduce(step.ends[:, :, rest] < wide[:, :, rest])
         return self._divided(given, Pairs(_with_room(ends, pairs.ends, noise), pairs.nodes), noise, slopes, closed)
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
@@ -227,7 +220,6 @@ class _Search:
 
     def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
-        n = now.ends.shape[1]
         widths = now.ends[0] + now.ends[1]
         single = self.points.size[now.nodes] == 1
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
@@ -246,7 +238,7 @@ class _Search:
         halve = np.flatnonzero(again & ~better)
         places, children = self.points.children(now.nodes[split_node])
         halved_nodes = self._in_their_regions(Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children))
-        return joined([halved_nodes, now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])], n)
+        return joined([halved_nodes, now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])])
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
         """What is left of boxes in the regions of their nodes: that of one point may be wide, and that of another narrow."""

@@ -152,7 +152,7 @@ def _refined(system: System, ends: FloatArray, parameters: Intervals, point: Int
 def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
     """The step of interval Newton from the middles of boxes of shape (2, n, N)."""
     middle = Intervals(ends).middle
-    values, slopes = system.at_points(middle, parameters), system.jacobian(Intervals(ends), parameters)
+    values, slopes = system.residuals(Intervals.point(middle), parameters), system.jacobian(Intervals(ends), parameters)
     return contractors.newton(values, slopes, middle, contractors.distance(ends, middle))
 
 

@@ -213,10 +213,7 @@ class Intervals(Arithmetic):
     def log(self) -> Intervals:
         """Natural logarithm; NaN where the interval holds negative numbers, −∞ for an end that is 0."""
         values = self._at_ends(np.log)
-        ends = np.where(
-            self.ends == 0, np.array([np.inf, _LEAST]).reshape(2, *(1,) * (values.ndim - 1)), raised(values, FUNCTION_ULPS)
-        )
-        return Intervals(ends)
+        return Intervals(np.where(self.ends == 0, np.maximum(values, _LEAST), raised(values, FUNCTION_ULPS)))
 
     def tanh(self) -> Intervals:
         """Hyperbolic tangent, between −1 and 1."""

@@ -142,10 +142,6 @@ def _sqrt(_: Any, y: Any, order: int) -> list[Any]:
     return [y, *(factor / y ** (2 * k - 1) for k, factor in enumerate(factors, 1))]
 
 
-def _exp(_: Any, y: Any, order: int) -> list[Any]:
-    return _exp_by([y], order)
-
-
 def _log(x: Any, y: Any, order: int) -> list[Any]:
     inverse = 1 / x
     return [y, *(inverse**k * (-1) ** (k - 1) / k if k > 1 else inverse for k in range(1, order + 1))]
@@ -171,17 +167,7 @@ def _atan(x: Any, y: Any, order: int) -> list[Any]:
     return [y, *(term / k if k > 1 else term for k, term in enumerate(slope, 1))]
 
 
-def _cos(_: Any, pair: tuple[Any, Any], order: int) -> list[Any]:
-    c, s = pair
-    return _exp_by([c, -s, -c, s], order)
-
-
-def _sin(_: Any, pair: tuple[Any, Any], order: int) -> list[Any]:
-    c, s = pair
-    return _exp_by([s, c, -s, -c], order)
-
-
-def _exp_by(repeating: Sequence[Any], order: int) -> list[Any]:
+def _repeated(repeating: Sequence[Any], order: int) -> list[Any]:
     """Taylor coefficients from derivatives that repeat with the order, as those of the exponential, cosine and sine do."""
     derivatives = islice(cycle(repeating), order + 1)
     return [value / factorial(k) if k > 1 else value for k, value in enumerate(derivatives)]
@@ -189,7 +175,10 @@ def _exp_by(repeating: Sequence[Any], order: int) -> list[Any]:
 
 #: Coefficients of a function's series from its argument, its value there and the order.
 _SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
-    "sqrt": _sqrt, "exp": _exp, "log": _log, "tanh": _tanh, "atan": _atan, "cos": _cos, "sin": _sin,
+    "sqrt": _sqrt, "log": _log, "tanh": _tanh, "atan": _atan,
+    "exp": lambda _, y, order: _repeated([y], order),
+    "cos": lambda _, wave, order: _repeated([wave[0], -wave[1], -wave[0], wave[1]], order),
+    "sin": lambda _, wave, order: _repeated([wave[1], wave[0], -wave[1], -wave[0]], order),
 }  # fmt: skip
 
 

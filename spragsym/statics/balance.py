@@ -16,7 +16,7 @@ import numpy as np
 from ..models.model import Model
 from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
-from ..numerics.arithmetic import Matrix
+from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.balls import ball
 from ..numerics.boxes import POLE, System
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
@@ -169,8 +169,8 @@ class Balance(Forces, StateSystem):
         return np.fmin(contractors.by_rows(*given), unknowns.ends)
 
     def _linear(self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]) -> Linear:
-        """:meth:`linear` by the generated slopes, where no length counts."""
-        if self._lengths_matter(at):
+        """:meth:`linear` by the generated slopes, where no length counts and no wave is a free unknown."""
+        if at.xp is FREE or self._lengths_matter(at):
             return linear(at, near, forces)
         # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
         # for a derivative that its stiffness has in a sharper form.
@@ -185,13 +185,6 @@ class Balance(Forces, StateSystem):
             forces = _with_lengths(here, Intervals(np.full((2, 1), np.nan))).forces()
             self._lengths = bool(np.isnan(stacked(forces, (1,)).ends).all(axis=(0, 2)).any())
         return bool(self._lengths)
-
-
-def with_waves(at: State) -> FloatArray:
-    """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
-    unknowns = stacked(at.q, at.shape)
-    given = linear(replace(at, xp=FREE), unknowns.nearest_to_zero, State.rows)
-    return np.fmin(contractors.by_rows(*given), unknowns.ends)
 
 
 def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
@@ -287,7 +280,7 @@ class BalanceInUnits(Balance):
 
     def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
         """Arguments of the generated functions, units and p/P by name, of any number type."""
-        return super().arguments_of(self.scaled(values, xp, self.needed), xp)
+        return super().with_angles(self.scaled(values, xp, self.needed), xp)
 
     def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
@@ -311,7 +304,7 @@ def _power(value: Any, power: float, xp: Any) -> Any:
 
 def _times(value: Any, factor: Any) -> Any:
     """Their product; what is 0, and an end that is, stays so."""
-    if isinstance(value, int) and not value:
+    if is_zero(value):
         return value
     product = value * factor
     return Intervals(np.where(value.ends == 0, 0.0, product.ends)) if isinstance(value, Intervals) else product

@@ -13,7 +13,7 @@ import numpy as np
 from ..models.field import undecorated
 from ..models.model import Model
 from ..numerics import jets
-from ..numerics.arithmetic import Matrix
+from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
 from ..numerics.jets import Jet, argument, binomial_series, change, constant, turned
 from .namespaces import XP
@@ -85,10 +85,6 @@ class Forces:
         values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
         return stacked([values[code] for code in self.codes], bounds.shape[1:])
 
-    def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
-        """Arguments by name, from parameters of any number type."""
-        return self.with_angles(values, xp)
-
     def with_angles(self, values: Values, xp: Any) -> dict[str, Any]:
         """Some parameters with cosine and sine of those that are angles."""
         found = dict(values)
@@ -96,6 +92,9 @@ class Forces:
             if name in values:
                 found |= {cosine: xp.cos(values[name]), sine: xp.sin(values[name])}
         return found
+
+    #: Arguments by name, from all parameters of any number type.
+    arguments_of = with_angles
 
     def floats(self, columns: Iterable[FloatArray]) -> dict[str, Any]:
         """Arguments as floats, shape (parameters, N)."""
@@ -292,7 +291,7 @@ def _is_nothing(values: Intervals) -> bool:
 
 def _is_none(stiffness: Any) -> bool:
     """0 everywhere, and no unknown."""
-    return not stiffness if isinstance(stiffness, int) else isinstance(stiffness, Intervals) and _is_nothing(stiffness)
+    return is_zero(stiffness) or (isinstance(stiffness, Intervals) and _is_nothing(stiffness))
 
 
 def quotients(dx: Any, dy: Any, xp: Any) -> tuple[Any, Any, Any]:

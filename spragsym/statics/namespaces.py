@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..numerics import interval_arrays
-from ..numerics.arithmetic import Arithmetic
+from ..numerics.arithmetic import Arithmetic, is_zero
 from ..numerics.interval_arrays import Intervals
 from ..numerics.jets import Functions, Jet, constant
 
@@ -102,7 +102,7 @@ class Scaled(Arithmetic):
 
     def __add__(self, other: Any) -> Scaled:
         other = self._of(other)
-        if isinstance(other.value, int) and other.value == 0:
+        if is_zero(other.value):
             return self
         small, large = sorted((self, other), key=lambda one: one.order)
         shift = large.order - small.order
@@ -110,7 +110,7 @@ class Scaled(Arithmetic):
 
     def __mul__(self, other: Any) -> Any:
         other = self._of(other)
-        if isinstance(other.value, int) and other.value == 0:
+        if is_zero(other.value):
             return 0
         return Scaled(self.value * other.value, self.order + other.order, self.w)
 
@@ -209,7 +209,7 @@ def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
     """Whether the rows of these coordinates, and no others, change their signs with them; the gap does not."""
     xp: Any = _ParityFunctions()
     q = [Parity(i in odd) for i in range(balance.n)]
-    given = {name: 0 if isinstance(value, int) and value == 0 else Parity(False) for name, value in values.items()}
+    given = {name: 0 if is_zero(value) else Parity(False) for name, value in values.items()}
     at = balance.at(q, given, xp=xp)
     wanted = [*((row, i in odd) for i, row in enumerate(at.rows("forces"))), (at.gap() if balance.opens else 0, False)]
     return all((row.odd is side) if isinstance(row, Parity) else (row == 0 or not side) for row, side in wanted)

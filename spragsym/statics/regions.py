@@ -25,7 +25,7 @@ from ..errors import ParameterError
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
-from .balance import Balance, linear, with_waves
+from .balance import Balance, linear
 from .forces import State, as_intervals
 from .namespaces import FREE
 
@@ -92,7 +92,8 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
         nowhere = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
         at = replace(balance.state(Intervals(ends), parameters), fixed=_any_direction(balance, count))
         steps = [balance.by_rows, balance.with_directions]
-        steps += [with_waves] if balance.model.about.get("waves") else []
+        # Cosines and sines of the coordinates as free unknowns, as directions are.
+        steps += [lambda at: balance.by_rows(replace(at, xp=FREE))] if balance.model.about.get("waves") else []
         steps += [_closed, _by_contact_force] if _presses(balance) else []
         for _ in range(ROUNDS):
             before = ends

@@ -13,7 +13,7 @@ from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals
 from ..questions import question
 from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided
@@ -74,10 +74,9 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     given = np.array([np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters])
     states = places[:, rows]
     found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
-    order = in_order(found.middle, found.error, found.point)
-    point, middle = found.point[order], found.middle[:, order]
-    slot = np.arange(point.size) - np.searchsorted(point, point)
-    off = apart(middle.T, states[:, point].T, balance.around)
+    found, slot = _in_slots(found)
+    point = found.point
+    off = apart(found.middle.T, states[:, point].T, balance.around)
     away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
     for row in np.argsort(-away, kind="stable"):  # the nearest last
@@ -109,6 +108,12 @@ def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None)
     return once_around(balance.around, on_its_side(balance, given, found)), around, whole
 
 
+def _in_slots(found: Roots) -> tuple[Roots, IntArray]:
+    """Roots in their order, and the slot of each at its point."""
+    found = found.kept(in_order(found.middle, found.error, found.point))
+    return found, np.arange(found.point.size) - np.searchsorted(found.point, found.point)
+
+
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     if not given.shape[1]:
@@ -128,14 +133,12 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
-    order = in_order(found.middle, found.error, found.point)
-    point, states, errors = found.point[order], found.middle[:, order], found.error[order]
+    found, slot = _in_slots(found)
+    point, states = found.point, found.middle
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
-    slot = np.arange(point.size) - np.searchsorted(point, point)
-    ends, alone = (boxes_around[:, :, order] for boxes_around in (found.ends, found.alone))
     given = columns(p, balance.parameters)
-    codes, proved, eigenvalues = stability.classified(balance, states, given[:, point], ends, alone)
+    codes, proved, eigenvalues = stability.classified(balance, states, given[:, point], found.ends, found.alone)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
@@ -146,24 +149,21 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     decided[found.left_point] = False
     reasons = kinds_of(balance, given[:, found.left_point], found.left)
     undecided = tuple(
-        Undecided(
-            tuple(int(i) for i in np.unravel_index(number, shape)),
-            tuple((-found.left[0, :, box]).tolist()),
-            tuple(found.left[1, :, box].tolist()),
-            reasons[box],
+        Undecided(tuple(map(int, np.unravel_index(number, shape))), tuple(low), tuple(high), reason)
+        for number, low, high, reason in zip(
+            found.left_point, (-found.left[0].T).tolist(), found.left[1].T.tolist(), reasons, strict=True
         )
-        for box, number in enumerate(found.left_point)
     )
     searched = np.moveaxis(np.stack([-around[0], around[1]], axis=-1), 0, 1)
     made = {
         "stability": placed(codes, 0), "marginal": placed(~proved, False),
-        "eigenvalues": placed(eigenvalues, np.nan), "error": placed(errors, np.nan),
+        "eigenvalues": placed(eigenvalues, np.nan), "error": placed(found.error, np.nan),
         "region": searched.reshape(*shape, balance.n, 2), "whole": whole.reshape(shape),
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }  # fmt: skip
     remarks = (*summed(reasons), *of_region(balance, around, whole))
     counts, known = count.reshape(shape), decided.reshape(shape)
-    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, (ends, alone)))
+    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, (found.ends, found.alone)))
 
 
 ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"

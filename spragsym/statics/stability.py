@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz
+from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz, is_zero
 from ..numerics.balls import Undecided, ball
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Intervals, Shape, matrix, stacked
 from ..numerics.precise_roots import as_balls, narrowed
@@ -287,7 +287,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
 def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:
     """Signs of what is asked of a state of balls."""
     parts = ask(precise.state(q), lambda part: as_balls(part, precise.bits))
-    return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]
+    return [np.array([*map(balls.sign, part)], dtype=np.int8)[:, None] for part in parts]
 
 
 def only_damped(balance: Balance, over: Intervals) -> int | None:
@@ -296,7 +296,7 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
     C = _damping(balance, over)
-    entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not (isinstance(entry, int) and entry == 0)]
+    entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)]
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
 
 

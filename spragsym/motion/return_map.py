@@ -95,7 +95,8 @@ class Onward:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one near, in ``scale``."""
         (rtol, near, precision), reach = PRECISIONS[self.backend], 4 * CLOSE * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
-        guess, on_section = Guess(state[None], period, ()), through(state, np.eye(state.size)[fixed], state.size + 1)
+        guess = Guess(state[None], period, ())
+        on_section = through(state, np.eye(state.size)[fixed], guess)
 
         def near_guess(fly: Fly | None, precision: float) -> Loop:
             flow = Flow(self.field, self.backend, fly)

@@ -34,32 +34,38 @@ ONE = 1e-10
 
 @dataclass(frozen=True)
 class Guess:
-    """A loop that need not close: states (k, m) between its k equal stretches, period, and values of the parameters."""
+    """A loop that need not close: states (k, m) between its k equal stretches, period, and values of the parameters.
+
+    Newton's method moves the parameters that are ``free`` too.
+    """
 
     states: FloatArray
     period: float
     values: tuple[float, ...]
+    free: tuple[int, ...] = ()
 
     @property
     def stretch(self) -> float:
         """Time from one state to the next."""
         return self.period / len(self.states)
 
-    def moved(self, step: FloatArray, free: tuple[int, ...]) -> Guess:
+    def moved(self, step: FloatArray) -> Guess:
         """After a step in states, period and the free parameters."""
         size = self.states.size
         values = list(self.values)
-        for index, change in zip(free, step[size + 1 :], strict=True):
+        for index, change in zip(self.free, step[size + 1 :], strict=True):
             values[index] += float(change)
-        return Guess(self.states + step[:size].reshape(self.states.shape), self.period + float(step[size]), tuple(values))
+        states = self.states + step[:size].reshape(self.states.shape)
+        return Guess(states, self.period + float(step[size]), tuple(values), self.free)
 
     def at(self, index: int, value: float) -> Guess:
         """The guess at another value of one parameter."""
         return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
-    def coordinates(self, free: tuple[int, ...] = ()) -> FloatArray:
+    @property
+    def coordinates(self) -> FloatArray:
         """What Newton's method moves: states, period, free parameters."""
-        return np.concatenate([self.states.ravel(), [self.period], [self.values[i] for i in free]])
+        return np.concatenate([self.states.ravel(), [self.period], [self.values[i] for i in self.free]])
 
 
 @dataclass(frozen=True)
@@ -90,6 +96,10 @@ class Loop:
     def values(self) -> tuple[float, ...]:
         """Values of the parameters."""
         return self.guess.values
+
+    def bound(self) -> Loop:
+        """The loop with all parameters given, none free."""
+        return replace(self, guess=replace(self.guess, free=()))
 
     @cached_property
     def ends(self) -> FloatArray:
@@ -126,9 +136,9 @@ class Loop:
         flows = [rate(self.field, state, self.constants) for state in self.states]
         return multipliers_of([each.by_state for each in self.passages], flows)
 
-    def slopes(self, parameters: int) -> FloatArray:
-        """Derivatives of the gaps by states, period and ``parameters`` directions: shape (k m, k m + 1 + parameters)."""
-        k, m = self.states.shape
+    def slopes(self) -> FloatArray:
+        """Derivatives of the gaps by states, period and free parameters: shape (k m, k m + 1 + parameters)."""
+        (k, m), parameters = self.states.shape, len(self.guess.free)
         matrix = np.zeros((k * m, k * m + 1 + parameters))
         for i, each in enumerate(self.passages):
             rows, after = slice(i * m, (i + 1) * m), (i + 1) % k
@@ -192,9 +202,9 @@ def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
         return np.full(field.size, np.nan)
 
 
-def looped(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+def looped(flow: Flow, guess: Guess) -> Loop:
     """A guess integrated."""
-    field = flow.field
+    field, free = flow.field, guess.free
     try:
         for index in free:
             field.check(field.parameters[index], guess.values[index])
@@ -209,8 +219,8 @@ def looped(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
 
 
 def solved(
-    flow: Flow, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
-    iterations: int = 12, precision: float = 1e-13, closed: float = CLOSED,
+    flow: Flow, guess: Guess, conditions: Conditions, *, reach: float = np.inf, iterations: int = 12,
+    precision: float = 1e-13, closed: float = CLOSED,
 ) -> Loop:  # fmt: skip
     """The closed loop near a guess under further conditions, as many as there are free parameters and one.
 
@@ -218,18 +228,18 @@ def solved(
     ``closed`` is by how much the loop may stay open. Raises ConvergenceError where there is none.
     """
     start, size, before = guess, guess.states.size, np.inf
-    loop = looped(flow, guess, free)
+    loop = looped(flow, guess)
     for iteration in range(iterations):
         values, rows = conditions(loop)
         residual = np.concatenate([loop.gaps.ravel(), values])
         if float(np.abs(residual).max()) <= rounding(loop):
             return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
         try:
-            step = np.linalg.solve(np.vstack([loop.slopes(len(free)), rows]), -residual)
+            step = np.linalg.solve(np.vstack([loop.slopes(), rows]), -residual)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = float(np.abs(step).max())
-        scale = 1 + float(np.abs(loop.guess.coordinates()).max())
+        scale = 1 + max(float(np.abs(loop.states).max()), loop.period)
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
         # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as many times larger.
         carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)
@@ -237,28 +247,28 @@ def solved(
             return loop
         if iteration and width > 1e3 * before:
             break
-        guess = loop.guess.moved(step, free)
+        guess = loop.guess.moved(step)
         if np.abs(guess.states - start.states).max() > reach or not np.isfinite(step[:size]).all():
             break
         if not 0.5 < guess.period / start.period < 2:
             break
-        loop, before = looped(flow, guess, free), width
+        loop, before = looped(flow, guess), width
     raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
 
 
-def through(place: FloatArray, normal: FloatArray, unknowns: int) -> Conditions:
-    """The first state stays in a plane through a place: the phase of the orbit."""
-    row = np.zeros((1, unknowns))
+def through(place: FloatArray, normal: FloatArray, guess: Guess) -> Conditions:
+    """The first state, of loops cut as a guess is, stays in a plane through a place: the phase of the orbit."""
+    row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
     return lambda loop: (np.array([normal @ (loop.states[0] - place)]), row)
 
 
-def across(loop: Loop, place: FloatArray | None = None, parameters: int = 0) -> Conditions:
+def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
     """The plane across the flow at the first state of a loop, through that or another place."""
     first = loop.states[0]
     normal = rate(loop.field, first, loop.constants)
     place = first if place is None else place
-    return through(place, normal / np.linalg.norm(normal), loop.states.size + 1 + parameters)
+    return through(place, normal / np.linalg.norm(normal), loop.guess)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
@@ -266,7 +276,7 @@ def phase(loop: Loop, guess: Guess) -> Conditions:
     m = loop.field.size
     if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
         return across(replace(loop, guess=guess))
-    return through(np.zeros(m), np.eye(m)[m // 2], guess.states.size + 1)
+    return through(np.zeros(m), np.eye(m)[m // 2], guess)
 
 
 def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
@@ -281,15 +291,20 @@ def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
         left = t - which * stretch
         start = guess.states[which]
         states.append(loop.flow.fly(start, loop.constants, left).state if left > 1e-14 * stretch else start)
-    return Guess(np.array(states), guess.period, guess.values)
+    return replace(guess, states=np.array(states))
 
 
-def split(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+def finer(loop: Loop, most: int = MOST_STRETCHES) -> Guess | None:
+    """The loop in twice as many stretches where the derivatives over one have grown large; None elsewhere, and of ``most``."""
+    pieces = len(loop.states)
+    return recut(loop, 2 * pieces) if growth(loop) > LARGEST_GROWTH and pieces < most else None
+
+
+def split(flow: Flow, guess: Guess) -> Loop:
     """A guess integrated, in as many stretches as its growth asks for."""
-    loop, pieces = looped(flow, guess, free), len(guess.states)
-    while growth(loop) > LARGEST_GROWTH and pieces < SPLIT:
-        pieces *= 2
-        loop = looped(flow, recut(loop, pieces), free)
+    loop = looped(flow, guess)
+    while cut := finer(loop, SPLIT):
+        loop = looped(flow, cut)
     return loop
 
 
@@ -334,7 +349,7 @@ def error_of(loop: Loop, differs: float = 0.0) -> float:
     """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or ``differs``."""
     size = loop.field.size
     _, rows = phase(loop, loop.guess)(loop)
-    inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
+    inverse = np.linalg.pinv(np.vstack([loop.slopes(), rows]), rcond=1e-12)
     wanted = np.r_[0:size, -1]
     return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs))
 

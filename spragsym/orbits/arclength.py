@@ -17,15 +17,12 @@ from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
 from ..motion.shooting import (
     CLOSED,
-    LARGEST_GROWTH,
-    MOST_STRETCHES,
     Conditions,
     Guess,
     Loop,
     across,
-    growth,
+    finer,
     looped,
-    recut,
     rounding,
     solved,
 )
@@ -49,7 +46,7 @@ WHOLE, LEAST_SHARE = 2.0, 1e-3
 
 def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
     """The first state stays in the plane across the flow at a loop, through a target."""
-    return across(near, target[: setting.field.size], len(setting.free))
+    return across(near, target[: setting.field.size])
 
 
 @dataclass(frozen=True)
@@ -73,7 +70,7 @@ class Setting:
 
     def looped(self, guess: Guess) -> Loop:
         """A guess integrated, with derivatives by what is free."""
-        return looped(self.flow, guess, self.free)
+        return looped(self.flow, replace(guess, free=self.free))
 
     def weights(self, stretches: int) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
@@ -107,7 +104,7 @@ class Point:
     @property
     def coordinates(self) -> FloatArray:
         """States, period and free parameters."""
-        return self.loop.guess.coordinates(self.setting.free)
+        return self.loop.guess.coordinates
 
     @property
     def weights(self) -> FloatArray:
@@ -165,8 +162,8 @@ def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> P
 
 def directions(setting: Setting, loop: Loop) -> FloatArray:
     """Right singular vectors of the equations' derivative, a row each, in units of the arc; the last ones span its null space."""
-    _, rows = setting.holds(setting, loop, loop.guess.coordinates(setting.free))(loop)
-    slopes = np.vstack([loop.slopes(len(setting.free)), rows])
+    _, rows = setting.holds(setting, loop, loop.guess.coordinates)(loop)
+    slopes = np.vstack([loop.slopes(), rows])
     return np.linalg.svd(slopes / setting.weights(len(loop.states)))[2]
 
 
@@ -178,7 +175,7 @@ def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Cond
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         off, row = phase(loop)
         slope = differences(
-            lambda step: np.array([criterion_of(kind, looped(setting.flow, loop.guess.moved(step, setting.free)))]),
+            lambda step: np.array([criterion_of(kind, looped(setting.flow, replace(loop.guess.moved(step), free=())))]),
             np.zeros(len(weights)), DIFFERENCE / weights,
         )  # fmt: skip
         return np.append(off, criterion_of(kind, loop) / unit), np.vstack([row, slope / unit])
@@ -189,21 +186,22 @@ def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Cond
 def corrected(point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
     """The point on the branch a length of arc from a point, negative lengths backward."""
     setting = point.setting
-    guess = point.loop.guess.moved(length * point.tangent, setting.free)
-    target, arc = guess.coordinates(setting.free), (point.way * point.weights)[None]
+    guess = point.loop.guess.moved(length * point.tangent)
+    target, arc = guess.coordinates, (point.way * point.weights)[None]
     others = setting.holds(setting, point.loop, target)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         values, rows = others(loop)
-        return np.append(values, arc @ (loop.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
+        return np.append(values, arc @ (loop.guess.coordinates - target)), np.vstack([rows, arc])
 
-    loop = solved(setting.flow, guess, conditions, setting.free, reach=reach, iterations=iterations, precision=FINE)
+    loop = solved(setting.flow, guess, conditions, reach=reach, iterations=iterations, precision=FINE)
     return point_of(setting, loop, point.tangent)
 
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
     """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
-    conditions = setting.holds(replace(setting, free=()), loop, loop.guess.coordinates())
+    loop = loop.bound()
+    conditions = setting.holds(setting, loop, loop.guess.coordinates)
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
@@ -212,7 +210,7 @@ def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
     setting, way = point.setting, point.tangent if way is None else way
     step = (value - point.value) / float(way[-len(setting.free)]) * way
     # Exactly, since there may be no parameters beyond.
-    near = setting.looped(point.loop.guess.moved(step, setting.free).at(setting.free[0], value))
+    near = setting.looped(point.loop.guess.moved(step).at(setting.free[0], value))
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
@@ -305,20 +303,18 @@ def along(point: Point, value: float) -> Point:
 def cut_finer(point: Point) -> Point:
     """The point in more stretches, where the derivatives over one of them have grown large."""
     loop, setting = point.loop, point.setting
-    pieces, size = len(loop.states), setting.field.size
-    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES or setting.holds is not in_phase:
+    if setting.holds is not in_phase or not (cut := finer(loop)):
         return point
-    finer = setting.looped(recut(loop, 2 * pieces))
-    along = np.zeros(finer.states.shape)
-    along[0] = point.tangent[:size]  # the old tangent by its first state, period and parameter
-    return point_of(setting, finer, np.append(along, point.tangent[loop.states.size :]))
+    along = np.zeros(cut.states.shape)
+    along[0] = point.tangent[: setting.field.size]  # the old tangent by its first state, period and parameter
+    return point_of(setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :]))
 
 
 def uncertainty(point: Point) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
     setting, loop = point.setting, point.loop
     _, phase = in_phase(setting, loop, point.coordinates)(loop)
-    rows = np.vstack([loop.slopes(len(setting.free)), phase, (point.way * point.weights)[None]])
+    rows = np.vstack([loop.slopes(), phase, (point.way * point.weights)[None]])
     return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
 
 

@@ -265,7 +265,7 @@ def grazing(near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
     setting, known = near.setting, near.loop.guess
     guess = recut(near.loop, len(known.states), touch.turn.t)
-    loop = solved(setting.flow, guess, touching(touch.turn.border, setting), setting.free, reach=0.5)
+    loop = solved(setting.flow, guess, touching(touch.turn.border, setting), reach=0.5)
     if abs(loop.period / known.period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop
@@ -276,9 +276,9 @@ def touching(border: int, setting: Setting, *_: object) -> Conditions:
     size = setting.field.size
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        both, begin = partial(level_and_rate, setting, border, loop.guess), len(loop.guess.coordinates())
+        both, begin = partial(level_and_rate, setting, border, loop.guess), loop.states.size + 1
         place = np.append(loop.states[0], [loop.values[i] for i in setting.free])
-        slopes, rows = differences(both, place, 1e-7), np.zeros((2, begin + len(setting.free)))
+        slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
         return both(place), rows
 

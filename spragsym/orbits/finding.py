@@ -327,8 +327,8 @@ def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: N
         wide[:, : 2 * n] = measure.real, measure.imag
         return np.array([seen.real - wanted, seen.imag]), wide
 
-    guess = split(flow, Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist())), (place,)).guess
-    return cycle_of(solved(flow, guess, conditions, (place,), reach=4 * z))
+    guess = split(flow, Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()), (place,))).guess
+    return cycle_of(solved(flow, guess, conditions, reach=4 * z))
 
 
 def _of_the_motion(

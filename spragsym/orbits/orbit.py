@@ -18,12 +18,11 @@ from ..models.field import Field, apart
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
-    LARGEST_GROWTH,
-    MOST_STRETCHES,
+    Guess,
     Loop,
     difference,
     error_of,
-    growth,
+    finer,
     looped,
     once_round,
     phase,
@@ -182,7 +181,7 @@ class Cycle(Result):
 
 def cycle_of(loop: Loop) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
-    loop = refined(once_round(loop))
+    loop = refined(once_round(loop.bound()))
     guess, found = loop.guess, loop.multipliers
     lost = abs(found.trivial - 1)
     if not lost < UNRESOLVED:
@@ -251,18 +250,16 @@ def range_of(loop: Loop) -> tuple[float, float]:
 
 def refined(loop: Loop) -> Loop:
     """The orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
-    begin, pieces, known = _top(loop), len(loop.states), loop
-    while True:
-        cut = recut(known, pieces, begin)
+    cut: Guess | None = recut(loop, len(loop.states), _top(loop))
+    while cut:
         try:
             found = solved(loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
             found = looped(loop.flow, cut)
             if found.missed > OPEN:
                 raise
-        if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
-            return found
-        pieces, known, begin = 2 * pieces, found, 0.0
+        cut = finer(found)
+    return found
 
 
 def _top(loop: Loop) -> float:

@@ -119,8 +119,8 @@ def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
     guess = guess.at(setting.free[0], one.value + share * (other.value - one.value))
     try:
         near = fixed(setting, setting.looped(guess))
-        doubling = at_zero(kind, setting, near, near.guess.coordinates(setting.free))
-        loop = solved(setting.flow, near.guess, doubling, setting.free)
+        doubling = at_zero(kind, setting, near, near.guess.coordinates)
+        loop = solved(setting.flow, near.guess, doubling)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
     reach = float(np.linalg.norm(states[:half] - states[half:])) + float(np.linalg.norm(b.states - a.states))

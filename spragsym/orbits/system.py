@@ -249,7 +249,7 @@ class Rest:
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
 
 
-def _of_one_time(setting: Setting, near: Loop, _: FloatArray) -> Conditions:
+def _of_one_time(_: Setting, near: Loop, __: FloatArray) -> Conditions:
     """An equilibrium has no period: it stays 1."""
-    row = np.eye(1, len(near.guess.coordinates(setting.free)), near.states.size)
+    row = np.eye(1, len(near.guess.coordinates), near.states.size)
     return lambda loop: (np.array([loop.period - 1.0]), row)

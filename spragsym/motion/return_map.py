@@ -139,14 +139,9 @@ class Closed:
         """Where it begins."""
         return self.loop.states[0]
 
-    @property
-    def around(self) -> tuple[int, ...]:
-        """Coordinates that come around."""
-        return self.onward.problem.field.around
-
     def scaled(self, states: FloatArray) -> FloatArray:
         """Its own or other states of the section, in whole turns near, in units of the scale."""
-        return section(_near(states, self.state, self.around), self.fixed) / self.scale
+        return section(_near(states, self.state, self.loop.field.around), self.fixed) / self.scale
 
     def returned(self, places: FloatArray) -> FloatArray:
         """The return map: where motions from places on the section next meet it, after about a period."""
@@ -290,7 +285,7 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     """The outcome, with averages over the cycle's one period, and the state of the cycle that stands for it."""
     loop, fixed, (mean, rms) = cycle.loop, cycle.fixed, cycle.loop.moments()
     tops = np.array([cycle.state, *(turn.state for turn in loop.tops() if fixed)])
-    tops = in_one_turn(tops, cycle.around)
+    tops = in_one_turn(tops, loop.field.around)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
     for place, scale in zip((i for i in range(tops.shape[1]) if i != fixed), cycle.scale, strict=True):
         tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]

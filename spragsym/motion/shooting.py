@@ -63,9 +63,14 @@ class Guess:
         return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
     @property
+    def varied(self) -> list[float]:
+        """Values of the free parameters."""
+        return [self.values[i] for i in self.free]
+
+    @property
     def coordinates(self) -> FloatArray:
         """What Newton's method moves: states, period, free parameters."""
-        return np.concatenate([self.states.ravel(), [self.period], [self.values[i] for i in self.free]])
+        return np.concatenate([self.states.ravel(), [self.period], self.varied])
 
 
 @dataclass(frozen=True)

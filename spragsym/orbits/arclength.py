@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, Field
+from ..models.field import FLOATS
 from ..models.parameters import FloatArray
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
@@ -44,9 +44,9 @@ LOCATED = 1e-11
 WHOLE, LEAST_SHARE = 2.0, 1e-3
 
 
-def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
+def in_phase(_: Setting, near: Loop, target: FloatArray) -> Conditions:
     """The first state stays in the plane across the flow at a loop, through a target."""
-    return across(near, target[: setting.field.size])
+    return across(near, target[: near.field.size])
 
 
 @dataclass(frozen=True)
@@ -63,18 +63,13 @@ class Setting:
     spans: tuple[float, ...]
     holds: Callable[[Setting, Loop, FloatArray], Conditions] = in_phase
 
-    @property
-    def field(self) -> Field:
-        """The model."""
-        return self.flow.field
-
     def looped(self, guess: Guess) -> Loop:
         """A guess integrated, with derivatives by what is free."""
         return looped(self.flow, replace(guess, free=self.free))
 
     def weights(self, stretches: int) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
-        size = stretches * self.field.size
+        size = stretches * self.flow.field.size
         return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
 
 
@@ -99,7 +94,7 @@ class Point:
     @property
     def value(self) -> float:
         """The value of the first free parameter."""
-        return self.loop.values[self.setting.free[0]]
+        return self.loop.guess.varied[0]
 
     @property
     def coordinates(self) -> FloatArray:
@@ -128,24 +123,24 @@ class Point:
     @cached_property
     def touches(self) -> list[Touch]:
         """All turns of the borders."""
-        setting, loop, tangent = self.setting, self.loop, self.tangent
-        size, along, found = setting.field.size, tangent[loop.states.size + 1 :], list[Touch]()
+        loop, tangent = self.loop, self.tangent
+        size, along, found = loop.field.size, tangent[loop.states.size + 1 :], list[Touch]()
         for turn in loop.turns():
             if turn.border >= 0:
                 change = turn.by_state @ tangent[:size] + turn.by_parameters[:, : len(along)] @ along
-                way, at = np.append(change, along), np.append(turn.state, [loop.values[i] for i in setting.free])
+                way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)
                 step = 1e-6 / max(1.0, float(np.abs(change).max()))
                 back, level, ahead = (
-                    float(level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
+                    float(level_and_rate(loop, turn.border, at + share * step * way)[0]) for share in (-1, 0, 1)
                 )
                 found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
         return found
 
 
-def level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArray) -> FloatArray:
-    """Level and rate of a border at a state, followed by the free parameters."""
-    field, size = setting.field, setting.field.size
-    for index, value in zip(setting.free, place[size:].tolist(), strict=True):
+def level_and_rate(loop: Loop, border: int, place: FloatArray) -> FloatArray:
+    """Level and rate of a border at a state, followed by the free parameters, as they are for a loop."""
+    field, guess, size = loop.field, loop.guess, loop.field.size
+    for index, value in zip(guess.free, place[size:].tolist(), strict=True):
         guess = guess.at(index, value)
     constants, state = field.constants(guess.values), place[:size].tolist()
     mode, that = field.initial_mode(state, constants), field.borders[border]
@@ -295,7 +290,7 @@ def along(point: Point, value: float) -> Point:
             if point.value == value:
                 break
     except (ConvergenceError, ZeroDivisionError) as error:
-        name, what = setting.field.parameters[setting.free[0]], "cycle" if setting.holds is in_phase else "equilibrium"
+        name, what = point.loop.field.parameters[setting.free[0]], "cycle" if setting.holds is in_phase else "equilibrium"
         raise ConvergenceError(f"the {what} ends near {name} = {point.value:.10g} on the way") from error
     return point
 
@@ -306,7 +301,7 @@ def cut_finer(point: Point) -> Point:
     if setting.holds is not in_phase or not (cut := finer(loop)):
         return point
     along = np.zeros(cut.states.shape)
-    along[0] = point.tangent[: setting.field.size]  # the old tangent by its first state, period and parameter
+    along[0] = point.tangent[: loop.field.size]  # the old tangent by its first state, period and parameter
     return point_of(setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :]))
 
 

@@ -420,7 +420,7 @@ def cycle_events(
         found: list[Loop] = []
         try:
             for point in islice(steps(first.turned(direction), ahead, *OF_EVENTS), points):
-                if not all(low <= point.loop.values[i] <= high for i, (low, high) in zip(free, bounds, strict=True)):
+                if not all(low <= value <= high for value, (low, high) in zip(point.loop.guess.varied, bounds, strict=True)):
                     return found, "the range ends"
                 if event.kind == "torus" and not is_complex_pair(point.loop):
                     return found, "its multipliers become real"
@@ -433,6 +433,6 @@ def cycle_events(
     loops = [*reversed(back), first.loop, *forth]
     cycles = tuple(cycle_of(each) for each in loops)
     return EventCurve(
-        event.kind, vary, np.array([[each.values[i] for i in free] for each in loops]),
+        event.kind, vary, np.array([each.guess.varied for each in loops]),
         np.array([each.period for each in loops]), (why_back, why_forth), cycles,
     )  # fmt: skip

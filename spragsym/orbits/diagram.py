@@ -252,7 +252,7 @@ def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
-    place, around = point.loop.states[0], point.setting.field.around
+    place, around = point.loop.states[0], point.loop.field.around
     for one, other in pairwise(line):
         near = np.abs(apart(place, one.loop.states[0], around)).max() < 2 * LONGEST
         if near and (one.value - point.value) * (other.value - point.value) <= 0 and one.value != other.value:

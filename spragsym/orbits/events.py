@@ -15,7 +15,6 @@ from ..motion.shooting import Conditions, Loop, recut, solved
 from .arclength import (
     LOCATED,
     Point,
-    Setting,
     Touch,
     between,
     corrected,
@@ -148,7 +147,7 @@ def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
 
 def _grazing(one: Point, other: Point, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
     border = touch.turn.border
-    name = one.setting.field.borders[border].name
+    name = one.loop.field.borders[border].name
     nearest = sorted(((one, touch), (other, after)), key=lambda pair: abs(pair[1].level))
     for near, begun in nearest:
         try:
@@ -156,7 +155,7 @@ def _grazing(one: Point, other: Point, touch: Touch, after: Touch, length: float
         except ConvergenceError:
             continue
         off = 10 * loop.missed + 1e-12
-        if _lies_between(one, other, loop.values[one.setting.free[0]], length, off):
+        if _lies_between(one, other, loop.guess.varied[0], length, off):
             yield Finding("grazing", loop, off, border, how=name)
             return
     if length > FINEST:
@@ -263,21 +262,20 @@ def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Tou
 
 def grazing(near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
-    setting, known = near.setting, near.loop.guess
+    flow, known = near.setting.flow, near.loop.guess
     guess = recut(near.loop, len(known.states), touch.turn.t)
-    loop = solved(setting.flow, guess, touching(touch.turn.border, setting), reach=0.5)
+    loop = solved(flow, guess, touching(touch.turn.border), reach=0.5)
     if abs(loop.period / known.period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop
 
 
-def touching(border: int, setting: Setting, *_: object) -> Conditions:
+def touching(border: int, *_: object) -> Conditions:
     """Level and rate of a border are zero at the first state."""
-    size = setting.field.size
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        both, begin = partial(level_and_rate, setting, border, loop.guess), loop.states.size + 1
-        place = np.append(loop.states[0], [loop.values[i] for i in setting.free])
+        both, begin, size = partial(level_and_rate, loop, border), loop.states.size + 1, loop.field.size
+        place = np.append(loop.states[0], loop.guess.varied)
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
         return both(place), rows

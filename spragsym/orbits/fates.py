@@ -284,7 +284,7 @@ class FateMap(Result):
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         columns = with_degrees(self.model, self.inputs) | {name: getattr(self, name) for name in (*MEASURED, "why")}
-        return {name: np.broadcast_to(values, self.kind.shape).ravel() for name, values in columns.items()}
+        return {name: np.broadcast_to(values, self.kind.shape) for name, values in columns.items()}
 
 
 def fate_map(
@@ -330,7 +330,7 @@ def fate_map(
     model = model_of(p)
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
-    inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
+    inputs = {name: getattr(p, name) for name in p.ranges}
     settings = {
         "start": tuple(state_of(model, start).tolist()), "t_end": as_number("t_end", t_end, POSITIVE),
         "backend": integrators.choose(backend, integrators.OF_ANY_MODEL),

@@ -73,7 +73,7 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     plane = directions(setting, loop)[-2:]
     plane = plane - np.outer(plane @ along, along)
     direction = max(plane, key=lambda vector: float(np.linalg.norm(vector))) / weights
-    return Point(setting, loop, direction / np.linalg.norm(direction[: setting.field.size]))
+    return Point(setting, loop, direction / np.linalg.norm(direction[: loop.field.size]))
 
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:

@@ -109,5 +109,5 @@ def sensitivity(
         upper = after * before > between**2
         low, before = np.where(upper, middle, low), np.where(upper, between, before)
         high, after = np.where(upper, high, middle), np.where(upper, after, between)
-    theta0, before, after = ((low + high)[..., 0] / 2, before[..., 0], after[..., 0])
-    return Sensitivity(speeds, creeps, theta0, before, after, float(np.max(high - low)) / 2, sweep)
+    theta0, width = (low + high)[..., 0] / 2, float(np.max(high - low)) / 2
+    return Sensitivity(speeds, creeps, theta0, before[..., 0], after[..., 0], width, sweep)

@@ -141,17 +141,17 @@ class Loop:
         flows = [rate(self.field, state, self.constants) for state in self.states]
         return multipliers_of([each.by_state for each in self.passages], flows)
 
-    def slopes(self) -> FloatArray:
-        """Derivatives of the gaps by states, period and free parameters: shape (k m, k m + 1 + parameters)."""
+    def slopes(self, *rows: FloatArray) -> FloatArray:
+        """Derivatives of the gaps by states, period and free parameters, (k m, k m + 1 + parameters), above further rows."""
         (k, m), parameters = self.states.shape, len(self.guess.free)
         matrix = np.zeros((k * m, k * m + 1 + parameters))
         for i, each in enumerate(self.passages):
-            rows, after = slice(i * m, (i + 1) * m), (i + 1) % k
-            matrix[rows, i * m : (i + 1) * m] += each.by_state
-            matrix[rows, after * m : (after + 1) * m] -= np.eye(m)
-            matrix[rows, k * m] = rate(self.field, each.state, self.constants) / k
-            matrix[rows, k * m + 1 :] = each.by_parameters[:, :parameters]
-        return matrix
+            own, after = slice(i * m, (i + 1) * m), (i + 1) % k
+            matrix[own, i * m : (i + 1) * m] += each.by_state
+            matrix[own, after * m : (after + 1) * m] -= np.eye(m)
+            matrix[own, k * m] = rate(self.field, each.state, self.constants) / k
+            matrix[own, k * m + 1 :] = each.by_parameters[:, :parameters]
+        return np.vstack([matrix, *rows])
 
     def crossings(self) -> tuple[Crossing, ...]:
         """All crossings of one round, in time from its start."""
@@ -240,7 +240,7 @@ def solved(
         if float(np.abs(residual).max()) <= rounding(loop):
             return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
         try:
-            step = np.linalg.solve(np.vstack([loop.slopes(), rows]), -residual)
+            step = np.linalg.solve(loop.slopes(rows), -residual)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = float(np.abs(step).max())
@@ -354,7 +354,7 @@ def error_of(loop: Loop, differs: float = 0.0) -> float:
     """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or ``differs``."""
     size = loop.field.size
     _, rows = phase(loop, loop.guess)(loop)
-    inverse = np.linalg.pinv(np.vstack([loop.slopes(), rows]), rcond=1e-12)
+    inverse = np.linalg.pinv(loop.slopes(rows), rcond=1e-12)
     wanted = np.r_[0:size, -1]
     return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs))
 

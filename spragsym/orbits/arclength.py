@@ -67,10 +67,10 @@ class Setting:
         """A guess integrated, with derivatives by what is free."""
         return looped(self.flow, replace(guess, free=self.free))
 
-    def weights(self, stretches: int) -> FloatArray:
+    def weights(self, loop: Loop) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
-        size = stretches * self.flow.field.size
-        return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
+        each = np.full(loop.states.size, 1 / np.sqrt(len(loop.states)))
+        return np.concatenate([each, [1 / self.period], 1 / np.array(self.spans)])
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ class Point:
     @property
     def weights(self) -> FloatArray:
         """Units of the arc's length."""
-        return self.setting.weights(len(self.loop.states))
+        return self.setting.weights(self.loop)
 
     @property
     def place(self) -> FloatArray:
@@ -150,7 +150,7 @@ def level_and_rate(loop: Loop, border: int, place: FloatArray) -> FloatArray:
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
-    point = Point(setting, loop, directions(setting, loop)[-1] / setting.weights(len(loop.states)))
+    point = Point(setting, loop, directions(setting, loop)[-1] / setting.weights(loop))
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.turned(-1.0 if ahead < 0 else 1.0)
 
@@ -158,14 +158,13 @@ def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> P
 def directions(setting: Setting, loop: Loop) -> FloatArray:
     """Right singular vectors of the equations' derivative, a row each, in units of the arc; the last ones span its null space."""
     _, rows = setting.holds(setting, loop, loop.guess.coordinates)(loop)
-    slopes = np.vstack([loop.slopes(), rows])
-    return np.linalg.svd(slopes / setting.weights(len(loop.states)))[2]
+    return np.linalg.svd(loop.slopes(rows) / setting.weights(loop))[2]
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
     """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open."""
     phase, unit = in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
-    weights = setting.weights(len(near.states))
+    weights = setting.weights(near)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         off, row = phase(loop)
@@ -309,7 +308,7 @@ def uncertainty(point: Point) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
     setting, loop = point.setting, point.loop
     _, phase = in_phase(setting, loop, point.coordinates)(loop)
-    rows = np.vstack([loop.slopes(), phase, (point.way * point.weights)[None]])
+    rows = loop.slopes(phase, (point.way * point.weights)[None])
     return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
 
 

@@ -182,7 +182,7 @@ class Cycle(Result):
 def cycle_of(loop: Loop) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
     loop = refined(once_round(loop.bound()))
-    guess, found = loop.guess, loop.multipliers
+    found = loop.multipliers
     lost = abs(found.trivial - 1)
     if not lost < UNRESOLVED:
         raise ConvergenceError(
@@ -191,7 +191,7 @@ def cycle_of(loop: Loop) -> Cycle:
         )
     (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
     return Cycle(
-        period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
+        period=loop.period, state=loop.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=max(error_of(loop, difference(loop)), lost), residual=loop.missed,
         events=events_of(loop.field, loop.crossings()),
         rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=loop.flow.backend,

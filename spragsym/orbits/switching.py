@@ -67,7 +67,7 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     """
     setting, guess = point.setting, point.loop.guess
     loop = setting.looped(Guess(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values))
-    known, size, weights = point.tangent if crossed is None else crossed, guess.states.size, setting.weights(len(loop.states))
+    known, size, weights = point.tangent if crossed is None else crossed, guess.states.size, setting.weights(loop)
     along = np.concatenate([*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]) * weights
     along = along / np.linalg.norm(along)
     plane = directions(setting, loop)[-2:]

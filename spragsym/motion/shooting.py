@@ -224,7 +224,7 @@ def looped(flow: Flow, guess: Guess) -> Loop:
 
 
 def solved(
-    flow: Flow, guess: Guess, conditions: Conditions, *, reach: float = np.inf, iterations: int = 12,
+    flow: Flow, guess: Guess, *conditions: Conditions, reach: float = np.inf, iterations: int = 12,
     precision: float = 1e-13, closed: float = CLOSED,
 ) -> Loop:  # fmt: skip
     """The closed loop near a guess under further conditions, as many as there are free parameters and one.
@@ -235,12 +235,12 @@ def solved(
     start, size, before = guess, guess.states.size, np.inf
     loop = looped(flow, guess)
     for iteration in range(iterations):
-        values, rows = conditions(loop)
-        residual = np.concatenate([loop.gaps.ravel(), values])
+        values, rows = zip(*(each(loop) for each in conditions), strict=True)
+        residual = np.concatenate([loop.gaps.ravel(), *values])
         if float(np.abs(residual).max()) <= rounding(loop):
             return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
         try:
-            step = np.linalg.solve(loop.slopes(rows), -residual)
+            step = np.linalg.solve(loop.slopes(*rows), -residual)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = float(np.abs(step).max())

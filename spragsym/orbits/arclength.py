@@ -182,13 +182,10 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
     setting = point.setting
     guess = point.loop.guess.moved(length * point.tangent)
     target, arc = guess.coordinates, (point.way * point.weights)[None]
-    others = setting.holds(setting, point.loop, target)
-
-    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        values, rows = others(loop)
-        return np.append(values, arc @ (loop.guess.coordinates - target)), np.vstack([rows, arc])
-
-    loop = solved(setting.flow, guess, conditions, reach=reach, iterations=iterations, precision=FINE)
+    loop = solved(
+        setting.flow, guess, setting.holds(setting, point.loop, target),
+        lambda loop: (arc @ (loop.guess.coordinates - target), arc), reach=reach, iterations=iterations, precision=FINE,
+    )  # fmt: skip
     return point_of(setting, loop, point.tangent)
 
 
@@ -306,8 +303,8 @@ def cut_finer(point: Point) -> Point:
 
 def uncertainty(point: Point) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
-    setting, loop = point.setting, point.loop
-    _, phase = in_phase(setting, loop, point.coordinates)(loop)
+    loop = point.loop
+    _, phase = across(loop)(loop)
     rows = loop.slopes(phase, (point.way * point.weights)[None])
     return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
 

@@ -154,11 +154,10 @@ def basin_boundary(
     first, error, span = walk.begun(state_of(model, start))
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
-    sides = [walk.told_sides(each, span) for each, _ in found]
+    differ, told = map(np.array, zip(*(walk.told_sides(each, span) for each, _ in found), strict=True))
     return BasinBoundary(
         plane, np.array([each[axes] for each, _ in found]), np.array([error for _, error in found]),
-        np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), known.state, known.growth,
-        (why_back, why_forth),
+        differ, told, known.state, known.growth, (why_back, why_forth),
     )  # fmt: skip
 
 

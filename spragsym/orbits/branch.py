@@ -216,13 +216,12 @@ def cycle_branch(
             value = loop.values[index] if item.value is None else item.value
             events.append(CycleEvent(item.kind, value, cycle_of(loop), item.error, item.how, vary, item))
             places.append(len(loops))
-    lowest, highest = np.array([range_of(loop) for loop in loops]).T
+    columns = [(loop.values[index], loop.period, loop.moments()[1], *range_of(loop)) for loop in loops]
+    values, periods, rms, lowest, highest = np.array(columns).T.copy()
+    stable = np.array([is_stable(loop) for loop in loops])
     return CycleBranch(
-        vary, np.array([loop.values[index] for loop in loops]), np.array([loop.period for loop in loops]),
-        np.array([loop.moments()[1] for loop in loops]), lowest, highest,
-        np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops)), tuple(events), (low, high),
-        tuple(places),
-    )  # fmt: skip
+        vary, values, periods, rms, lowest, highest, stable, Cycles(tuple(loops)), tuple(events), (low, high), tuple(places)
+    )
 
 
 def _followed(start: Point, to: tuple[float, float], points: int, longest: float) -> Iterator[Point | Finding]:

@@ -141,7 +141,7 @@ class Traveller:
     counts: list[int] = field(default_factory=lambda: [0] * len(Event))
     crossed: dict[int, list[float]] = field(default_factory=dict)
     turns: list[Turn] = field(default_factory=list)
-    latest: dict[int, deque[Turn]] = field(default_factory=partial(defaultdict, partial(deque, maxlen=KEPT)))
+    latest: dict[int, deque[list[float]]] = field(default_factory=partial(defaultdict, partial(deque, maxlen=KEPT)))
     reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
     resting: bool = False
 
@@ -240,14 +240,15 @@ class Carrier:
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         """Note a turn of a border's level, or (−1) of the first coordinate, or that this one passes a whole turn."""
         self.solver.update_d_output(t)
-        one, turn = self.some[lane], Turn(t, border, direction, *self._split(self.dense[:, lane]))
+        one = self.some[lane]
         if self.lanes == 1:
-            one.turns.append(turn)
+            one.turns.append(Turn(t, border, direction, *self._split(self.dense[:, lane])))
             return
+        state = self.dense[: self.m, lane].tolist()
         kind, bound = (-1, max) if direction < 0 else (1, min)  # the direction is 0 where both derivatives are
-        one.latest[PASSAGE if border == PASSAGE else kind].append(turn)
+        one.latest[PASSAGE if border == PASSAGE else kind].append([t, *state])
         if border != PASSAGE:
-            one.reach[kind] = bound(one.reach[kind], float(turn.state[0]))
+            one.reach[kind] = bound(one.reach[kind], state[0])
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         """Where the argument of a root is zero to GAP, move the state on by as much: there is no direction."""
@@ -406,10 +407,7 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
 
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, reach = motion.carried, motion.reach
-        tops, lows, passed = (
-            np.array([[turn.t, *turn.state.tolist()] for turn in motion.latest[kind]]).reshape(-1, 1 + size)
-            for kind in (-1, 1, PASSAGE)
-        )
+        tops, lows, passed = (np.array(motion.latest[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE))
         low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, reach[1]), (max, reach[-1])))
         return Course(
             begin, end, first, last[:size], tops[:, 0], tops[:, 1:], last[size:] / scale, lows[:, 1:],

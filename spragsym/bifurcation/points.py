@@ -54,8 +54,8 @@ HIGH, LOW = 2.0**-9, 2.0**-10
 LOGARITHMIC_BUDGET = 100_000
 #: Half-width of the box in which directions at infinity are searched, which holds the unit sphere; boxes looked at there.
 BESIDE, FAR_BUDGET = 1.0 + 2.0**-6, 16_000
-#: Part of a direction below which its coordinate stays.
-SAME = 1e-6
+#: Component of a unit direction at infinity below which its coordinate stays finite.
+FINITE = 1e-6
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
 
@@ -305,7 +305,7 @@ def escapes(family: Family) -> Points:
         found = certified_roots.search(system, with_sides(sides, family.spans), fixed, fixed, budget=FAR_BUDGET)
         side = system.side(Intervals(found.ends), system.fixed(found.point.size))
     z = found.middle
-    away = np.where(np.abs(z[:n]) < SAME, np.nan, np.copysign(np.inf, z[:n]))
+    away = np.where(np.abs(z[:n]) < FINITE, np.nan, np.copysign(np.inf, z[:n]))
     away[balance.around] = np.nan
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     columns = family.named(np.concatenate([away, z[n:]]))
@@ -315,7 +315,7 @@ def escapes(family: Family) -> Points:
 class _AtInfinity(OfFamily):
     """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and one parameter or two.
 
-    With two the curve of values at infinity turns back in the last one: the derivative of both by u and the first is singular.
+    With two the curve of values at infinity turns back in the last one: the Jacobian of G, |u|² by u and the first is singular.
     """
 
     def __init__(self, family: Family) -> None:

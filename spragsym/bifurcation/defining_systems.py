@@ -281,7 +281,7 @@ class OfFamily(StateSystem):
         with np.errstate(all="ignore"):
             return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
 
-    def parted(self, unknowns: Sequence[Any], fixed: Values, xp: Any = XP) -> tuple[list[Any], dict[str, Any]]:
+    def parted(self, unknowns: Sequence[Any], fixed: Values, xp: Any) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""
         n = self.balance.n
         changed = dict(zip(self.family.vary, unknowns[n:], strict=True))

@@ -29,7 +29,7 @@ CLOSE, SHARP = 0.05, 2.0**-12
 
 @dataclass(frozen=True)
 class Turned(ByColumn):
-    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: nothing is said but where it is ``sure``."""
+    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: proved where ``sure``, else without meaning."""
 
     z: FloatArray
     low: FloatArray

@@ -408,9 +408,9 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     asked, scale = bracket.asked, 1 + abs(bracket.low.value) + abs(bracket.high.value)
     bracket = bracket.narrowed(NARROW * scale)
     low, high = bracket.low, bracket.high
-    wide, ways = bracket.width > TOO_WIDE * (1 + abs(low.value)), ((low, high), (high, low))
+    wide = bracket.width > TOO_WIDE * (1 + abs(low.value))
     try:
-        met = _doubles(asked, *ways[0]) if wide else any(same(asked.followed(a, b.value), asked.attractor(b)) for a, b in ways)
+        met = _doubles(asked, low, high) if wide else _one_attractor(asked, low, high)
     except ConvergenceError as why:
         raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
     if met:
@@ -435,6 +435,11 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
         np.array(sorted(others)).reshape(-1, 2), asked.system.field,
     )  # fmt: skip
+
+
+def _one_attractor(asked: _Asked, low: _Fate, high: _Fate) -> bool:
+    """Whether the attractor of one side, followed to the other, is that side's; ConvergenceError where it ends on the way."""
+    return any(same(asked.followed(one, other.value), asked.attractor(other)) for one, other in ((low, high), (high, low)))
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:

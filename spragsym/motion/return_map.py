@@ -180,8 +180,8 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     places = _near(places, places[-1], around)
     places[:, fixed] = 0.0
     states = section(places, fixed)
+    # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that along it, or of a turn, at least.
     extent = np.ptp(section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0)
-    # Of x, y and y' over all turning points, those across the belt at least 1 % of that along it, or of a turn.
     scale = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
     states /= scale
     for k in _candidates(states):

@@ -262,7 +262,7 @@ def solved(
 
 
 def through(place: FloatArray, normal: FloatArray, guess: Guess) -> Conditions:
-    """The first state, of loops cut as a guess is, stays in a plane through a place: the phase of the orbit."""
+    """Phase condition of loops of as many stretches as a guess: the first state stays in a plane through a place."""
     row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
     return lambda loop: (np.array([normal @ (loop.states[0] - place)]), row)

@@ -114,7 +114,8 @@ def _dot(one: Any, other: Any) -> Any:
 #: What stands for a border where x, that comes around, passes a whole turn.
 PASSAGE = -2
 
-#: Motions in flight that are measured. Another number compiles other code, and may give other last bits.
+#: Motions that one integrator carries at once, where they are measured. Another number compiles other code, and may give other
+#: last bits.
 LANES = 8
 
 #: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
@@ -251,7 +252,7 @@ class Carrier:
             one.reach[kind] = bound(one.reach[kind], state[0])
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
-        """Where the argument of a root is zero to GAP, move the state on by as much: there is no direction."""
+        """Where a root's argument is zero to GAP, move the state on by as much: at its anchor a spring has no direction."""
         one, state, pars = self.some[lane], self.state[: self.m, lane].copy(), self.pars[:, lane].copy()
         if each.value is not None and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < GAP**2:
             rates = state[self.m // 2 :]

@@ -150,7 +150,7 @@ def lyapunov(
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     verdict = judged(system, state, times=(t_end,))
     if verdict.decided:
-        with suppress(ConvergenceError):  # what it comes to decides, and what is not found again decides nothing
+        with suppress(ConvergenceError):  # an attractor that Newton's method does not find again decides nothing
             kind, limit, _ = settled(system, verdict)
             why = f"it comes to {verdict.told()}"
     return Lyapunov(

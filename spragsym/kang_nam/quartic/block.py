@@ -97,7 +97,7 @@ def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
 def _some(
     roots: Sequence[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: IntArray | slice, u: np.floating[Any]
 ) -> BoolArray:
-    """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
+    """Which points have all of these roots settled, one array of each in ascending order; all are examined in one call."""
     t, alone = _stacked(roots), len(roots) == 1
     # What depends on the point alone is computed once for all of its roots; arrays of one root are faster without an axis for it.
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
@@ -165,8 +165,9 @@ class Slots:
     def clear(self) -> None:
         """Empty the first slot of points that have no equilibrium: memory holds anything before it is written."""
         if not self.count.all():
+            without = self.count == 0
             for name, values in self.first.items():
-                values[self.count == 0] = _NOTHING[name]
+                values[without] = _NOTHING[name]
 
 
 def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:

@@ -53,7 +53,8 @@ class Splitting(Claim):
     """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
 
     batch, early = 1024, False
-    #: Whether ``safe`` and ``top`` are to be as narrow as can be; else they only tell where the state ends from the pieces' ends.
+    #: Whether ``safe`` and ``top`` are to be as near to each other as can be; else they only say on which side of a piece's ends
+    #: the state ends.
     sharp = False
     whole: Pieces
 

@@ -179,10 +179,11 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of v prove the form, or that all of it is 0.
     g(θ₀) ≠ 0, since v is transcendental for a rational θ₀ (Lindemann).
 
-    All of it is 0 where the six products of ``fold_sextic`` are, which is along σ only, for μ₀ = 0 and α = 0 or B = 1 + β: along
-    μ₀ b m_v − b_v m has a sign, along α and β a b_v − a_v b, and along κ they need μ₀ = α = 0 and a = 0, but then α = B. There
-    f = (α + σ) f_σ, so that a fold has f_σ = f_σ′ = 0: for α = 0 cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational; for α = B
-    B sin θ₀ = −κ.
+    All of it is 0 where the six products of ``fold_sextic`` are. With B = 1 + β that is along σ only, for μ₀ = 0 and either α = 0
+    or α = B. For: along μ₀, (b m_v − b_v m) has a sign; along α and β, (a b_v − a_v b) has one; and along κ they need μ₀ = α = 0
+    and a = 0, which is α = B > 0. In both cases along σ there is f = (α + σ) f_σ, so that a fold has f_σ = f_σ′ = 0, and there
+    is none: with α = 0 it needs cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational, as sin θ₀ is not; with α = B it needs
+    B sin θ₀ = −κ < 0.
     """
     others = [exact[name] for name in NAMES[1:] if name != vary]
     common: polynomials.Polynomial = ()

@@ -69,7 +69,7 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
     if vary in FROM_LOWER_END:
         p = p.replace(**{vary: None})
     forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
-    # A jump that several points share is sharpened once.
+    # Points that differ in ``vary`` alone share one jump, to be told from the values of all: it is sharpened anyway.
     apart_from = np.broadcast_to(own, shape).reshape(-1) if sides and shape == whole else None
     value, state, hopeless = np.empty(size), np.empty((2, size)), dict[int, str]()
     for here, given in _blocks(p):

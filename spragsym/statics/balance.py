@@ -75,11 +75,11 @@ class StateSystem(System):
         return stacked([jets.constant(value) for value in found], unknowns.shape[1:])
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """What vanishes, on any side: turnings that jump in a box have any value there."""
+        """What vanishes, on any side: torsion angles that jump in a box have any value there."""
         return self.values(unknowns, parameters, self.balance.anywhere)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes where no state is, and those in which a turning jumps, and that are excluded on each side of the jump."""
+        """Boxes where no state is; where a torsion angle jumps in a box, what vanishes is asked on each side of the jump."""
         at = self.state(unknowns, parameters)
         out, torsions = self.nothing_at(at), self.balance.torsions
         if torsions:

@@ -38,7 +38,7 @@ class Forces:
         #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
         self.law = law
         self.model, self.contact = model, contact
-        #: The balance of a system of states: its own, here.
+        #: As a system of states it is its own balance.
         self.balance: Any = self
         self.coordinates: list[str] = list(model.coordinates)
         self.parameters: list[str] = list(model.parameters)

@@ -52,7 +52,8 @@ def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence
     if title:
         click.echo(click.style(title, bold=True) if rows else f"{title}: none")
     if rows:
-        head, *lines = aligned(_fitted([(name, [row[name] for row in rows]) for name in rows[0]], optional))
+        columns = _fitted([(name, [row[name] for row in rows]) for name in rows[0]], optional)
+        head, *lines = aligned(list(zip(*columns, strict=True)))
         click.secho(head, bold=True)
         click.echo("\n".join(lines))
 

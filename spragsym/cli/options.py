@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import inspect
-import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -249,7 +248,7 @@ class OfModel(Command):
         # What varies unless told otherwise: what the help of --vary names as its default.
         usual, texts = {"{axes}": model.axes, "{last}": model.axes[-1:]}, str([getattr(one, "help", "") for one in self.own])
         self.varied = [name for word, names in usual.items() if word in texts for name in names]
-        kind, si = self.kind(Range(-math.inf)), Case(model).si
+        kind, si = self.kind(FINITE), Case(model).si
         start = [
             click.Option(
                 [f"--{name}0", f"{name}0"], type=kind, default=0.0, help=f"Initial {name}{', degrees' * (si[name] == 'rad')}."

@@ -107,7 +107,7 @@ def _by_name(name: str) -> bool:
     return name.partition("_")[0] in ("theta", "theta0") and not name.endswith("_deg")
 
 
-#: Of a result that stands in no other.
+#: Table words of a result that is part of no other.
 _ALONE = Words(_by_name)
 
 
@@ -278,6 +278,6 @@ def text(table: Table) -> str:
 
 
 def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Rows as lines, each column as wide as its longest cell; a row without cells is none."""
+    """Rows as lines, each column as wide as its longest cell; a row without cells gives no line."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows if row]

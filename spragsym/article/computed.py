@@ -162,7 +162,7 @@ def roots_of_21() -> Outcome:
     numbers = [Fraction(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
     for angle in map(math.radians, angles):
         quartic = primitive(_equilibrium.contact_quartic(Fraction(math.cos(angle)), Fraction(math.sin(angle)), *numbers))
-        far = Fraction(1 + max(map(abs, quartic)))  # no root of integers is beyond
+        far = Fraction(1 + max(map(abs, quartic)))  # Cauchy's bound: the coefficients are integers
         real.append(len(real_roots(quartic, -far, far, 0)))
     sliding = equilibria(_at(angles)).count
     return np.array_equal(real, sliding + 1), {"theta0_deg": angles, "real roots": real, "equilibria": sliding}

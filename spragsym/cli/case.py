@@ -186,7 +186,7 @@ class Case:
         return 1.0 if self.study is None else self.study.scales.time
 
     def of(self, name: str, end: str = "") -> tuple[str, float]:
-        """What a column of states or a measure of motions is called, and what one of it is in the answer, and where it is typed.
+        """The title of a column of states or of a measure of motions, and what one of the model's own units is, printed or typed.
 
         Angles are degrees, their rates are not.
         """

@@ -35,7 +35,7 @@ JUMPED = (
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
-#: ``xp`` of floats, one by one: Python's functions, and the sign that slopes of |p| by a parameter p take.
+#: ``xp`` of single floats: Python's functions, and the sign function, for derivatives of |p| by a parameter p.
 FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 
 #: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the order of its square.
@@ -401,7 +401,7 @@ def library() -> Any:
     with held():
         import heyoka as hy
     hy.set_logger_level_error()
-    hy.expression.__abs__ = lambda value: value * XP.sign(value)  # which generated functions take of parameters
+    hy.expression.__abs__ = lambda value: value * XP.sign(value)  # generated functions take abs of parameters
     return hy
 
 
@@ -426,7 +426,7 @@ class Functions:
         return call
 
     def sign(self, value: Any) -> Any:
-        """−1, 0, 1."""
+        """The sign of an expression: −1, 0 or 1."""
         hy = library()
         return hy.select(hy.gt(value, 0.0), 1.0, hy.select(hy.lt(value, 0.0), -1.0, 0.0))
 

@@ -174,6 +174,7 @@ def _ranges(report: Report) -> Rows:
     if jump is not None and low < jump <= high and low < high:
         yield "narrow", f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less than {study.amount(jump)}"
         return
+    # The largest total index stands first.
     for name, (_, total, _) in [*(odds.sobol if odds and odds.probability else {}).items()][:1]:
         if total > 0:
             share = f"{min(1.0, total):.0%} of the variance with interactions"

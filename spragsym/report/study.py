@@ -56,7 +56,7 @@ class Rise:
         return self
 
 
-#: What rises where nothing is said to.
+#: The loading parameter where none is named.
 _NOTHING = Rise("", "", math.nan, False)
 
 

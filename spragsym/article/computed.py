@@ -22,7 +22,7 @@ from ..models.parameters import FloatArray, Parameters
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
-from ..numerics.polynomials import primitive, real_roots
+from ..numerics.polynomials import primitive, real_roots, root_bound
 from ..orbits import Cycle, cycle, fate_boundary
 from ..orbits.system import System
 from ..results import Equilibria, Jump, Stability
@@ -162,7 +162,7 @@ def roots_of_21() -> Outcome:
     numbers = [Fraction(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
     for angle in map(math.radians, angles):
         quartic = primitive(_equilibrium.contact_quartic(Fraction(math.cos(angle)), Fraction(math.sin(angle)), *numbers))
-        far = Fraction(1 + max(map(abs, quartic)))  # Cauchy's bound: the coefficients are integers
+        far = root_bound(quartic)
         real.append(len(real_roots(quartic, -far, far, 0)))
     sliding = equilibria(_at(angles)).count
     return np.array_equal(real, sliding + 1), {"theta0_deg": angles, "real roots": real, "equilibria": sliding}

@@ -24,7 +24,7 @@ from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, stacked
-from ..numerics.jets import Jet, constant, gradient, variables
+from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.points import Ended, Points
@@ -324,7 +324,7 @@ class _AtInfinity(OfFamily):
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""
-        order = max((part.order for part in q if isinstance(part, Jet)), default=0)
+        order = order_of(*q)
         w = Jet.variable(0, self.n, order)
         u, arguments = self.parted(q, values, xp)
         scaled = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}

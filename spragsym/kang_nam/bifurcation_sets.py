@@ -321,8 +321,7 @@ def directions(fixed: Fixed) -> Directions:
 
 def _number(t: Fraction, exact: Fixed) -> int:
     condition = polynomials.primitive(fold_polynomial(*on_circle(t)[:2], exact))
-    cauchy = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1]))
-    return len(real_roots(condition, Fraction(0), cauchy, 0))
+    return len(real_roots(condition, Fraction(0), polynomials.root_bound(condition), 0))
 
 
 def _events(exact: Fixed) -> list[Root]:

@@ -221,9 +221,14 @@ def argument(u: Jet, v: Jet) -> Jet:
     return total
 
 
+def order_of(*parts: Any) -> int:
+    """The highest order of the jets among some numbers, 0 where there are none."""
+    return max((part.order for part in parts if isinstance(part, Jet)), default=0)
+
+
 def turned(sine: Any, cosine: Any) -> tuple[Jet, Jet]:
     """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any length."""
-    order = max(part.order for part in (sine, cosine) if isinstance(part, Jet))
+    order = order_of(sine, cosine)
     c, s = constant(cosine), constant(sine)
     dc, ds = (change(part, order) for part in (cosine, sine))
     square = c * c + s * s

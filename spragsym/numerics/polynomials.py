@@ -171,6 +171,11 @@ def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool 
     return found
 
 
+def root_bound(polynomial: Sequence[int]) -> Fraction:
+    """What the absolute value of every root stays below: Cauchy's bound."""
+    return 1 + Fraction(max(map(abs, polynomial)), abs(polynomial[-1]))
+
+
 class Root(NamedTuple):
     """The only root of its polynomial in [low, high]: inside, or at both where the two are equal."""
 

@@ -15,7 +15,7 @@ from ..models.model import Model
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
-from ..numerics.jets import Jet, argument, binomial_series, change, constant, turned
+from ..numerics.jets import Jet, argument, binomial_series, change, constant, order_of, turned
 from .namespaces import XP
 
 #: Arguments of generated functions by name, of any number type.
@@ -307,7 +307,7 @@ def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
     the sharp enclosures of c, s and l, not from quotients of intervals.
     """
     c, s, L = _at(dx, dy, shape)
-    order = max((part.order for part in (dx, dy) if isinstance(part, Jet)), default=0)
+    order = order_of(dx, dy)
     if not order:
         return c, s, L
     u, v = _turn(dx, dy, c, s, L, order)
@@ -327,7 +327,7 @@ def turning(value: tuple[Any, Any], vector: tuple[Any, Any], rest: tuple[Any, An
     """
     cosine, sine = (as_intervals(part, shape) for part in value)
     phi = atan2(sine, cosine, side)
-    order = max((part.order for part in (*vector, *rest) if isinstance(part, Jet)), default=0)
+    order = order_of(*vector, *rest)
     if not order:
         return phi
     moved: Any = phi

@@ -164,8 +164,7 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
             continue
         module.__file__ = os.path.join(where, f"{name}.py")
         try:
-            # A model's folder is code, as load says.
-            exec(compile(files[f"{name}.py"], module.__file__, "exec"), module.__dict__)  # noqa: S102
+            exec(compile(files[f"{name}.py"], module.__file__, "exec"), module.__dict__)  # noqa: S102  # a model's folder is code
         except BaseException:
             del sys.modules[whole]
             raise

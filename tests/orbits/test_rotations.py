@@ -50,8 +50,9 @@ def missed(c: float, *start: float) -> float:
     def met(_: float, state: np.ndarray) -> float:
         return float(min(SADDLE - state[0], state[1]))
 
-    met.terminal, met.direction = True, -1  # type: ignore[attr-defined]
-    angle, speed = motion(c, start, 200.0, met).y[:, -1]
+    event: Any = met
+    event.terminal, event.direction = True, -1
+    angle, speed = motion(c, start, 200.0, event).y[:, -1]
     return float(angle - SADDLE + speed)
 
 

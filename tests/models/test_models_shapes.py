@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, shipped_page
 
 pytest.importorskip("sympy")
 
@@ -181,3 +181,9 @@ def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     starts = [(x, y) for x in np.linspace(-2, 2, 41) for y in (-0.2, 0.1)]
     want = sorted(root for root in roots(balance, starts) if 0.2 * math.sin(3 * root[0]) - root[1] >= 0)
     assert np.allclose(states(model, eq), want, atol=1e-12)
+
+
+def test_a_name_that_begins_as_those_of_answers_do_is_the_parameters_own() -> None:
+    """``rest_x`` is told of a motion; ``rest_angle`` here is a parameter, in radians."""
+    model = model_of(shipped_page("inclined_belt", ('"theta0"', '"rest_angle"')), "resting")
+    assert (model.is_angle("rest_angle"), model.is_angle("rest_x")) == (True, False)

@@ -254,7 +254,9 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
     study = ss.Study(brake(mu0=0.0))
     found = study.report(**QUICKLY)
     assert found.current.stable
+    assert found.current.growth_per_s == 0
     assert any("nothing damps" in one for one in found.warnings)
+    assert not any("grows slowly" in one for one in found.warnings)
 
 
 def test_no_text_of_a_page_is_taken_for_html() -> None:

@@ -80,6 +80,20 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
+def most(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+    """The largest coefficients of a friction that holds, with the belt and against it: not less than what slip has there."""
+    sliding = model.page.sliding
+    holds = sp.S.Zero if sliding is None or sliding.holds is None else model.scaled(sliding.holds)
+    found = []
+    for side, sign in zip(_sides(model), (1, -1), strict=True):
+        begins = sign * limit(model, side, SLIP, sp.S.Zero)
+        more = sp.simplify(holds - begins)
+        found.append(
+            holds if more.is_nonnegative else begins if more.is_nonpositive else (holds + begins + sp.Abs(holds - begins)) / 2
+        )
+    return found[0], found[1]
+
+
 def friction_at_speed(model: Mechanics) -> sp.Expr:
     """μ at the belt's speed: what holds a motion that has come to rest."""
     return _sides(model)[0].subs(SLIP, model.belt)

@@ -31,8 +31,8 @@ NONLINEAR_DAMPER = Limit(
     "take the coefficient at the speeds that matter, page.damper(c, along=x); it may depend on the place, as c*(1 + x**2/L_0**2)",
 )
 STICKING = Limit(
-    "sticking, a friction that is not 0 at speed 0",
-    "write a law that is steep there, as mu0*tanh(d*v): what sticks then creeps, the slower the larger d is",
+    "a friction that is not 0 at speed 0 without what it holds there",
+    "say both, as page.friction(x, V, slip=lambda v: mu_k*sgn(v), holds=mu_s), or write a law that is steep there, as mu0*tanh(d*v)",
 )
 FORCING = Limit(
     "forcing in time",

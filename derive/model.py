@@ -13,7 +13,7 @@ import re
 import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, cast
 
 import sympy as sp
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
@@ -134,13 +134,17 @@ class Contact:
 
 @dataclass(frozen=True)
 class Friction:
-    """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast sliding, where statics takes that."""
+    """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast sliding, where statics takes that.
+
+    With ``holds`` the mass sticks to the belt, by any force up to so many times the normal force.
+    """
 
     along: sp.Expr
     belt: sp.Expr
     law: Law
     at_rest: sp.Expr | None
     line: int
+    holds: sp.Expr | None = None
 
 
 def expression_of(value: object) -> sp.Expr:
@@ -312,16 +316,35 @@ class Page:
         self._check_speeds(given, "the normal force")
         self.normal = Contact(None, lambda depth: given, False, _line())
 
-    def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
-        """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``.
+    def friction(
+        self, along: sp.Expr, belt: sp.Expr, law: Law | None = None, at_rest: sp.Expr | None = None,
+        *, slip: Law | None = None, holds: sp.Expr | None = None,
+    ) -> None:  # fmt: skip
+        """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at speed 0; or dry friction.
 
         ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out, statics takes the law at the belt's
         speed.
+
+        Dry friction is a law ``slip``, which may jump at speed 0, and what it ``holds``: where the sliding speed is 0 the mass sticks,
+        by any force F up to holds times the normal force N, or up to slip(0) times that where this is more. The rules at the limits:
+
+        - It sticks as soon as the sliding speed is 0 and |F| ≤ holds N with N > 0, |F| = holds N included; else the speed passes 0.
+        - It slips as soon as |F| is larger, in the direction in which F would accelerate it; and as soon as the contact is lost.
+        - A speed that only touches 0 sticks there too, if the force is within its limit.
+        - Where the belt stands, V = 0, every place at which F is within the limit is one of rest.
         """
         self._first(self.sliding, "friction", str(limits.SECOND_CONTACT))
-        self._check_law(law, "friction", "sliding speed")
+        if (law is None) == (slip is None) or (slip is None) != (holds is None):
+            raise refused(
+                "friction takes one law of the sliding speed, or both slip=… and holds=…, as slip=lambda v: mu_k*sgn(v), holds=mu_s"
+            )
+        coefficient = None if holds is None else expression_of(holds)
+        if coefficient is not None and (moving := self._moving(coefficient)):
+            raise refused(f"what friction holds depends on {moving}; give a coefficient that stays, as mu_s")
+        given = cast(Law, slip if law is None else law)
+        self._check_law(given, "friction", "sliding speed")
         limit = None if at_rest is None else expression_of(at_rest)
-        self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, _line())
+        self.sliding = Friction(expression_of(along), expression_of(belt), given, limit, _line(), coefficient)
 
     def _check_law(self, law: Law, kind: str, of: str) -> None:
         """A law is one of expressions, and of its own variable alone."""

@@ -13,6 +13,9 @@ from .model import acceleration_of
 
 Row = tuple[sp.Expr, ...]
 
+#: 1 while friction holds the mass to the belt, 0 while it slips; the coefficient that holds it; what that is by what it has to stop.
+STUCK, HELD, GRIP = sp.symbols("_stuck _held _grip", real=True)
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -22,8 +25,41 @@ class Motion:
 
     @cached_property
     def friction(self) -> sp.Expr:
-        """μ on either SIDE."""
-        return laws.smooth_friction(self.model)
+        """μ on either SIDE; where SIDE is 0, what keeps the sliding speed at 0."""
+        slipping = laws.smooth_friction(self.model)
+        return (1 - STUCK) * slipping + HELD if self.holds else slipping
+
+    @property
+    def holds(self) -> bool:
+        """Whether friction holds the mass where nothing slides."""
+        return self.model.page.sliding is not None and self.model.page.sliding.holds is not None
+
+    @cached_property
+    def along(self) -> Row:
+        """Derivatives of the displacement that friction opposes."""
+        return tuple(sp.diff(self.model.slide, symbol) for symbol in self.model.coordinates)
+
+    @cached_property
+    def stopped(self) -> tuple[sp.Expr, sp.Expr]:
+        """How the sliding speed changes without friction, and how a unit of friction slows it: F is the one over the other."""
+        compliance = sum((a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)), sp.S.Zero)
+        return self.rate(self.borders[1], self.accelerations).subs(MU, 0), compliance
+
+    @cached_property
+    def gripped(self) -> dict[sp.Symbol, sp.Expr]:
+        """What HELD and GRIP are, sticking or not; nothing of a friction that does not hold."""
+        if not self.holds:
+            return {}
+        change, compliance = self.stopped
+        grip = STUCK / (STUCK * self.model.normal * compliance + 1 - STUCK)
+        return {**self.inverted, STUCK: 1 - SIDE**2, GRIP: grip, HELD: GRIP * change}
+
+    @cached_property
+    def limits(self) -> Row:
+        """Positive while friction holds: how far F is from its limit with the belt, and from that against it."""
+        change, compliance = self.stopped
+        ahead, behind = laws.most(self.model)
+        return ahead * self.model.normal - change / compliance, behind * self.model.normal + change / compliance
 
     @cached_property
     def centrifugal(self) -> Row:
@@ -56,9 +92,13 @@ class Motion:
     @cached_property
     def accelerations(self) -> Row:
         """q″ in MU, and in the entries of the inverse of M where these are no quotients of parameters."""
+        return self.accelerated(self.pull)
+
+    def accelerated(self, forces: Row) -> Row:
+        """M⁻¹ times forces."""
         if not self.is_coupled:
-            return tuple(row / self.model.mass[i, i] for i, row in enumerate(self.pull))
-        return tuple(self.inverse * sp.Matrix(self.pull))
+            return tuple(row / self.model.mass[i, i] for i, row in enumerate(forces))
+        return tuple(self.inverse * sp.Matrix(forces))
 
     @cached_property
     def is_coupled(self) -> bool:
@@ -79,7 +119,13 @@ class Motion:
 
     @cached_property
     def solved(self) -> dict[sp.Symbol, sp.Expr]:
-        """What those entries are, and the accelerations by their symbols: M is inverted in numbers once, and never differentiated."""
+        """The accelerations by their symbols, where derivatives take them."""
+        named = dict(zip(self.named, self.accelerations, strict=True))
+        return {**self.inverted, **named} if self.is_coupled or self.holds else {}
+
+    @cached_property
+    def inverted(self) -> dict[sp.Symbol, sp.Expr]:
+        """What the entries of the inverse of M are: M is inverted in numbers once, and never differentiated."""
         if not self.is_coupled:
             return {}
         determinant = sp.Symbol("_determinant", positive=True)
@@ -88,23 +134,31 @@ class Motion:
         return {
             determinant: tidy(M.det(method="berkowitz")),
             **{symbol: tidy(entry) / determinant for symbol, entry in entries},
-            **dict(zip(self.named, self.accelerations, strict=True)),
         }
 
-    def slopes(self, symbol: sp.Symbol) -> Row:
-        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂pull − ∂M q″."""
+    def slopes(self, symbol: sp.Symbol, turn: sp.Expr | None = None) -> Row:
+        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂pull − ∂M q″; ``turn`` is that of μ."""
+        turn = self.turn(symbol) if turn is None else turn
         if not self.is_coupled:
-            return tuple(self.derivative(row, symbol) for row in self.accelerations)
+            return tuple(self.derivative(row, symbol, turn) for row in self.accelerations)
         it = self.model
         changes = it.mass.applyfunc(lambda entry: it.tidy(it.derivative(entry, symbol))) * sp.Matrix(self.named)
-        pulls = sp.Matrix([self.derivative(row, symbol) for row in self.pull])
+        pulls = sp.Matrix([self.derivative(row, symbol, turn) for row in self.pull])
         return tuple(self.inverse * (pulls - changes))
 
-    def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-        """By a coordinate, a rate or a parameter, with μ(v) in the place of MU."""
+    def turn(self, symbol: sp.Symbol) -> sp.Expr:
+        """The derivative of μ; that of what holds keeps the sliding speed from changing."""
+        slipping = self.model.derivative(self.friction, symbol)
+        if not self.holds:
+            return slipping
+        changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
+        change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(a * b for a, b in changes)
+        return slipping + GRIP * change
+
+    def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turn: sp.Expr) -> sp.Expr:
+        """By a coordinate, a rate or a parameter, with ``turn`` for that of MU."""
         it = self.model
-        through = sp.diff(expression, MU) * it.derivative(self.friction, symbol)
-        return it.tidy(it.derivative(expression, symbol) + through)
+        return it.tidy(it.derivative(expression, symbol) + sp.diff(expression, MU) * turn)
 
     # ------------------------------------------------------------------------------------------------ energy
 
@@ -157,10 +211,9 @@ class Motion:
         return sp.expand(sum(((force - sp.diff(self.work, symbol)) * rate for symbol, rate, force in rows), sp.S.Zero))
 
     @cached_property
-    def friction_power(self) -> sp.Expr:
+    def friction_force(self) -> sp.Expr:
         """In MU."""
-        it = self.model
-        return sp.S.Zero if it.slide is None else MU * it.normal * it.page.rate(it.slide)
+        return sp.S.Zero if self.model.slide is None else MU * self.model.normal
 
     @cached_property
     def damper_power(self) -> sp.Expr:
@@ -173,7 +226,8 @@ class Motion:
         change = sp.S.Zero
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
             change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
-        powers = self.friction_power + self.damper_power + self.applied_power
+        sliding = sp.S.Zero if it.slide is None else it.page.rate(it.slide)
+        powers = self.friction_force * sliding + self.damper_power + self.applied_power
         turned = {node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair}
         circles = [(line.c, line.s) for line in it.lines] + [(turned[c], turned[s]) for c, s in waves(sp.Tuple(*turned))]
         return difference(change.xreplace(turned), powers.xreplace(turned), tuple(circles)) == 0
@@ -205,6 +259,11 @@ def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
     return tuple(tuple(column[row] for column in columns) for row in range(len(motion.accelerations)))
 
 
+def _slopes(motion: Motion, rows: Row, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
+    """Derivatives of what holds no MU."""
+    return tuple(tuple(motion.derivative(row, symbol, sp.S.Zero) for symbol in symbols) for row in rows)
+
+
 def directions(model: Mechanics) -> dict[sp.Symbol, sp.Expr]:
     """Lengths and directions of all lines, and turnings of torsion springs, by the place."""
     found: dict[sp.Symbol, sp.Expr] = {}
@@ -223,7 +282,7 @@ def module(model: Mechanics) -> Module:
     felt = laws.near(len(laws.layers(model)))
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.solved}
+    shorthands = {**directions(model), DEPTH: model.depth, **motion.gripped, MU: motion.friction, **motion.solved}
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
 
@@ -243,7 +302,7 @@ def module(model: Mechanics) -> Module:
         DEPTH: overlap / 2 if model.unilateral else model.depth,
         **dict.fromkeys(felt, sp.S.One),
     }
-    kinked = {**directions(model), **everywhere, MU: motion.friction, **motion.solved}
+    kinked = {**directions(model), **everywhere, **motion.gripped, MU: motion.friction, **motion.solved}
     jacobian = _rows(motion, place)
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     turnings = tuple(torsion.border for torsion in model.torsions)
@@ -252,6 +311,13 @@ def module(model: Mechanics) -> Module:
                  turnings, "(b_1, …)"),
         function("turning_rates", "How they change along a motion.", (*accelerated, *ways),
                  tuple(motion.rate(border, accelerations) for border in turnings), "rates of (b_1, …)"),
+    )  # fmt: skip
+    grips = () if not motion.holds else (
+        smooth("grip", "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
+               "it sticks.", motion.limits, "(ahead, behind)"),
+        smooth("grip_slopes", "Derivatives of the sliding speed and of these by coordinates, rates and all parameters.",
+               _slopes(motion, (borders[1], *motion.limits), (*place, *map(number, model.parameters))),
+               "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)"),
     )  # fmt: skip
     return Module(
         "motion",
@@ -275,11 +341,12 @@ def module(model: Mechanics) -> Module:
                      (*accelerated, SIDE),
                      tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
             *turns,
+            *grips,
             function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.energy,
                      "energy"),
             function("strain_energy", "Energy stored in springs, contact and potentials, without the applied forces.",
                      (*model.coordinates, *model.arguments, PUSHING), motion.strain_energy, "energy"),
-            function("friction_power", "Rate at which friction changes that energy.", regime, motion.friction_power, "power"),
+            function("friction_force", "The force of friction, along what it opposes.", regime, motion.friction_force, "force"),
             function("damper_power", "Rate at which dampers change it, never positive.", moving, motion.damper_power, "power"),
             function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,
                      "power"),

@@ -169,10 +169,12 @@ def _check_friction(model: Mechanics) -> None:
     sliding = model.page.sliding
     if sliding is None:
         return
+    if sliding.holds is not None and (witness := _negative(model, model.scaled(sliding.holds), laws.SLIP)):
+        raise PageError(sliding.line, f"what friction holds is negative: {witness}; give a coefficient that is >= 0")
     ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
         at_zero = laws.limit(model, value, laws.SLIP, sp.S.Zero)
-        if at_zero != 0:
+        if at_zero != 0 if sliding.holds is None else _negative(model, at_zero, laws.SLIP):
             raise PageError(
                 sliding.line,
                 f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0: {limits.STICKING}",

@@ -17,8 +17,8 @@ RESULTS = frozenset((
 
 #: What else a motion and its sweep are asked for; a coordinate would hide it.
 OF_MOTIONS = frozenset((
-    "after", "backend", "components", "contact_force", "converged", "course", "decay_rate", "energy", "events", "explained", "friction_power", "how", "implicit", "inputs", "integral", "max_steps",
-    "outcome", "p", "plot", "power", "rtol", "samples", "save", "spectrum", "spring_force", "state", "t", "t_end", "to_dataset", "transient", "weights",
+    "after", "backend", "components", "contact_force", "converged", "course", "decay_rate", "energy", "events", "explained", "friction", "friction_power", "how", "implicit", "inputs", "integral", "max_steps",
+    "outcome", "p", "plot", "power", "rtol", "samples", "save", "spectrum", "spring_force", "state", "sticking", "t", "t_end", "to_dataset", "transient", "weights",
 ))  # fmt: skip
 
 #: What generated Python calls by its own name.

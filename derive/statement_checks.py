@@ -295,3 +295,4 @@ def statements(page: Page) -> Iterator[Statement]:
         for sign in (1, -1):
             yield Statement(expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE)
         yield Statement(it.at_rest or sp.S.Zero, "at_rest", it.line, units.NONE)
+        yield Statement(it.holds or sp.S.Zero, "what friction holds", it.line, units.NONE)

@@ -24,13 +24,16 @@ GALLERY = {
     "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
 }
 
+#: Models of which nothing is drawn beside their mechanism: the one equilibrium of theirs never changes.
+UNDRAWN = ("coulomb_stick_slip",)
+
 
 def page(points: bool = True) -> str:
     """The page as Markdown; without ``points``, nothing is computed."""
     models = [ss.load(name) for name in sorted(shipped(), key=lambda name: (name != USUAL, name))]
     rows = [(model.about, *title_drawing_words(model.about)[::2], computed(model) if points else []) for model in models]
     made = jinja2.Environment(undefined=jinja2.StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
-    return made.from_string((HERE / "models.jinja").read_text(encoding="utf-8")).render(models=rows)
+    return made.from_string((HERE / "models.jinja").read_text(encoding="utf-8")).render(models=rows, undrawn=UNDRAWN)
 
 
 def computed(model: Model) -> list[str]:
@@ -63,7 +66,7 @@ def drawn(model: Model) -> Sheet:
 
 if __name__ == "__main__":
     (HERE / "models.md").write_text(page(), encoding="utf-8")
-    for name in sys.argv[1:] or shipped():
+    for name in sys.argv[1:] or [name for name in shipped() if name not in UNDRAWN]:
         with house_style():
             (HERE / f"images/models/{name}_set.svg").write_bytes(picture(drawn(ss.load(name)), "svg"))
         print(name, flush=True)

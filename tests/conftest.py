@@ -45,7 +45,7 @@ LONGEST = (
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """The order of files, within each of which it stays; and the marks of parameters that take long."""
     for item in items:
-        if (mark := item.get_closest_marker("by_hand")) and item.callspec.id.startswith(mark.args):  # type: ignore[attr-defined]
+        if (mark := item.get_closest_marker("by_hand")) and item.callspec.id.split("-")[0] in mark.args:  # type: ignore[attr-defined]
             item.add_marker("validate")
     items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
 

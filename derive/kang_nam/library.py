@@ -20,10 +20,10 @@ PUBLIC = (
 #: The functions of the page that the library has, and the equations that are in them.
 OF_PAGE = {
     "rhs": "(8)–(11)", "regime_rhs": "(8)–(10)", "regime_jacobian": "(8)–(10)", "regime_by_parameters": "(8)–(10)",
-    "energy": "(1), (2)", "friction_power": "(8)",
+    "energy": "(1), (2)", "friction_force": "(8)",
 }  # fmt: skip
 #: Those that take no more than they read; the others take all that a motion is given.
-_SHORT = ("energy", "friction_power")
+_SHORT = ("energy", "friction_force")
 
 #: What solvers call on double-double numbers: functions of the kernel with the kinds of their arguments.
 WIDELY = (

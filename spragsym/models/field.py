@@ -44,6 +44,9 @@ GAP = 1e-12
 #: How far apart an exponential of the friction law is left out and taken in again, in units of its exponent.
 WIDTH = 5.0
 
+#: Sliding speeds up to this are 0 where friction holds.
+STILL = 2 * GAP
+
 #: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
 TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
 
@@ -68,26 +71,35 @@ class Border:
     sign : callable
         ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers that is 1 or −1.
     beyond : callable
-        ``beyond(mode)``: the mode on the other side.
+        ``beyond(mode, state, constants)``: the mode on the other side.
     kink : bool
         Whether the field has a kink there; False where two modes differ by less than rounding.
     crossings : tuple of str
-        What crossing it is called, to positive and to negative levels.
+        What crossing it is called, to positive and to negative levels, and to a mode of which it is no border.
     scale : float
         What makes the level small beside the state: the error of a Taylor method is relative to the largest of all.
     jumps : callable or None
         ``jumps(state, constants)``: whether the field jumps where a motion leaves through the border; None where it never does.
+    slopes : callable or None
+        ``slopes(state, constants, mode)``: derivatives of the level by the 2 n numbers of the state and the P parameters, where
+        derivatives of a motion are carried across a jump.
     """
 
     name: str
     level: Callable[..., Any]
     rate: Callable[..., Any]
     sign: Callable[[Any], Any]
-    beyond: Callable[[Mode], Mode]
+    beyond: Callable[..., Mode]
     kink: bool = True
-    crossings: tuple[str, str] = ("", "")
+    crossings: tuple[str, ...] = ("", "")
     scale: float = 1e-3
     jumps: Callable[..., bool] | None = None
+    slopes: Callable[..., Any] | None = None
+
+    @property
+    def rides(self) -> bool:
+        """Whether a motion may stay on the border."""
+        return "stick" in self.crossings
 
 
 def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
@@ -214,7 +226,14 @@ def field_of(model: Model, reach: float) -> Field:
         motion.in_mode("regime_by_parameters"),
         tuple(motion.borders()),
         motion.initial_mode,
-        tuple(itertools.product((1, 0), (1, -1), *((1, 0),) * motion.layers, *((1, -1),) * (motion.turns + motion.torsions))),
+        tuple(
+            itertools.product(
+                (1, 0),
+                (1, -1, 0) if motion.holds else (1, -1),
+                *((1, 0),) * motion.layers,
+                *((1, -1),) * (motion.turns + motion.torsions),
+            )
+        ),
         model.Parameters,
         lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
         where=model.where,
@@ -234,6 +253,8 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
+    if any(border.rides for border in model.field.borders):
+        raise ParameterError("friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks")
     if model.about.get("waves"):
         raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
     if model.about["torsions"]:
@@ -255,6 +276,7 @@ class _Motion:
         about = model.about
         self.model, self.reach, self.contact = model, reach, about["contact"]
         self.layers, self.torsions = about["layers"], len(about["torsions"])
+        self.holds = hasattr(model.algebra, "grip")
         self.rooted = not self.contact["polynomial"]
         self.turns = int(self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates)
         #: Places in a mode of the turn of the gap, and of the first torsion spring.
@@ -289,7 +311,20 @@ class _Motion:
         turn = [2 * (state[n + self._gap] >= 0) - 1] if self.turns else []
         ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
-        return 1 * (gap <= -2 * GAP * self.rooted) if self.contact["unilateral"] else 1, side, *near, *turn, *ways
+        pushing = 1 * (gap <= -2 * GAP * self.rooted) if self.contact["unilateral"] else 1
+        mode = pushing, side, *near, *turn, *ways
+        return self.held(mode, state, constants) if self.holds and abs(slip) <= STILL else mode
+
+    def held(self, mode: Mode, state: Any, constants: Any) -> Mode:
+        """The mode where nothing slides: sticking, if there is contact and the force of friction is within its limits."""
+        ahead, behind = self.in_mode("grip")(state, constants, mode, FLOATS)
+        sticks = mode[0] and min(ahead, behind) >= 0 < max(ahead, behind)
+        return mode[0], 0 if sticks else 1 if ahead < behind else -1, *mode[2:]
+
+    def slips(self, row: int) -> Callable[..., Any]:
+        """Derivatives of the sliding speed, or of how far its force is from a limit."""
+        slopes = self.in_mode("grip_slopes")
+        return lambda state, constants, mode: slopes(state, constants, mode, _namespace(state))[row]
 
     @property
     def _gap(self) -> int:
@@ -309,12 +344,21 @@ class _Motion:
         if of_gap is not None and self.contact["unilateral"]:
             # A law that is no polynomial may have no continuation beyond its border: it is left GAP before.
             levels = self._generated("borders", "border_rates", 0, shift=lambda _: 2 * GAP * self.rooted)
-            yield Border(f"{of_gap} = 0", *levels, *_side(0, 1), crossings=("contact_lost", "contact_regained"))
+            sign, opened = _side(0, 1)
+
+            def lifted(mode: Mode, *at: Any) -> Mode:
+                after = opened(mode)
+                return after if mode[1] else self.held(after, *at)
+
+            yield Border(f"{of_gap} = 0", *levels, sign, lifted, crossings=("contact_lost", "contact_regained"))
         if of_slip is not None:
             along = of_slip["along"]
             name = f"{along if along.isidentifier() else f'({along})'}' = {of_slip['belt']}"
-            levels = self._generated("borders", "border_rates", 1)
-            yield Border(name, *levels, *_side(1, 0), crossings=("belt_overtakes", "mass_overtakes"))
+            levels, crossings = self._generated("borders", "border_rates", 1), ("belt_overtakes", "mass_overtakes")
+            if self.holds:
+                yield from self._held(name, levels, crossings)
+            else:
+                yield Border(name, *levels, *_side(1, 0), crossings=crossings)
         for k in range(self.layers):  # exponentials of the sliding speed, where they are about to be felt
 
             def shift(mode: Any, place: int = 2 + k) -> Any:
@@ -339,6 +383,25 @@ class _Motion:
 
             yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps)
 
+    def _held(self, name: str, levels: tuple[Any, Any], crossings: tuple[str, str]) -> Iterator[Border]:
+        """Borders of dry friction: the sliding speed comes to 0, or the force that holds it there comes to a limit."""
+        begins = (*crossings, "stick")
+        yield Border(name, *levels, lambda mode: mode[1], self.held, True, begins, jumps=always, slopes=self.slips(0))
+        for row, way in enumerate(("with", "against")):
+            slopes = self.slips(1 + row)
+
+            def level(state: Any, constants: Any, mode: Any, row: int = row) -> Any:
+                return self.in_mode("grip")(state, constants, mode, _namespace(state))[row]
+
+            def rate(state: Any, accelerations: Any, constants: Any, mode: Any, slopes: Any = slopes) -> Any:
+                changes = (*state[len(accelerations) :], *accelerations)
+                return sum(a * b for a, b in zip(slopes(state, constants, mode), changes, strict=False))
+
+            yield Border(
+                f"friction at its limit {way} the belt", level, rate, lambda mode: 1 - mode[1] * mode[1], self.held,
+                crossings=("", "", "slip"), jumps=always, slopes=slopes,
+            )  # fmt: skip
+
     def _generated(
         self, level: str, rate: str, row: int, taken: slice = slice(0),
         shift: Callable[[Any], Any] | None = None,
@@ -356,11 +419,16 @@ class _Motion:
         return level_of, rate_of
 
 
-def _side(place: int, both: int) -> tuple[Callable[[Any], Any], Callable[[Mode], Mode]]:
+def always(*_: Any) -> bool:
+    """Of a border at which the field always jumps."""
+    return True
+
+
+def _side(place: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mode]]:
     """Sign and other side of a border at which a number of the mode becomes the other one of two that add up to ``both``."""
     return (
         lambda mode: 1 - 2 * mode[place] if both else mode[place],
-        lambda mode: (*mode[:place], both - mode[place], *mode[place + 1 :]),
+        lambda mode, *_: (*mode[:place], both - mode[place], *mode[place + 1 :]),
     )
 
 
@@ -391,7 +459,7 @@ class _Rooted:
 
 def _namespace(state: Any) -> Any:
     """Where functions of a state's numbers are: in NumPy, or heyoka for its expressions."""
-    return library() if type(state[0]).__module__.startswith("heyoka") else np
+    return XP if type(state[0]).__module__.startswith("heyoka") else np
 
 
 @cache

@@ -45,6 +45,8 @@ class Event(IntEnum):
     CONTACT_REGAINED = 1
     MASS_OVERTAKES = 2
     BELT_OVERTAKES = 3
+    STICK = 4
+    SLIP = 5
 
 
 @dataclass(frozen=True)
@@ -114,7 +116,7 @@ def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
     return {
         (row, sign): Event[name.upper()]
         for row, border in enumerate(field.borders)
-        for sign, name in zip((1, -1), border.crossings, strict=True)
+        for sign, name in zip((1, -1, 0), border.crossings, strict=False)
         if name
     }
 

@@ -16,7 +16,7 @@ from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
-from ..numerics.interval_arrays import IndexArray
+from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..questions import model_of
 from ..results.result import Named
 from ..statics.search import rest_index
@@ -285,9 +285,21 @@ class Trajectory(Named):
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
+        rates = np.split(self.state, 2)[1]
+        slide = -self.model.algebra.border_rates(*self.state[: len(rates)], *(0.0 * rates), *rates, *self._arguments())[1]
+        return self.friction * slide
+
+    @property
+    def friction(self) -> FloatArray:
+        """The force of friction at the samples, positive in the belt's direction; while it sticks, what holds the mass."""
         _, slip = self._levels()
-        side, felt = np.where(slip >= 0, 1, -1), [1] * self.model.about["layers"]
-        return self.model.algebra.friction_power(*self.state, *self._arguments(), self._pushing(), side, *felt)
+        side, felt = np.where(self._stuck(), 0, np.where(slip >= 0, 1, -1)), [1] * self.model.about["layers"]
+        return self.model.algebra.friction_force(*self.state, *self._arguments(), self._pushing(), side, *felt)
+
+    @property
+    def sticking(self) -> float:
+        """The share of time in which the mass sticks to the belt: 0 where friction does not hold (see ``page.friction``)."""
+        return float(np.diff(self.t)[self._stuck()[:-1]].sum() / (self.t[-1] - self.t[0]))
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
@@ -356,6 +368,13 @@ class Trajectory(Named):
         """Gap and sliding speed at the samples; the gap is negative of a contact that always pushes."""
         gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
         return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
+
+    def _stuck(self) -> BoolArray:
+        """Where the mass sticks."""
+        field, constants = self.model.field, self._arguments()
+        ridden = [border for border in field.borders if border.rides]
+        modes = [field.initial_mode(state, constants) for state in self.state.T.tolist() if ridden]
+        return np.array([not ridden[0].sign(mode) for mode in modes] or [False] * len(self.t))
 
     def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)

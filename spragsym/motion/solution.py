@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Field, Mode
+from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.result import Result
@@ -27,17 +27,58 @@ class Crossing(NamedTuple):
 
 
 def passed(
-    problem: Problem, row: int, mode: Mode, t: float, state: FloatArray, derivatives: bool
+    problem: Problem, row: int, mode: Mode, t: float, state: FloatArray, directions: FloatArray | None,
+    columns: FloatArray | None = None,
 ) -> tuple[Mode, tuple[Crossing, ...]]:  # fmt: skip
     """How a motion goes on behind a border: its next mode, and the crossing, none where there is no kink.
 
-    An error where ``derivatives`` would be carried across a jump.
+    Where the field jumps, the state and its derivatives by start and ``directions``, the ``columns``, are moved: they go on from
+    the border itself, not from where it was noticed. An error where the border does not say how.
     """
-    border = problem.field.borders[row]
-    if derivatives and border.jumps is not None and border.jumps(state.tolist(), problem.constants):
-        raise ConvergenceError(JUMPED)
-    after = border.beyond(mode)
-    return after, (Crossing(t, row, int(border.sign(after)), state.copy()),) if border.kink else ()
+    border, at = problem.field.borders[row], (np.asarray(state).tolist(), problem.constants)
+    after = border.beyond(mode, *at)
+    crossing = Crossing(t, row, int(border.sign(after)), state.copy())
+    if border.jumps is not None and border.jumps(*at):
+        if border.slopes is not None:
+            leap(problem, border, (mode, after), state, directions, columns)
+        elif directions is not None:
+            raise ConvergenceError(JUMPED)
+    return after, (crossing,) if border.kink else ()
+
+
+def leap(
+    problem: Problem, border: Border, modes: tuple[Mode, Mode], state: FloatArray, directions: FloatArray | None,
+    columns: FloatArray | None,
+) -> None:  # fmt: skip
+    """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h = 0 between two modes."""
+    field, constants, values, m = problem.field, problem.constants, state.tolist(), problem.field.size
+    before, behind = (np.array(field.acceleration(values, constants, mode, FLOATS), dtype=float) for mode in modes)
+    rate = border.rate(values, before.tolist(), constants, modes[0])
+    if not rate:  # nothing brings it across
+        return
+    jump = np.concatenate([np.zeros(m // 2), behind - before]) / rate
+    if columns is not None and border.slopes is not None and directions is not None:
+        slopes = np.array(border.slopes(values, constants, modes[0]), dtype=float)
+        turned = slopes[:m] @ columns
+        turned[m:] += slopes[m:] @ directions.T if directions.size else 0.0
+        columns += np.outer(jump, turned)
+    state += jump * border.level(values, constants, modes[0])
+
+
+def landed(problem: Problem, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None) -> Mode:
+    """The mode in which a motion begins; one that begins sticking has no derivatives across the border on which it sticks."""
+    mode = problem.field.initial_mode(state.tolist(), problem.constants)
+    for border in (border for border in problem.field.borders if border.rides and not border.sign(mode)):
+        near = (other for other in problem.field.modes if sum(a != b for a, b in zip(mode, other, strict=True)) == 1)
+        ways = [other for other in near if border.sign(other)]
+        leap(problem, border, (max(ways, key=lambda way: pushed(problem, border, way, state)), mode), state, directions, columns)
+    return mode
+
+
+def pushed(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:
+    """How fast a motion in a mode moves across a border."""
+    values, constants = np.asarray(state).tolist(), problem.constants
+    return abs(float(border.rate(values, problem.field.acceleration(values, constants, mode, FLOATS), constants, mode)))
 
 
 class Turn(NamedTuple):
@@ -119,7 +160,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
     least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * GAP)
     for row, border in enumerate(problem.field.borders):
         own = [crossing for crossing in solution.crossings if crossing.border == row]
-        if not own or not border.crossings[0]:
+        if not own or not border.crossings[0] or border.rides:
             continue
         level = np.asarray(border.level(states, problem.constants, problem.field.modes[0]))
         stretches = [0, *np.searchsorted(t, [crossing.t for crossing in own])]

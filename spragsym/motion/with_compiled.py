@@ -71,7 +71,7 @@ def integrate(problem: Problem) -> Solution:
             raise ConvergenceError(f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol")
         if outcome == ENDED:
             break
-        mode, crossed = passed(problem, border, mode, elapsed, state, False)
+        mode, crossed = passed(problem, border, mode, elapsed, state, None)
         crossings += crossed
         # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
         clock[:] = 0.0, min(length, problem.t_end - elapsed)

@@ -17,7 +17,7 @@ from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, landed, parted, passed
 
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed: at most a second or
 #: so. Steps after which a stretch of a flow is given up.
@@ -148,8 +148,8 @@ class Traveller:
 
     def __post_init__(self) -> None:
         """At the start."""
-        self.carried = np.array(self.problem.start)
-        self.mode = self.problem.field.initial_mode(self.problem.start, self.problem.constants)
+        self.carried = np.array(self.problem.start, dtype=float)
+        self.mode = landed(self.problem, self.carried, None)
 
     @property
     def most(self) -> int:
@@ -218,10 +218,13 @@ class Carrier:
         try:
             if direction > 0:
                 raise missed(t)
-            one.mode, crossings = passed(one.problem, row, one.mode, t, state, self.derivatives)
+            directions, columns = self._directions(one), self._columns(self.state[:, lane])
+            one.mode, crossings = passed(one.problem, row, one.mode, t, state, directions, columns)
         except ConvergenceError as error:
             one.error = error
             return False
+        if columns is not None and self.field.borders[row].slopes:
+            self.state[self.m : -2, lane] = columns.T.ravel() * UNIT
         self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
         for crossing in crossings:
             if self.lanes == 1:
@@ -262,8 +265,14 @@ class Carrier:
         return one.error is None
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        m = self.m
-        return parted(values[:m], values[m:-2].reshape(-1, m).T / UNIT if self.derivatives else None)
+        return parted(values[: self.m], self._columns(values))
+
+    def _columns(self, values: FloatArray) -> FloatArray | None:
+        """The derivatives that are carried, a column for each number of the start and each direction."""
+        return values[self.m : -2].reshape(-1, self.m).T / UNIT if self.derivatives else None
+
+    def _directions(self, one: Traveller) -> FloatArray | None:
+        return np.reshape(one.further, (-1, len(self.field.parameters))) if self.derivatives else None
 
     def begin(self, some: Sequence[Traveller], t: float) -> None:
         """Motions into the first lanes, where nothing was crossed yet."""
@@ -274,7 +283,9 @@ class Carrier:
         self.state[: self.m, : len(some)] = np.array([one.carried[: self.m] for one in some], dtype=float).T
         self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.derivatives:
-            self.state[self.m : self.m + self.m**2 : self.m + 1] = UNIT
+            columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
+            landed(some[0].problem, self.state[: self.m, 0], self._directions(some[0]), columns)
+            self.state[self.m : -2, 0] = columns.T.ravel() * UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
 

@@ -14,7 +14,7 @@ from ..models.field import FLOATS, GAP, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, landed, parted, passed
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
@@ -106,10 +106,10 @@ class Flight:
 
     def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
         """Steps, none of which leaves its mode; a step that would is cut at the border. An error after too many."""
-        field, constants, duration, clock = self.problem.field, self.problem.constants, self.problem.t_end, 0.0
+        field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first: float | None = None
-        mode, looked, steps = field.initial_mode(whole[:m].tolist(), constants), 0.0, 0
+        mode, looked, steps = landed(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1)), 0.0, 0
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             bound = duration - clock
@@ -145,7 +145,8 @@ class Flight:
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
-            after, crossings = passed(self.problem, row, mode, clock + at, whole[:m], self.directions is not None)
+            columns = whole[m:].reshape(m, -1)
+            after, crossings = passed(self.problem, row, mode, clock + at, whole[:m], self.directions, columns)
             yield _Piece(clock, begin, at, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 

@@ -41,7 +41,7 @@ MODELS = tuple(PLACES)
 
 
 #: Those that are another one with another law or one spring more: what is the same by the same code is asked of them by hand.
-ALIKE = ("damped", "stribeck", "cubic_contact", "hertz_contact", "inclined_belt", "trolley", "pad_on_disc")
+ALIKE = ("damped", "coulomb", "stribeck", "cubic_contact", "hertz_contact", "inclined_belt", "trolley", "pad_on_disc")
 
 
 def place(name: str) -> str:

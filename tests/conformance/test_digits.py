@@ -36,7 +36,7 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
         slots = np.argsort(getattr(floats, p.model.coordinates[0])[: len(few)])
         for place, slot in zip(order, slots.tolist(), strict=True):
             assert few[place].stability == many[place].stability == ss.Stability(int(floats.stability[slot]))
-            for one, decimal in few[place].decimals().items():
+            for one, decimal in few[place].decimals(26).items():  # of a number that is known exactly too
                 value, truth = float(getattr(floats, one)[slot]), many[place].numbers[one]
                 assert value == pytest.approx(float(truth), rel=1e-11, abs=1e-11), one
                 number, error = map(exactly, decimal)

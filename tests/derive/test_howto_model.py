@@ -54,4 +54,4 @@ def test_the_gallery_has_every_model_as_it_is() -> None:
     computed = ("Folds at the base values: ", "Cusps: ")
     plain = [line for line in shown if line and not line.startswith(computed)]
     assert plain == [line for line in page(points=False).splitlines() if line]
-    assert sum(line.startswith(computed) for line in shown) == 18
+    assert sum(line.startswith(computed) for line in shown) == 20

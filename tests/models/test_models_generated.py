@@ -154,7 +154,8 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
             state += [speed + time * push for speed, push in zip(v, a, strict=True)]
             return model.algebra.energy(*state, *taken, 1, xp=XP)
 
-        friction = model.algebra.friction_power(*z, *taken, 1, 1, *felt, xp=XP)
+        slide = -model.algebra.border_rates(*q, *[0] * model.n, *v, *taken, xp=XP)[1]
+        friction = slide * model.algebra.friction_force(*z, *taken, 1, 1, *felt, xp=XP)
         dampers = model.algebra.damper_power(*z, *taken, xp=XP)
         applied = model.algebra.applied_power(*z, *taken, xp=XP)
         assert abs(slope(energy, mp.mpf(0)) - friction - dampers - applied) < 1e-25

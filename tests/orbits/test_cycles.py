@@ -283,9 +283,9 @@ def stick_slip(width: float) -> Field:
         return m[0] * (m[0] - 1) - 1  # −1, −1, 1
 
     borders = (
-        Border("sticks", outer(width), rate(width), inner_sign, lambda m: (1 - m[0], m[1])),
-        Border("slips", outer(2 * width), rate(2 * width), outer_sign, lambda m: (3 - m[0], m[1])),
-        Border("sign", lambda q, c, m: speed - q[1], lambda q, a, c, m: -a[0], lambda m: m[1], lambda m: (m[0], -m[1])),
+        Border("sticks", outer(width), rate(width), inner_sign, lambda m, *_: (1 - m[0], m[1])),
+        Border("slips", outer(2 * width), rate(2 * width), outer_sign, lambda m, *_: (3 - m[0], m[1])),
+        Border("sign", lambda q, c, m: speed - q[1], lambda q, a, c, m: -a[0], lambda m: m[1], lambda m, *_: (m[0], -m[1])),
     )
     modes = [(zone, sign) for zone in (0, 1, 2) for sign in (1, -1)]
     return field_of(f"stick-slip {width}", force, slope, lambda *_: 0.0, borders, modes)
@@ -512,7 +512,7 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
 @pytest.mark.thorough
 def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -> None:
     # It is crossed so early that the last bit of that time is far below those of the others.
-    border = Border("v = −1e-3", lambda q, c, m: q[1] + 1e-3, lambda q, a, c, m: a[0], lambda m: m[0], lambda m: (-m[0],))
+    border = Border("v = −1e-3", lambda q, c, m: q[1] + 1e-3, lambda q, a, c, m: a[0], lambda m: m[0], lambda m, *_: (-m[0],))
     circle = dataclasses.replace(
         CIRCLE, name="cut circle", borders=(border,), modes=((1,), (-1,)), initial_mode=lambda q, c: (1 if q[1] > -1e-3 else -1,)
     )

@@ -295,10 +295,10 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d,
     return alpha*(x*x)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*(gamma*(y_2*y_2)/4 + w0)
 
 
-def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 16."""
+def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy):
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 15."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return mu*pushing*vx*(-gamma*(y*(y*y)) - y)
+    return mu*pushing*(-gamma*(y*(y*y)) - y)
 
 
 def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):

@@ -223,13 +223,13 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     return 2*(_depth*_depth)*pushing*root10/5 + alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*(y*y)/2
 
 
-def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 19."""
+def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 18."""
     base0 = 1 - pushing
     _depth = (base0*base0)/1099511627776 - pushing*y
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     root2 = xp.sqrt(_depth)
-    return _depth*mu*pushing*root2*vx
+    return _depth*mu*pushing*root2
 
 
 __all__ = broadcasting(globals())

@@ -267,10 +267,10 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
 
 
-def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 12."""
+def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 11."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return -mu*pushing*vx*y
+    return -mu*pushing*y
 
 
 def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):

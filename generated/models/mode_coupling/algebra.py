@@ -205,10 +205,10 @@ def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing):
     return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + w0 + w1*x_2 + w1*y_2
 
 
-def friction_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 11."""
+def friction_force(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 10."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return -mu*vx*y
+    return -mu*y
 
 
 def damper_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d):

@@ -354,13 +354,13 @@ def strain_energy(
     )
 
 
-def friction_power(
+def friction_force(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
     side, near1, *, xp=numpy,
 ):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 12."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 11."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return mu*pushing*vx*(w - y)
+    return mu*pushing*(w - y)
 
 
 def damper_power(

@@ -382,12 +382,11 @@ def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pus
     return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2)
 
 
-def friction_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, *, xp=numpy):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 15."""
+def friction_force(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, *, xp=numpy):
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 13."""
     w0 = xp.cos(phi)
-    w1 = vphi*w0
-    mu = mu0*side*(-near1*xp.exp(-d*side*(V + w1)) + 1)
-    return -mu*pushing*w1*(-cos0 + w0)
+    mu = mu0*side*(-near1*xp.exp(-d*side*(V + vphi*w0)) + 1)
+    return mu*pushing*(-cos0 + w0)
 
 
 def damper_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):

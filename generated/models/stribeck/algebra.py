@@ -276,13 +276,13 @@ def strain_energy(x, y, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, 
     return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
 
 
-def friction_power(
+def friction_force(
     x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, pushing, side, near1, near2, *, xp=numpy,
 ):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 18."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 17."""
     w0 = side*(V - vx)
     mu = side*(mu_k + near2*(-mu_k + mu_s)*xp.exp(-w0/v_s))*(-near1*xp.exp(-d*w0) + 1)
-    return -mu*pushing*vx*y
+    return -mu*pushing*y
 
 
 def damper_power(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d):

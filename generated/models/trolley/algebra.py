@@ -329,13 +329,13 @@ def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a
     return alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*w0
 
 
-def friction_power(
+def friction_force(
     x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, side, near1, *,
     xp=numpy,
 ):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 12."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 11."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return -mu*pushing*vx*y
+    return -mu*pushing*y
 
 
 def damper_power(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):

@@ -390,13 +390,13 @@ def strain_energy(
     return alpha*(x*x)/2 + (base10*base10)*sigma_2/2 + (base12*base12)*sigma/2 + beta*w2 + pushing*w2
 
 
-def friction_power(
+def friction_force(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, side, near1,
     *, xp=numpy,
 ):
-    """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 12."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 11."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return -mu*pushing*vx*y
+    return -mu*pushing*y
 
 
 def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):

@@ -1,0 +1,92 @@
+"""Dry friction that holds: sticking as a mode of the motion, against closed forms."""
+
+import math
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+
+STICK_SLIP = ss.load("coulomb_stick_slip")
+BACKENDS = ("heyoka", "scipy")
+
+
+def exact(mu_s: float, mu_k: float, V: float) -> tuple[float, float, float]:
+    """Period, half of the range of x, and share of sticking of stick-slip."""
+    drop = max(mu_s - mu_k, 0.0)
+    period = 2 * drop / V + 2 * math.pi - 2 * math.atan(drop / V)
+    return period, math.hypot(drop, V), 2 * drop / V / period
+
+
+@pytest.mark.parametrize(("backend", "trials"), [("heyoka", 200), ("scipy", 3)])
+def test_stick_slip_has_the_period_the_range_and_the_share_of_its_closed_forms(backend: str, trials: int) -> None:
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    rng = np.random.default_rng(60)
+    for _ in range(trials):
+        mu_s, mu_k, V = rng.uniform(0.1, 1.0), rng.uniform(0.0, 1.0), rng.uniform(0.05, 1.0)
+        mu_k = min(mu_k, 0.98 * mu_s)
+        period, reach, share = exact(mu_s, mu_k, V)
+        p = STICK_SLIP.Parameters(mu_s=mu_s, mu_k=mu_k, V=V)
+        tr = ss.simulate(p, vx0=V, t_end=4.1 * period, rtol=1e-13, backend=backend)
+        slips, sticks = (tr.events.of(kind).t for kind in (ss.Event.SLIP, ss.Event.STICK))
+        assert np.diff(slips)[1:] == pytest.approx(period, abs=1e-10)
+        assert tr.events.of(ss.Event.SLIP).state[1:, 0] == pytest.approx(mu_s, abs=1e-11)
+        begin = slips[1]
+        late = tr.after(begin)
+        assert late.largest(0.0, about="zero") == pytest.approx(mu_k + reach, abs=1e-10)
+        stuck = slips[2] - sticks[(sticks > slips[1])][0]
+        assert stuck / period == pytest.approx(share, abs=1e-10)
+
+
+def test_force_and_share_of_a_motion() -> None:
+    p = STICK_SLIP.Parameters(mu_s=0.6, mu_k=0.4, V=0.3)
+    period, _, share = exact(0.6, 0.4, 0.3)
+    tr = ss.simulate(p, x0=0.6, vx0=0.3, t_end=6 * period)
+    assert tr.sticking == pytest.approx(share, abs=1e-8)
+    begins, ends = (tr.events.of(kind).t[1:] for kind in (ss.Event.STICK, ss.Event.SLIP))
+    stuck = ((tr.t[:, None] > begins) & (tr.t[:, None] < ends)).any(axis=1)
+    assert tr.friction[stuck] == pytest.approx(tr.x[stuck], abs=1e-9)  # what the spring pulls
+    assert tr.friction[(tr.t > ends[0] + 1e-6) & (tr.t < begins[1] - 1e-6)] == pytest.approx(0.4)
+    assert ss.simulate(ss.load("stick_slip").Parameters(), t_end=5.0).sticking == 0.0
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_a_cycle_with_sticking_has_the_zero_multiplier_that_sticking_brings(backend: str) -> None:
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    period, reach, _ = exact(0.6, 0.4, 0.3)
+    found = ss.cycle(STICK_SLIP.Parameters(mu_s=0.6, mu_k=0.4, V=0.3), backend=backend)
+    assert found.period == pytest.approx(period, abs=1e-12)
+    assert found.amplitude == pytest.approx(reach, abs=1e-12)
+    assert abs(found.multipliers[1]) <= found.multiplier_errors[0] < 1e-10
+    assert [ss.Event(kind).name for kind in found.events.which] == ["STICK", "SLIP"]
+
+
+@pytest.mark.parametrize(
+    ("values", "start", "kinds", "end"),
+    [
+        ({"V": 0.0}, (0.55, 0.0), [], (0.55, 0.0)),  # it stays where the belt stands
+        ({"V": 0.0}, (0.6, 0.0), [], (0.6, 0.0)),  # the force at its limit is within it
+        ({"V": 0.0}, (1.0, 0.0), ["STICK"], (-0.2, 0.0)),  # half a turn about μ_k = 0.4, then |x| < μ_s
+        ({"V": 0.0, "mu_s": 0.0, "mu_k": 0.0}, (1.0, 0.0), None, None),  # nothing holds it
+        ({"V": 0.3, "mu_s": 0.4}, (0.4, 0.3), None, None),  # μ_s = μ_k: it touches x' = V in every round
+        ({"V": 0.3, "mu_s": 0.0, "mu_k": 0.4}, (0.0, 0.3), ["SLIP"], None),  # held up to μ_k, as slip has there
+        ({"V": 0.3}, (0.2, 0.3), ["SLIP"], None),  # it starts sticking
+        ({"V": 0.3}, (0.7, 0.3), [], None),  # on the border, and the force beyond its limit
+        ({"V": 0.3}, (-0.7, 0.3), ["STICK"], None),  # likewise against the belt: it comes back to x' = V
+        ({"V": 0.3}, (0.2, 0.3 + 1e-13), ["SLIP"], None),  # within rounding of the border
+    ],
+)
+def test_starts_at_which_a_rule_decides(
+    values: dict[str, float], start: tuple[float, float], kinds: list[str] | None, end: tuple[float, float] | None
+) -> None:
+    p = STICK_SLIP.Parameters(**({"mu_s": 0.6, "mu_k": 0.4} | values))
+    tr = ss.simulate(p, start=start, t_end=6.0, rtol=1e-12)
+    assert tr.events is not None
+    if kinds is not None:
+        assert [ss.Event(kind).name for kind in tr.events.which][: len(kinds)] == kinds
+        assert end is None or len(tr.events) == len(kinds)
+    assert len(tr.events) < 10
+    if end is not None:
+        assert tr.state[:, -1] == pytest.approx(end, abs=1e-9)

@@ -170,9 +170,8 @@ class Equilibria(OfStates):
 
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
         p, (damped, growth) = self.parameters, self.told(states)
-        parameters = ((name, getattr(p, name)) for name in p.ranges)
-        vary = {name: value for name, value in parameters if value is not None and value.size > 1}
-        given = {name: np.broadcast_to(value, p.shape)[states[:-1]] for name, value in vary.items()}
+        vary = [name for name in p.ranges if np.size(getattr(p, name)) > 1]
+        given = {name: np.broadcast_to(getattr(p, name), p.shape)[states[:-1]] for name in vary}
         where = {name: getattr(self, name)[states] for name in self.columns}
         return {
             **given,

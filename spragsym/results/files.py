@@ -13,6 +13,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -71,7 +72,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         if version == __version__:
             if _digest(_text(body)) != held["sha256"]:
                 raise ValueError("it is not as it was written")
-            return _read(body, model)
+            return json.loads(_text(body), object_hook=partial(_read, model))
     except (ValueError, TypeError, LookupError, AttributeError, ImportError, ArithmeticError, RecursionError) as error:
         if isinstance(error, ParameterError):
             raise
@@ -137,17 +138,15 @@ def _written(thing: Any) -> Any:
             return {kind: write(thing)}
     whole: Any = thing._for_file() if isinstance(thing, Result) else thing
     names = getattr(thing, "_fields", None) or [each.name for each in fields(whole)]
-    return {"class": [*_place(type(thing)), {name: _written(getattr(whole, name)) for name in names}]}
+    return {"class": [*_place(type(thing)), _written({name: getattr(whole, name) for name in names})]}
 
 
 def _place(kind: type) -> tuple[str, str]:
     return kind.__module__, kind.__qualname__
 
 
-def _read(held: Any, given: Model | None) -> Any:
-    """What :func:`_written` wrote."""
-    if not isinstance(held, dict):
-        return held
+def _read(given: Model | None, held: dict[str, Any]) -> Any:
+    """What :func:`_written` wrote under the name of its kind, of which the parts are read before."""
     ((kind, value),) = held.items()
 
     def model(where: str) -> Model:
@@ -157,25 +156,24 @@ def _read(held: Any, given: Model | None) -> Any:
             raise ParameterError(f"model: the result is of {where}, which is no shipped model; give model=spragsym.load(...)")
         return load(where)
 
-    def read(part: Any) -> Any:
-        return _read(part, given)
-
     if kind in _NUMBERS:
         return _NUMBERS[kind][2](value)
     match kind:
-        case "tuple" | "list":
-            return (tuple if kind == "tuple" else list)(map(read, value))
+        case "tuple":
+            return tuple(value)
+        case "list":
+            return value
         case "dict":
-            return {read(key): read(part) for key, part in value}
+            return dict(value)
         case "model":
             return model(value[0]).search if value[1] else model(value[0])
         case "field":
             return model(value).field
         case "parameters":
-            return set_of(*map(read, value))
+            return set_of(*value)
         case "enum":
-            return _class(*value[:2])(read(value[2]))
-    made, parts = _class(*value[:2]), {name: read(part) for name, part in value[2].items()}
+            return _class(*value[:2])(value[2])
+    made, parts = _class(*value[:2]), value[2]
     if hasattr(made, "_fields"):
         return made(**parts)
     out = object.__new__(made)

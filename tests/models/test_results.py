@@ -210,8 +210,11 @@ def test_a_saved_result_is_read_back(result: Any, tmp_path: Path) -> None:
     [
         ("{}", "holds no result"),
         ('{"spragsym":"0.0.1","result":null}', "was written by spragsym 0.0.1"),
-        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["os","system",{}]}}', "is no class of results"),
-        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["spragsym.article.__main__","Path",{}]}}', "is no class"),
+        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["os","system",{"dict":[]}]}}', "is no class of results"),
+        (
+            '{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["spragsym.article.__main__","Path",{"dict":[]}]}}',
+            "is no class",
+        ),
         ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"model":["elsewhere",false]}}', "no shipped model"),
         ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"array":["<f8",[2]]}}', "holds no result"),
         ('{"spragsym":"VERSION","sha256":"0","result":null}', "not as it was written"),

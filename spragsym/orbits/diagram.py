@@ -18,7 +18,7 @@ import numpy as np
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.field import apart
-from ..models.parameters import FloatArray, ParameterSet, as_count, as_range
+from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
 from ..questions import model_of
 from ..remarks import At, Remark
@@ -211,7 +211,7 @@ def _at(vary: str, value: float) -> At:
 # -------------------------------------------------------------------------------------------------------------- equilibria
 
 
-def _followed(rest: Rest, point: Point, to: tuple[float, float]) -> Iterator[Point]:
+def _followed(rest: Rest, point: Point, to: Span) -> Iterator[Point]:
     """Points ahead, to the end of the range, of the mode, or of the steps."""
 
     def ahead(point: Point, length: float) -> Point:
@@ -263,9 +263,7 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     return False
 
 
-def _equilibria(
-    p: ParameterSet, vary: str, to: tuple[float, float]
-) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:  # fmt: skip
+def _equilibria(p: ParameterSet, vary: str, to: Span) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
     """All branches on which there is an equilibrium at one of some values of the parameter, with their labels."""
     model, found = p.model, list[tuple[bool, list[Point]]]()
     grid = np.linspace(*to, SEEDS)
@@ -326,7 +324,7 @@ def _known(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
 
 
 def _doubled(
-    branches: list[CycleBranch], vary: str, to: tuple[float, float], depth: int, points: int, remarks: list[str]
+    branches: list[CycleBranch], vary: str, to: Span, depth: int, points: int, remarks: list[str]
 ) -> None:  # fmt: skip
     """Branches of doubled cycles, added to the others, so many doublings deep."""
     begin = 0

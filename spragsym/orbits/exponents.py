@@ -217,7 +217,7 @@ class Rates:
     @property
     def trivial(self) -> int:
         """Which one of these, largest first, is the trivial one; −1 at rest."""
-        return int(np.flatnonzero(self.order == 0)[0]) if self.moves else -1
+        return int(self.order.argmin()) if self.moves else -1
 
     def undecided(self, before: float) -> str:
         """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it was followed before."""

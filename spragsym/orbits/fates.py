@@ -275,12 +275,10 @@ class FateMap(Result):
         return {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
 
     def _attributes(self) -> dict[str, Any]:
-        names = (f"{name}0" for name in self.model.components)
-        settings = {"start": self.start, "t_end": self.t_end, "backend": self.backend}
-        return {
-            **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
-            "backend": self.backend, "fingerprint": fingerprint(self.model, self.inputs, settings, "orbits"),
-        }  # fmt: skip
+        begin = {f"{name}0": value for name, value in zip(self.model.components, self.start, strict=True)}
+        settings = {"t_end": self.t_end, "backend": self.backend}
+        key = fingerprint(self.model, self.inputs, {"start": self.start, **settings}, "orbits")
+        return {**storage.provenance(), "model": self.model.name, **begin, **settings, "fingerprint": key}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         columns = with_degrees(self.model, self.inputs) | {name: getattr(self, name) for name in (*MEASURED, "why")}
@@ -348,7 +346,7 @@ def _records(model: Model, settings: Mapping[str, Any], points: Sequence[tuple[f
     try:
         found = fate(model.Parameters(**dict(zip(model.parameters, values, strict=True))), **settings)
     except (ParameterError, ArithmeticError) as error:
-        return [([float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}")]
+        return [([], f"{UNFOLLOWED}: {error}")]
     kind = Kind[found.kind.upper().replace("-", "_")]
     which = 1 if found.trivial == 0 else 0
     largest, width = float(found.exponents[which]), float(found.error[which])
@@ -359,5 +357,5 @@ def _made(
     model: Model, inputs: dict[str, FloatArray], settings: Mapping[str, Any], columns: dict[str, Any], _: object
 ) -> FateMap:  # fmt: skip
     """The map of these columns."""
-    columns["kind"] = columns["kind"].astype(np.int8)
+    columns["kind"] = np.nan_to_num(columns["kind"], nan=Kind.UNDECIDED).astype(np.int8)
     return FateMap(inputs, **settings, **columns, model=model)

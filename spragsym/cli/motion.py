@@ -71,8 +71,7 @@ def simulate(
         tr.save(output)
 
     def figure() -> Any:
-        of_file = ss.figures.motions.Units(1e3 * case.study.scales.length, case.time, "mm") if case.study else None
-        return ss.figures.motion_figure(tr, transient, of_file)
+        return ss.figures.motion_figure(tr, transient, None if case.study is None else case.study.scales)
 
     drawn(plot, "drawing the motion", figure)
 

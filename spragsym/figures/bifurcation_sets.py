@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ import spragsym as ss
 
 from ..assumed import MU0_RANGE
 from ..generated import equilibrium as _equilibrium
-from ..models.parameters import ARTICLE, FloatArray, Parameters
+from ..models.parameters import ARTICLE, FloatArray, Parameters, Span
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import Stability
@@ -91,7 +91,7 @@ def figure_12() -> Sheet:
         contact
         in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13.
         {RANGE_TEXT}""",
-        a=_regions(ax, Parameters.article(), [(20, 0.3), (155, 0.25)], (98, 0.6)),
+        a=_regions(ax, Parameters.article(), {(20, 0.3): "3", (155, 0.25): "3", (98, 0.6): "1"}),
     )
 
 
@@ -106,10 +106,10 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
         on_surface(*(column[onsets.curve == number] for column in (onsets.mu0, onsets.theta0, onsets.x)))
         for number in np.unique(onsets.curve)
     ]
-    shown = stacked(list(map(table_of_points, flutter)), "curve", POINT)
+    shown = table_of_lines(flutter)
     tables = {
         "a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail),
-        "b": _regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75)), "a_flutter": shown, "b_flutter": shown,
+        "b": _regions(plane, p, {(40, 0.13): "3", (150, 0.13): "3", (98, 0.75): "1"}), "a_flutter": shown, "b_flutter": shown,
     }  # fmt: skip
     for line in flutter:
         plane.plot(line[:, 0], line[:, 1], color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
@@ -127,10 +127,10 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     )
 
 
-def _regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> Table:
-    """The bifurcation set, with the number of equilibria in each region and the cusp's coordinates beside it."""
+def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str]) -> Table:
+    """The bifurcation set, with the number of equilibria at places in the regions and the cusp's coordinates beside it."""
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
-    for text, place in (*(("3", place) for place in three), ("1", one)):
+    for place, text in counts.items():
         write_along(ax, text, *place, ha="center", fontsize=10)
     theta0, mu0 = float(np.degrees(found.cusps.theta0[0])), float(found.cusps.mu0[0])
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
@@ -146,18 +146,18 @@ POINT = ("theta0_deg", "mu0", "x")
 _LIFT, _HALF = 0.08, 0.0036
 
 
-def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
-    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface between two frictions; and their stability.
+def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
+    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface as it is shown; and their stability.
 
     Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite: the mesh has no hole.
     """
     theta0 = np.radians(theta0_deg)
-    found = ss.surface(p, _directions(p, theta0, n, mu0), theta0[:, None])
-    friction, x, within = found.mu0, found.x, np.clip(found.mu0, *mu0)
+    found = ss.surface(p, _directions(p, theta0, n), theta0[:, None])
+    friction, x, within = found.mu0, found.x, np.clip(found.mu0, *MU0_RANGE)
     kept = friction == within
     for side in (1, -1) * 4:  # vertices beyond an end of the range come back to it, on the line to a neighbour within
         beside, there = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
-        moves = (friction != within) & (beside == np.clip(beside, *mu0))
+        moves = (friction != within) & (beside == np.clip(beside, *MU0_RANGE))
         share = (within - friction) / np.where(moves, beside - friction, np.inf)
         friction, x = np.where(moves, within, friction), x + share * (there - x)
     vertices = np.stack(
@@ -170,7 +170,7 @@ def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: i
     return cells[whole], found.stability[:-1, :-1][whole]
 
 
-def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
+def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     """For each θ₀ directions in contact, evenly spaced on the surface as it is shown."""
     kappa, sigma = p.scalars("kappa", "sigma")
     start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))  # contact is sin θ above it
@@ -178,11 +178,10 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
     share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
     theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
     found = ss.surface(p, theta, theta0[:, None])
-    width = mu0[1] - mu0[0]
-    shown = np.clip(found.mu0, mu0[0] - 0.1 * width, mu0[1] + 0.1 * width)
+    shown = np.clip(found.mu0, MU0_RANGE[0] - 0.1, MU0_RANGE[1] + 0.1)
     # Outside the shown range points are sparser, the farther away the sparser.
-    weight = 0.25 / (1 + ((found.mu0 - shown) / width) ** 2)[:, 1:]
-    steps = np.hypot(np.diff(shown, axis=1) / width, weight * np.diff(found.x, axis=1))
+    weight = 0.25 / (1 + (found.mu0 - shown) ** 2)[:, 1:]
+    steps = np.hypot(np.diff(shown, axis=1), weight * np.diff(found.x, axis=1))
     length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)
     even = np.linspace(0.0, 1.0, n)
     return np.array([np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)])
@@ -191,9 +190,6 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
 def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
     """Axes in three dimensions, for print."""
     ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False, proj_type="ortho", elev=_ELEVATION, azim=_AZIMUTH)
-    for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
-        axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
-        axis._axinfo["grid"].update(linewidth=0.3, color="#cccccc")  # there is no public way to thin the grid
     ax.tick_params(pad=-2)
     ax.zaxis.set_rotate_label(False)
     ax.set_box_aspect(_ASPECT, zoom=zoom)
@@ -206,7 +202,7 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
     """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a sheet thin dashes."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-    cells, kinds = sheets(p, MU0_RANGE, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
+    cells, kinds = sheets(p, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
     size, (up, turn) = np.divide(_RANGE, _ASPECT), np.radians((_ELEVATION, _AZIMUTH))
     towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
     first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
@@ -214,13 +210,10 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
     upright = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
     colors = to_rgba_array([_SHEET_COLORS[Stability(kind)] for kind in kinds])
     colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # darker the steeper
-    found, tables = ss.bifurcation_set(p), []
-    for curve in found.curves:
-        points = on_surface(curve.mu0, curve.theta0, curve.x)
-        lines = [*lines, (points, VERMILION)]
-        tables.append(table_of_points(points))
+    found = ss.bifurcation_set(p)
+    folds = [on_surface(curve.mu0, curve.theta0, curve.x) for curve in found.curves]
     polygons, faces = [cells], [colors]
-    for points, color in lines:
+    for points, color in (*lines, *((fold, VERMILION) for fold in folds)):
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
         across = np.cross(np.diff(points, axis=0) / size, towards)
         across *= size * _HALF / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
@@ -233,13 +226,13 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
     ax.add_collection3d(Poly3DCollection(np.concatenate(polygons), facecolors=every, edgecolors=every, linewidths=0.3,
                                          rasterized=True, zorder=1))  # fmt: skip
     cusps = np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x
-    ax.plot(*cusps, linestyle="none", marker="o", markersize=4, color=BLACK, zorder=5)
-    return stacked(tables, "curve", POINT)
+    ax.plot(*cusps, "o", markersize=4, color=BLACK, zorder=5)
+    return table_of_lines(folds)
 
 
-def table_of_points(points: FloatArray) -> Table:
-    """The points of a line that are shown."""
-    return dict(zip(POINT, points[np.isfinite(points[:, 1])].T, strict=True))
+def table_of_lines(lines: Iterable[FloatArray]) -> Table:
+    """The points of lines that are shown."""
+    return stacked([dict(zip(POINT, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines], "curve", POINT)
 
 
 def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:
@@ -247,14 +240,13 @@ def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray
     return np.stack([np.degrees(theta0), np.where((mu0 >= MU0_RANGE[0]) & (mu0 <= MU0_RANGE[1]), mu0, np.nan), x], axis=-1)
 
 
-#: Parameter → (range shown, the article's samples, an interval that holds the critical value).
-_SAMPLES: dict[str, tuple[tuple[float, float], tuple[float, ...], tuple[float, float]]] = {
-    "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0)),
-    "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07)),
-    "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1)),
-    "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007)),
+#: Parameter → (range shown, the article's samples, an interval that holds the critical value, frictions on a logarithmic axis).
+_SAMPLES: dict[str, tuple[Span, tuple[float, ...], Span, tuple[float, ...]]] = {
+    "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
+    "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
+    "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1), (0.1, 0.2, 0.5)),
+    "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007), (0.01, 0.1, 0.5)),
 }
-_TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0.1, 0.5)}
 
 
 @styled
@@ -273,8 +265,8 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
 
 
 def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
-    (low, high), samples, bracket = _SAMPLES[name]
-    values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
+    (low, high), samples, bracket, ticks = _SAMPLES[name]
+    values = np.geomspace(low, high, n) if ticks else np.linspace(low, high, n)
     p, mu0 = Parameters.article(), ARTICLE["mu0"]
     along = p.replace(**{name: values})
     frictions, cusps = np.asarray(ss.critical_friction(along)), np.asarray(ss.cusp_friction(along))
@@ -286,13 +278,13 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
         ax.plot(value, friction, "o", markersize=4.5, color=BLUE, markerfacecolor=filled, zorder=3, clip_on=False)
     critical = ss.critical_value(p, name, bracket)
     line_at(ax, critical, VERMILION)
-    if name == "beta":
-        ax.set(ylim=(0, 0.9))
-        write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, color=VERMILION)
-    else:
+    if ticks:
         ax.set(xscale="log", yscale="log")
-        plain_ticks(ax.yaxis, _TICKS[name])
-        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform())
+        plain_ticks(ax.yaxis, ticks)
+        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, VERMILION, transform=ax.get_xaxis_transform())
+    else:
+        ax.set(ylim=(0, 0.9))
+        write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, VERMILION)
     ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{lowest}}$", xlim=(low, high))
     return {name: values, "mu_lowest": frictions, "mu_cusp": cusps}
 

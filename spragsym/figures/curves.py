@@ -19,8 +19,7 @@ from ..bifurcation.branches import linked
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models import Model
 from ..models.forces import columns_of
-from ..models.parameters import FloatArray, ParameterSet
-from ..numerics.chains import link, walked
+from ..models.parameters import FloatArray, ParameterSet, Span
 from ..numerics.interval_arrays import ComplexArray, IntArray
 from ..results import Equilibria, Named, Path, Points, Stability
 from ..statics.stability import NEUTRAL, REAL
@@ -108,20 +107,41 @@ def branches(
     them, see :func:`spragsym.bifurcation.branches.linked`. Where a curve leaves the contact it ends at the last of these
     points.
     """
-    return curves_between(p, *_range(p, vary, low, high, contact), damping, n)
+    return list(curves_between(p, *_range(p, vary, low, high, contact), damping, n))
 
 
 def curves_between(
-    p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
-) -> list[Branch]:  # fmt: skip
-    """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds."""
-    chains = chains_between(p, vary, ends, turns, damping, n)
-    return [piece for eq, at, between in chains for piece in _pieces(vary, eq, at, turns, between, damping)]
+    p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
+) -> Iterator[Branch]:  # fmt: skip
+    """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds.
+
+    A curve between two cuts is split by stability; at a fold it is extended to the exact point.
+    """
+    for eq, at, cuts in chains_between(p, vary, ends, turns, damping, n):
+        columns = {vary: getattr(eq.parameters, vary)[at[0]], **{name: getattr(eq, name)[at] for name in eq.columns}}
+        kinds = eq.stability[at]
+        if damping:  # where the sign of the growth is not proved, the type by (27) stays
+            sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
+            grows = np.where(np.abs(fastest.imag) <= REAL * np.abs(fastest), Stability.DIVERGENT, Stability.FLUTTER)
+            kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
+        for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
+            folds, count = np.flatnonzero(getattr(turns, vary) == cut), int(eq.count[side])
+            if not folds.size or count < 2 or at[0][side] != range(n)[side]:
+                continue
+            fold = {name: getattr(turns, name)[folds[0]] for name in columns}
+            away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
+            if at[1][side] in np.argsort(np.hypot.reduce(away))[:2]:  # one of the two states that meet there
+                place = side % (kinds.size + 1)
+                columns = {name: np.insert(column, place, fold[name]) for name, column in columns.items()}
+                kinds = np.insert(kinds, place, kinds[side])
+        for part in runs(kinds):
+            states = {name: column[part] for name, column in columns.items()}
+            yield Branch(p.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
 
 
 def chains_between(
-    p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
-) -> Iterator[tuple[Equilibria, States, tuple[float, float]]]:  # fmt: skip
+    p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
+) -> Iterator[tuple[Equilibria, States, Span]]:  # fmt: skip
     """Equilibria between two cuts, those of one curve by their indices into the columns, and the two cuts."""
     inner: list[float] = []  # folds and onsets of flutter, as far as these are known
     if turns is not None:
@@ -133,18 +153,18 @@ def chains_between(
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
-        places, slots = eq.states
-        number = {state: i for i, state in enumerate(zip(places.tolist(), slots.tolist(), strict=True))}
-        links: list[set[int]] = [set() for _ in number]
-        for place, pairs in enumerate(linked(p, vary, eq, turns)):
-            link(links, ((number[place, one], number[place + 1, other]) for one, other in pairs.items()))
-        for chain in sorted(walked(links), key=min):
-            yield eq, (places[chain], slots[chain]), (begin, end)
+        curve, numbers = np.zeros(eq.stability.shape, dtype=int), itertools.count(1)  # of each state the number of its curve
+        for place, pairs in enumerate([{}, *linked(p, vary, eq, turns)]):
+            before = {other: curve[place - 1, one] for one, other in pairs.items()}
+            for slot in range(eq.count[place]):
+                curve[place, slot] = before.get(slot) or next(numbers)
+        for number in range(1, next(numbers)):
+            yield eq, np.nonzero(curve == number), (begin, end)
 
 
 def _range(
     p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool
-) -> tuple[str, tuple[float, float], Points | None]:
+) -> tuple[str, Span, Points | None]:
     """The parameter that varies, its ends that are given, or those that are shown, and the folds between them, in contact."""
     model = p.model
     vary = model.axes[0] if vary is None else vary
@@ -156,31 +176,6 @@ def _range(
     if not allowed.low <= low < high <= allowed.high:
         raise ParameterError(f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first")
     return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
-
-
-def _pieces(
-    vary: str, eq: Equilibria, at: States, turns: Points | None, ends: tuple[float, float], damping: bool
-) -> Iterator[Branch]:  # fmt: skip
-    """A curve between two cuts, split by stability; at a fold it is extended to the exact point."""
-    columns = {vary: getattr(eq.parameters, vary)[at[0]], **{name: getattr(eq, name)[at] for name in eq.columns}}
-    kinds = eq.stability[at]
-    if damping:  # where the sign of the growth is not proved, the type by (27) stays
-        sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
-        grows = np.where(np.abs(fastest.imag) <= REAL * np.abs(fastest), Stability.DIVERGENT, Stability.FLUTTER)
-        kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
-    for side, end in () if turns is None else zip((0, -1), ends, strict=True):
-        folds, count = np.flatnonzero(getattr(turns, vary) == end), int(eq.count[side])
-        if not folds.size or count < 2 or at[0][side] != range(eq.count.size)[side]:
-            continue
-        fold = {name: getattr(turns, name)[folds[0]] for name in columns}
-        away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
-        if at[1][side] in np.argsort(np.hypot.reduce(away))[:2]:  # one of the two states that meet there
-            place = side % (kinds.size + 1)
-            columns = {name: np.insert(column, place, fold[name]) for name, column in columns.items()}
-            kinds = np.insert(kinds, place, kinds[side])
-    for part in runs(kinds):
-        states = {name: column[part] for name, column in columns.items()}
-        yield Branch(eq.parameters.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
 
 
 @styled
@@ -265,7 +260,7 @@ def plot_equilibria(
     name_axes(ax, p.model, vary, quantity)
     lines = draw_branches(curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options)
     if turns is not None:
-        lines += mark_folds(turns, quantity, ax=ax, low=ends[0], high=ends[1], color=color)
+        lines += mark_folds(turns, quantity, ax=ax, color=color)
     return lines
 
 
@@ -292,12 +287,11 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     values, model = path.values, path.parameters.model
     forward = -1.0 if values[0] > values[-1] else 1.0
     ends = [(jump.value, end[quantity]) for jump in path.jumps for end in (jump.before, jump.after)]
-    jumps = np.array(ends).reshape(-1, 2).T
-    stops = np.searchsorted(forward * values, forward * jumps[0], side="right")
-    cuts = stops[::2] + np.arange(1, stops.size, 2)
-    columns = zip((path.vary, quantity), (values, getattr(path, quantity)), jumps, strict=True)
-    whole = (as_drawn(model, name, np.insert(column, stops, inner)) for name, column, inner in columns)
-    return list(zip(*(np.split(column, cuts) for column in whole), strict=True))
+    jumps = np.array(ends).reshape(-1, 2)
+    stops = np.searchsorted(forward * values, forward * jumps[:, 0], side="right")
+    whole = np.insert(np.stack([values, getattr(path, quantity)], axis=1), stops, jumps, axis=0)
+    pieces = np.split(whole, stops[::2] + np.arange(1, stops.size, 2))
+    return [(as_drawn(model, path.vary, piece[:, 0]), as_drawn(model, quantity, piece[:, 1])) for piece in pieces]
 
 
 @styled

@@ -268,10 +268,10 @@ def fate_map_figure(found: FateMap) -> Sheet:
     image = ax.pcolormesh(across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
     undecided, irregular = found.kind == Kind.UNDECIDED, found.exponent > found.exponent_error
     for marker, colour, size, here in (("x", GREY, 3, undecided & ~irregular), ("+", VERMILION, 5, undecided & irregular)):
-        ax.plot(*(values[here.ravel()] for values in every.values()), marker, color=colour, markersize=size, linestyle="none")
+        ax.plot(*(values[here.ravel()] for values in every.values()), marker, color=colour, markersize=size)
     if (kind == Kind.CYCLE).any():
         figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
-    ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches), frameon=False)
+    ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
     ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
     return figure.describe(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias
 
@@ -55,10 +54,10 @@ def figure_4() -> Sheet:
         remark(ax, "contact" if above else "lift-off")
     for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
         write_along(axes[0, 0], text, x, y)
-    for text, x, y in (("divergent", 158, -0.95), ("stable", 153, -1.65)):
-        write_along(axes[0, 0], text, x, y, ha="right")
-    for text, x, y in (("stable", 90, -0.011), ("divergent", 27, -0.055)):
-        write_along(axes[0, 1], text, x, y)
+    write_along(axes[0, 0], "divergent", 158, -0.95, ha="right")
+    write_along(axes[0, 0], "stable", 153, -1.65, ha="right")
+    write_along(axes[0, 1], "stable", 90, -0.011)
+    write_along(axes[0, 1], "divergent", 27, -0.055)
     write_along(axes[1, 0], "divergent", 98, 0.5)
     return figure.describe(
         f"""Figure 4. Equilibria over the inclination at μ₀ = 0.5, {BASE_TEXT}: in contact (a) x, (b) y, and
@@ -76,11 +75,9 @@ def figure_5() -> Sheet:
         p = Parameters.article(mu0=mu0)
         curves = branches(p)
         for ax, name, letter, ylim in zip(axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True):
-            linear = draw_linear(ax, p, name)
+            tables[letter], (tables[f"{letter}_linear"], _) = table_of(curves), draw_linear(ax, p, name)
             draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
-            tables[letter] = table_of(curves)
-            tables[f"{letter}_linear"] = linear
     for ax, place in zip(axes[:, 0], (86, 92), strict=True):
         write_along(ax, "nonlinear", 30, 1.85)
         write_along(ax, "linear", place, 2.3, color=BLUE)
@@ -94,24 +91,18 @@ def figure_5() -> Sheet:
     )
 
 
-def linear_curves(p: Parameters) -> tuple[list[FloatArray], FloatArray]:
-    """θ₀ in degrees between the poles of the linear model, piece by piece, and the poles."""
+def draw_linear(ax: Axes, p: Parameters, name: str) -> tuple[Table, FloatArray]:
+    """Curves of the linear model, broken at its poles, which are marked; a table of them, and the poles in degrees."""
     poles = np.degrees(ss.linear_sprag(p.replace(theta0=1.0)).poles)
     poles = np.sort(poles[np.isfinite(poles)])
     share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(2e-3, 1 - 2e-3, 400))
-    return [begin + (end - begin) * share for begin, end in itertools.pairwise([0.05, *poles, 179.95])], poles
-
-
-def draw_linear(ax: Axes, p: Parameters, name: str) -> Table:
-    """Curves of the linear model, broken at its poles, which are marked."""
-    pieces, poles = linear_curves(p)
-    along = np.concatenate(pieces)
-    model = ss.linear_sprag(p.replace(theta0=np.radians(along)))
-    for piece, values in zip(pieces, np.split(getattr(model, name), len(pieces)), strict=True):
-        ax.plot(piece, values, color=BLUE, linewidth=1.0)
+    ends = np.array([[0.05, *poles], [*poles, 179.95]])
+    angles = ends[0] + (ends[1] - ends[0]) * share[:, None]  # a column a piece
+    model = ss.linear_sprag(p.replace(theta0=np.radians(angles)))
+    ax.plot(angles, getattr(model, name), color=BLUE, linewidth=1.0)
     for pole in poles:
         line_at(ax, pole, BLUE, 0.6)
-    return {"theta0_deg": along, "x_linear": model.x, "y_linear": model.y}
+    return {"theta0_deg": angles.T.ravel(), "x_linear": model.x.T.ravel(), "y_linear": model.y.T.ravel()}, poles
 
 
 def draw_panel(
@@ -161,8 +152,8 @@ def figure_10() -> Sheet:
     """Equilibrium curves for σ = 0.01, 0.1 and 1."""
     labels = [((110, 0.95), (100, 0.38)), ((33, 0.8), (47, 1.27)), ((70, 1.5), (52, 1.2))]
     figure, ax = _family(10, "sigma", (0.01, 0.1, 1.0), labels)
-    for place in ((30, 1.95), (152, -0.2)):
-        write_along(ax, "flutter", *place)
+    write_along(ax, "flutter", 30, 1.95)
+    write_along(ax, "flutter", 152, -0.2)
     return figure
 
 
@@ -223,8 +214,7 @@ def figure_6() -> Sheet:
     values = np.radians(np.linspace(0.5, 179.5, 359))
     rising, falling = _both_ways(left, p, curves, values, [(0.55,), (0.35, 0.9)], [(40, 0.45), (58, 1.5)])
     angle_axis(left, ylabel=LABELS["x"], ylim=(-2.1, 2.3))
-    linear = draw_linear(right, p, "x")
-    low, high = linear_curves(p)[1]
+    linear, (low, high) = draw_linear(right, p, "x")
     right.axvspan(low, high, color=SKY, alpha=0.25, linewidth=0)
     angle_axis(right, ylabel=LABELS["x"], ylim=(-6, 6))
     _point_at(right, "no steady sliding", ((low + high) / 2, 4.4), (102, 4.9))

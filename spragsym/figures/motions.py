@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,9 @@ import spragsym as ss
 
 from ..assumed import MU0_RANGE, D, V
 from ..generated import laws
+from ..models.forces import contact_force
 from ..models.parameters import FloatArray, Parameters
+from ..models.quantities import Scales
 from ..motion import Trajectory, simulate
 from ..motion.simulation import row_of
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
@@ -61,9 +62,9 @@ def figure_3() -> Sheet:
     write_along(left, r"$x' = V$", V + 0.04, -0.12)
     left.set(xlabel=r"$x'$", ylabel=r"$\mu/\mu_0$", xlim=(-0.5, 1.5), ylim=(-1.15, 1.15), xticks=np.arange(-0.5, 1.6, 0.5))
     y = np.array([-0.1, 0.0, 0.1])
-    # Without spring and preload the acceleration across the belt, (9), is the contact force, (11).
-    _, contact = MODEL.algebra.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
-    contact = contact + 0.0  # a table shows 0 as 0, not as -0
+    contact = contact_force(
+        MODEL, (0.0, y), MODEL.arguments(Parameters.article(theta0=1.0), "motion")
+    )  # (11), which is of y alone
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06)
     write_along(right, "lift-off", 0.05, 0.009, ha="center")
@@ -159,18 +160,8 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     return line
 
 
-@dataclass(frozen=True)
-class Units:
-    """What one unit of length and of time of a motion is in the units of a picture, and what those are called."""
-
-    length: float
-    time: float
-    length_name: str
-    time_name: str = "s"
-
-
 @styled
-def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | None = None) -> Sheet:
+def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | None = None) -> Sheet:
     """Each coordinate over time; what follows the transient in the plane of it and its rate, and its spectrum.
 
     Parameters
@@ -179,21 +170,21 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | Non
         Of any model.
     transient : float
         Time that the planes and spectra leave out.
-    units : Units, optional
-        Of the axes, which are dimensionless without.
+    units : Scales, optional
+        What the units of the model are in metres and seconds, as of :class:`spragsym.PhysicalParameters`: axes are then in mm,
+        degrees and s, and dimensionless without.
     """
     model, late = motion.model, motion.after(transient)
+    length, time = (1.0, 1.0) if units is None else (1e3 * units.length, units.time)
     figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
     tables: dict[str, Table] = {}
-    for row, (entry, rate) in enumerate(zip(model.about["coordinates"], model.rates, strict=True)):
-        name, turns = entry["name"], entry["unit"] == "rad"
-        size, time = (1.0, 1.0) if units is None else (180 / np.pi if turns else units.length, units.time)
-        over_time = phase = spectrum = None
+    for row, (name, rate) in enumerate(zip(model.coordinates, model.rates, strict=True)):
+        size, over_time, phase, spectrum = length, None, None, None
         if units is not None:
-            unit, t = "deg" if turns else units.length_name, units.time_name
+            size, unit = (180 / np.pi, "deg") if model.is_angle(name) else (length, "mm")
             here = f"{label(model, name).partition(' (')[0]} ({unit})"
-            over_time, phase = (f"$t$ ({t})", here), (here, f"{label(model, rate)} ({unit}/{t})")
-            spectrum = "frequency (Hz)" if t == "s" else f"frequency (1/{t})", f"amplitude of {here}"
+            over_time, phase = ("$t$ (s)", here), (here, f"{label(model, rate)} ({unit}/s)")
+            spectrum = "frequency (Hz)", f"amplitude of {here}"
         draw_motion(motion, name, axes[row, 0], length=size, time=time, labels=over_time)
         draw_phase(late, axes[row, 1], of=name, length=size, speed=size / time, labels=phase)
         draw_spectrum(late, name, axes[row, 2], length=size, frequency=1 / time, labels=spectrum)
@@ -204,23 +195,18 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | Non
             {"frequency": found.frequency / time, "amplitude": size * found.amplitude},
         )
         tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
-    after = f"{transient:g}" if units is None else f"{transient * units.time:.4g} {units.time_name}"
+    after = f"{transient:g}" if units is None else f"{transient * time:.4g} s"
+    friction = model.about["friction"]
+    if units is not None and friction is not None and friction["belt"] is not None:
+        moved = f"belt speed {float(getattr(motion.p, friction['belt'])) * length / time:.4g} mm/s"
+    else:
+        entries = [entry for entry in model.about["parameters"] if entry["role"] == "motion"]
+        moved = ", ".join(f"{each['meaning']} {each['name']} = {float(getattr(motion.p, each['name'])):g}" for each in entries)
     return figure.describe(
-        f"""A motion of {model.name}, {_belt(motion, units)}. Left: each coordinate over time; middle and right, after the time
+        f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right, after the time
         {after}: its rate over it, with the speed of the belt dotted, and its spectrum.""",
         **tables,
     )
-
-
-def _belt(motion: Trajectory, units: Units | None) -> str:
-    """What moves it, in words: its belt's speed, or all parameters of the motion."""
-    friction = motion.model.about["friction"]
-    if units is not None and friction is not None and friction["belt"] is not None:
-        speed = float(getattr(motion.p, friction["belt"])) * units.length / units.time
-        return f"belt speed {speed:.4g} {units.length_name}/{units.time_name}"
-    entries = [entry for entry in motion.model.about["parameters"] if entry["role"] == "motion"]
-    values = motion.p.scalars(*(entry["name"] for entry in entries))
-    return ", ".join(f"{entry['meaning']} {entry['name']} = {value:g}" for entry, value in zip(entries, values, strict=True))
 
 
 #: Neighbouring cells whose RMS differ by more than this are divided.
@@ -239,8 +225,8 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
     image = ax.pcolormesh(angles, frictions, rms, cmap="cividis", vmin=0.0, rasterized=True)
     for line in draw_bifurcation_set(ss.bifurcation_set(p), ax, color=VERMILION):
         line.set_path_effects([withStroke(linewidth=2.4, foreground="white")])
-    for text, place in (("I", (50, 0.75)), ("II", (117, 0.93))):
-        write_along(ax, text, *place, ha="center", color=BLACK if text == "I" else "white")
+    write_along(ax, "I", 50, 0.75, ha="center")
+    write_along(ax, "II", 117, 0.93, "white", ha="center")
     angle_axis(ax, ylabel=r"$\mu_0$", ylim=MU0_RANGE)
     figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
     share = 2**levels
@@ -301,10 +287,8 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     tables: dict[str, Table] = {}
     along = p.replace(theta0=np.radians(angles))
     speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
-    for letter, ax, name, sweep, values in (
-        ("a", axes[0], "V", rms_sweep(along, speeds[:, None], workers=workers), speeds),
-        ("b", axes[1], "d", rms_sweep(along, d=creeps[:, None], workers=workers), creeps),
-    ):
+    for letter, ax, name, values in zip("ab", axes[:2], "Vd", (speeds, creeps), strict=True):
+        sweep = rms_sweep(along.replace(**{name: values[:, None]}), workers=workers)
         tables[letter] = columns = {"theta0_deg": angles}
         for rms, value, color in zip(sweep.rms, values, _SHADES, strict=True):
             ax.plot(angles, rms, color=color, linewidth=0.9, label=f"${name} = {value:.3g}$")

@@ -33,11 +33,11 @@ from .style import (
     GREY,
     SKY,
     VERMILION,
-    Sheet,
     as_drawn,
     house_style,
     in_units,
     own_axes,
+    single,
     symbol,
     with_unit,
     write_along,
@@ -165,8 +165,8 @@ def _of_motion(report: Report, lives: Any) -> Rows:
 def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file; its ids are made from itself, so that no other has them."""
     with house_style(), rc_context(_AS_TEXT):
-        figure = Sheet(figsize=(4.6, 3.3), layout="constrained")
-        draw(figure.add_subplot())
+        figure, ax = single(4.6, 3.3)
+        draw(ax)
         text = content(figure, "svg").decode()
     text = text[text.index("<svg") :].strip()
     mark = hashlib.sha256(text.encode()).hexdigest()[:8]
@@ -287,7 +287,7 @@ def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | No
     """
     ax = own_axes(ax)
     names = list(indices)[::-1]
-    first, total, error = (np.nan_to_num([indices[name][k] for name in names]) for k in range(3))
+    first, total, error = np.nan_to_num([indices[name] for name in names]).reshape(-1, 3).T
     places = np.arange(len(names))
     ax.barh(places, total, xerr=error, color=SKY, height=0.62, error_kw={"elinewidth": 0.8, "ecolor": GREY})
     bars = ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)

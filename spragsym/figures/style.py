@@ -61,6 +61,11 @@ STYLE: dict[str, Any] = {
     "lines.linewidth": 1.3,
     "lines.solid_capstyle": "butt",
     "legend.frameon": False,
+    "grid.linewidth": 0.3,  # there is one in three dimensions
+    "grid.color": "#cccccc",
+    "axes3d.xaxis.panecolor": "none",
+    "axes3d.yaxis.panecolor": "none",
+    "axes3d.zaxis.panecolor": "none",
     "legend.fontsize": 8,
     "figure.dpi": 150,
     "savefig.dpi": 300,
@@ -285,13 +290,13 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
 def window(model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[], Points] | None = None) -> Ranges:
     """Ranges to show: those given, the parameter's own, or of one without end as far as its base value, 1 and all cusps need."""
     out = dict(between)
-    for entry in model.about["parameters"]:
-        name, low, high = entry["name"], entry["low"], entry["high"]
-        if name in vary and name not in between:
-            if None in (low, high):
+    for name in vary:
+        if name not in between:
+            ends = out[name] = model.Parameters.ranges[name].low, model.Parameters.ranges[name].high
+            if np.isinf(ends).any():
                 farthest = float(np.abs(getattr(cusps(), name)).max(initial=0.0)) if cusps else 0.0
-                far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
-            out[name] = (-far if low is None else low, far if high is None else high)
+                far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), ROOM * farthest)
+                out[name] = max(ends[0], -far), min(ends[1], far)
     return out
 
 

@@ -95,7 +95,7 @@ def test_branches_end_at_the_exact_folds() -> None:
 def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: float) -> None:
     p = P.replace(sigma=sigma)
     angles = np.linspace(0.5, 179.5, 120)
-    cells, kinds = bifurcation_sets.sheets(p, (0.0, 1.0), angles, 120)
+    cells, kinds = bifurcation_sets.sheets(p, angles, 120)
     assert 0.0 <= cells[..., 1].min() <= cells[..., 1].max() <= 1.0
     rng = np.random.default_rng(2)
     places = np.stack([rng.uniform(3, 177, 60), rng.uniform(0.03, 0.97, 60)], axis=-1)

@@ -169,7 +169,7 @@ def _range(
     model = p.model
     vary = model.axes[0] if vary is None else vary
     model.require_parameter(vary)
-    allowed = model.Parameters.ranges[vary]
+    allowed = p.ranges[vary]
     ends = window(model, (vary,), {})[vary]
     inset = 1e-4 if allowed.open_low else 0.0
     low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
@@ -268,9 +268,8 @@ def table_of(curves: Iterable[Branch]) -> Table:
     """Branches as columns, one after the other."""
     tables = []
     for curve in curves:
-        kind = np.full(curve.values.size, curve.stability.name.lower())
         columns = {titled(curve.model, name): curve.shown(name) for name in (curve.vary, *curve.states)}
-        tables.append({"stability": kind, **columns})
+        tables.append({"stability": curve.stability.name.lower(), **columns})
     return stacked(tables, "branch")
 
 
@@ -422,8 +421,8 @@ def _drawn(
                 lines += ax.plot(as_drawn(model, vary, values), part, color=color, linewidth=width)
         courses.append((values, {"damped": damped, "undamped": undamped}))
     if not lines:
-        where = "in contact" if contact else "in lift-off"
-        raise ConvergenceError(f"no equilibrium {where} was found with {vary} from {ends[0]:g} to {ends[1]:g}: nothing to draw")
+        where = f"in {'contact' if contact else 'lift-off'} was found with {vary} from {ends[0]:g} to {ends[1]:g}"
+        raise ConvergenceError(f"no equilibrium {where}: nothing to draw")
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")

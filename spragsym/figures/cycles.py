@@ -108,7 +108,7 @@ def figure_cycles() -> Sheet:
             events.append((line["name"], kind, float(np.degrees(at)), length, rms, how))
             if kind in MARKERS:
                 ax.plot(np.degrees(at), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
-        columns.append({"branch": np.full(angles.size, line["name"]), "theta0_deg": angles, "period": periods,
+        columns.append({"branch": line["name"], "theta0_deg": angles, "period": periods,
                         "rms_x": heights, "stable": is_stable})  # fmt: skip
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)))

@@ -166,8 +166,7 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[
         curves = branches(p)
         draw_panel(ax, p, curves, color=color, ylim=(-2.2, 2.4))
         _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
-        table = table_of(curves)
-        tables.append({name: np.full(np.size(table["branch"]), value), **table})
+        tables.append({name: value, **table_of(curves)})
     others = ", ".join(part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name]))
     sheet = figure.describe(
         f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {

@@ -262,7 +262,7 @@ def _divided(
         rms[row, column] = sweep.rms
         tables.append({
             "theta0_deg": angles[column], "mu0": frictions[row], "rms_x": sweep.rms, "regime": sweep.regime,
-            "level": np.full(row.size, level),
+            "level": level,
         })  # fmt: skip
     return angles, frictions, rms, stacked(tables)
 

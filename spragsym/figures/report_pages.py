@@ -256,7 +256,7 @@ def draw_rising(
         Of the path.
     """
     ax, first = own_axes(ax), p.model.coordinates[0]
-    allowed, end = p.model.Parameters.ranges[vary], float(ranges(p.model, (vary,), {})[0, 1])
+    allowed, end = p.ranges[vary], float(ranges(p.model, (vary,), {})[0, 1])
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (_TOP, _FAR) if vary == "mu0" else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})

@@ -126,11 +126,13 @@ def single(width: float, height: float) -> tuple[Sheet, Any]:
 
 
 def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()) -> Table:
-    """Tables of equal columns, one below the other, and under ``number`` which is which; without tables columns of ``names``."""
-    names = list(tables[0] if tables else names)
-    sizes = [np.size(table[names[0]]) for table in tables]
-    columns = {name: np.concatenate([table[name] for table in tables] or [[]]) for name in names}
-    return {number: np.repeat(np.arange(len(tables)), sizes), **columns} if number else columns
+    """Tables of equal columns, one below the other, and under ``number`` which is which; without tables columns of ``names``.
+
+    What stands in place of a column is in every row.
+    """
+    rows = [np.broadcast_arrays(*table.values()) for table in tables]
+    columns = {name: np.concatenate(parts or ([],)) for name, *parts in zip(tables[0] if tables else names, *rows, strict=True)}
+    return {number: np.repeat(np.arange(len(rows)), [row[0].size for row in rows]), **columns} if number else columns
 
 
 def runs(kinds: NDArray[Any]) -> list[slice]:
@@ -292,11 +294,12 @@ def window(model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[
     out = dict(between)
     for name in vary:
         if name not in between:
-            ends = out[name] = model.Parameters.ranges[name].low, model.Parameters.ranges[name].high
-            if np.isinf(ends).any():
+            own = model.Parameters.ranges[name]
+            out[name] = own.low, own.high
+            if np.isinf(out[name]).any():
                 farthest = float(np.abs(getattr(cusps(), name)).max(initial=0.0)) if cusps else 0.0
                 far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), ROOM * farthest)
-                out[name] = max(ends[0], -far), min(ends[1], far)
+                out[name] = max(own.low, -far), min(own.high, far)
     return out
 
 
@@ -333,12 +336,9 @@ def picture(figure: Any, kind: str, **options: Any) -> bytes:
 
 def _table(table: Table) -> str:
     """One line per row; numbers with the twelve digits that the library promises."""
-    columns, text = [_as_text(np.asarray(values)) for values in table.values()], io.StringIO(newline="")
+    text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(table)
-    writer.writerows(zip(*columns, strict=True))
+    for row in zip(*(np.asarray(values).tolist() for values in table.values()), strict=True):
+        writer.writerow([f"{value:.12g}" if isinstance(value, float) else value for value in row])
     return text.getvalue()
-
-
-def _as_text(values: Any) -> list[str]:
-    return [f"{value:.12g}" if isinstance(value, float) else str(value) for value in values.tolist()]

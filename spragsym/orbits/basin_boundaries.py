@@ -143,12 +143,12 @@ def basin_boundary(
     system, model = System.of(p, backend, V=V, d=d), p.model
     names = model.components
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
-    if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
+    if not len(plane) == len({*plane} & {*names}) == 2:
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
     axes = [names.index(name) for name in plane]
     known = _saddle(system, p.given(V=V, d=d), saddle)
-    widths = [3.0 if axis < len(model.coordinates) else 1.0 for axis in axes]
-    ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
+    widths = [3.0 if name in model.coordinates else 1.0 for name in plane]
+    ranges = to or [*zip(known.state[axes] - widths, known.state[axes] + widths, strict=True)]
     step, points = as_number("step", step, POSITIVE), as_count("points", points)
     walk = _Walk(system, known, np.eye(len(names))[axes], ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))
@@ -181,8 +181,8 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
     n = len(p.model.coordinates)
     if near is None:
-        columns = np.array([*equilibria(p).coordinates.values()]).T
-        places = [*columns[np.isfinite(columns).all(axis=1)]]
+        known = equilibria(p)
+        places = [*np.transpose([column[known.states] for column in known.coordinates.values()])]
     else:
         places = [as_numbers("saddle", near)]
         if places[0].shape not in ((n,), (2 * n,)):
@@ -190,9 +190,9 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     found: list[Saddle] = []
     for place in places:
         with suppress(ConvergenceError):
-            known = saddle_near(system, place)
-            if not any(np.abs(known.state - other.state).max() < SAME for other in found):
-                found.append(known)
+            saddle = saddle_near(system, place)
+            if not any(np.abs(saddle.state - other.state).max() < SAME for other in found):
+                found.append(saddle)
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
         none = "none that grows in one direction only: where friction falls with speed, the mass may swing there as well"

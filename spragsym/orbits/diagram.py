@@ -273,7 +273,7 @@ def _equilibria(p: ParameterSet, vary: str, to: Span) -> Iterator[tuple[Equilibr
         except SpragsymError:
             continue  # no unilateral contact
         places = np.stack([*known.coordinates.values()], axis=-1)
-        for i, j in np.argwhere(np.isfinite(places).all(axis=-1)).tolist():
+        for i, j in np.transpose(known.states).tolist():
             system = System.of(p.replace(**{vary: float(grid[i])}), None)
             try:
                 state = system.equilibrium(places[i, j])
@@ -307,7 +307,7 @@ def _cycles(
             remarks.append(Remark("no cycle was found at the Hopf point {}: {}", _at(vary, value), error))
     for start in starts:
         try:
-            yield start if isinstance(start, Cycle) else cycle_near(System.of(p, None), start)
+            yield start if isinstance(start, Cycle) else cycle(p, start)
         except ConvergenceError as error:
             remarks.append(f"no cycle was found from {start}: {error}")
 

@@ -410,7 +410,9 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     low, high = bracket.low, bracket.high
     wide = bracket.width > TOO_WIDE * (1 + abs(low.value))
     try:
-        met = _doubles(asked, low, high) if wide else _one_attractor(asked, low, high)
+        met = _doubles(asked, low, high) if wide else any(
+            same(asked.followed(one, other.value), asked.attractor(other)) for one, other in ((low, high), (high, low))
+        )  # fmt: skip
     except ConvergenceError as why:
         raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
     if met:
@@ -435,11 +437,6 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
         np.array(sorted(others)).reshape(-1, 2), asked.system.field,
     )  # fmt: skip
-
-
-def _one_attractor(asked: _Asked, low: _Fate, high: _Fate) -> bool:
-    """Whether the attractor of one side, followed to the other, is that side's; ConvergenceError where it ends on the way."""
-    return any(same(asked.followed(one, other.value), asked.attractor(other)) for one, other in ((low, high), (high, low)))
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:

@@ -12,7 +12,6 @@ import json
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
-from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -109,7 +108,6 @@ _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
         mpmath.mpc, lambda number: [[*map(int, part)] for part in number._mpc_],
         lambda held: mpmath.make_mpc(tuple(map(tuple, held))),
     ),
-    "fraction": (Fraction, str, Fraction),
 }  # fmt: skip
 
 

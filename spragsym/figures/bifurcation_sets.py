@@ -56,7 +56,6 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
     figure = Sheet(figsize=(4.6, 3.5))
     ax = space_axes(figure, (0.0, 0.02, 0.97, 0.98), 1.02)
     p = Parameters.article()
-    tables: dict[str, Table] = {}
     lines = []
     for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
         up = ss.quasi_static_path(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
@@ -68,14 +67,13 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
         for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
             place = angle, mu0[at] + (-0.06 if at == 0 else 0.05), x[at] + 0.12
             ax.text(*place, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
-        tables[f"a_path_{name}"] = table_of_path(up)
-    tables["a"] = draw_surface(ax, p, lines, detail)
+        figure.tables[f"a_path_{name}"] = table_of_path(up)
     return figure.describe(
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}. Blue
         sheets are stable, orange ones divergent; orange lines are the folds, the dot is the cusp. Lines with a
         dotted jump are the paths a–a′ (θ₀ = 60°, black) and b–b′ (θ₀ = 40°, violet) with μ₀ rising.
         {HIDDEN_TEXT} x over L₀. {RANGE_TEXT}""",
-        **tables,
+        a=draw_surface(ax, p, lines, detail),
     )
 
 
@@ -132,7 +130,7 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
     for place, text in counts.items():
         write_along(ax, text, *place, ha="center", fontsize=10)
-    theta0, mu0 = float(np.degrees(found.cusps.theta0[0])), float(found.cusps.mu0[0])
+    theta0, mu0 = np.degrees(found.cusps.theta0[0]), found.cusps.mu0[0]
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
     return stacked([{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves], "curve")
 
@@ -253,14 +251,14 @@ _SAMPLES: dict[str, tuple[Span, tuple[float, ...], Span, tuple[float, ...]]] = {
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
     """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
-    tables = {letter: _draw_cusp_friction(ax, name, n) for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True)}
+    for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
+        figure.tables[letter] = _draw_cusp_friction(ax, name, n)
     return figure.describe(
         f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ, (d) κ, the other
         parameters
         at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_lowest lies below
         it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
-        not. The number is the critical value. Where the curve of (d) ends there is no fold beyond.""",
-        **tables,
+        not. The number is the critical value. Where the curve of (d) ends there is no fold beyond."""
     )
 
 

@@ -125,7 +125,7 @@ def curves_between(
             grows = np.where(np.abs(fastest.imag) <= REAL * np.abs(fastest), Stability.DIVERGENT, Stability.FLUTTER)
             kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
         for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
-            folds, count = np.flatnonzero(getattr(turns, vary) == cut), int(eq.count[side])
+            folds, count = np.flatnonzero(getattr(turns, vary) == cut), eq.count[side]
             if not folds.size or count < 2 or at[0][side] != range(n)[side]:
                 continue
             fold = {name: getattr(turns, name)[folds[0]] for name in columns}
@@ -266,7 +266,7 @@ def plot_equilibria(
 
 def table_of(curves: Iterable[Branch]) -> Table:
     """Branches as columns, one after the other."""
-    tables = []
+    tables = list[Table]()
     for curve in curves:
         columns = {titled(curve.model, name): curve.shown(name) for name in (curve.vary, *curve.states)}
         tables.append({"stability": curve.stability.name.lower(), **columns})
@@ -322,7 +322,7 @@ def draw_path(
 def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Any:
     """An arrow head on a curve, at a share of its way along x."""
     way = x[-1] - x[0]
-    i = int(np.clip(np.count_nonzero((x - (x[0] + share * way)) * way < 0), 1, x.size - 1))
+    i = np.clip(np.count_nonzero((x - (x[0] + share * way)) * way < 0), 1, x.size - 1)
     near = (x[i] + 1e-3 * (x[i - 1] - x[i]), y[i] + 1e-3 * (y[i - 1] - y[i]))
     props = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9, "linewidth": 0.8}
     return ax.annotate("", (x[i], y[i]), near, arrowprops=props)
@@ -412,7 +412,7 @@ def _drawn(
     model, lines, courses = p.model, list[Line2D](), list[Any]()
     nowhere = complex(np.nan, np.nan)
     for eq, at, _ in chains_between(p, vary, ends, turns, False, n):
-        values = np.asarray(getattr(eq.parameters, vary))[at[0]]
+        values = getattr(eq.parameters, vary)[at[0]]
         damped, undamped = (_followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues))
         growing = np.where(damped.real > NEUTRAL * np.abs(damped), damped, nowhere)
         for every, color, width in ((undamped, GREY, 0.7), (damped, BLACK, 1.1), (growing, VERMILION, 1.5)):

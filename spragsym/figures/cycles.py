@@ -102,17 +102,17 @@ def figure_cycles() -> Sheet:
         value, period, *_ = line["at"]
         if not doubled or np.ptp(angles[stable]) > WIDE:
             nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
-            place = float(np.degrees(value)), heights[nearest] + LIFTED
+            place = np.degrees(value), heights[nearest] + LIFTED
             write_along(ax, f"{period:.0f}", *place, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
-            events.append((line["name"], kind, float(np.degrees(at)), length, rms, how))
+            events.append((line["name"], kind, np.degrees(at), length, rms, how))
             if kind in MARKERS:
                 ax.plot(np.degrees(at), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
         columns.append({"branch": line["name"], "theta0_deg": angles, "period": periods,
                         "rms_x": heights, "stable": is_stable})  # fmt: skip
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)))
-    places = float(np.degrees(fate.value)), first_fold(Parameters.article()), first_fold(_sliding())
+    places = np.degrees(fate.value), first_fold(Parameters.article()), first_fold(_sliding())
     for line_place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
@@ -209,7 +209,6 @@ def figure_cycles_plane(
 ) -> Sheet:  # fmt: skip
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
     figure, ax = single(DOUBLE, 3.6)
-    tables: dict[str, Table] = {}
     followed = functools.cache(_along)
     for name in curves:
         vary, kind, nearest, points, text, place = CURVES[name]
@@ -219,7 +218,7 @@ def figure_cycles_plane(
         colour = BLUE if kind == "period_doubling" else VERMILION
         ax.plot(angles, friction, color=colour)
         write_along(ax, text, *place, color=colour)
-        tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
+        figure.tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
     still = [{"theta0_deg": np.degrees(one.theta0), "mu0": one.mu0} for one in ss.bifurcation_set(Parameters.article()).curves]
     for folds in still:
         ax.plot(*folds.values(), color=GREY, linewidth=0.9)
@@ -229,18 +228,17 @@ def figure_cycles_plane(
         fold = np.radians(first_fold(p))
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
             fate = fate_boundary(p, vary="theta0", bracket=(fold - np.radians(9.0), fold - 0.003))
-            fates["theta0_deg"].append(float(np.degrees(fate.value)))
+            fates["theta0_deg"].append(np.degrees(fate.value))
             fates["mu0"].append(mu0)
     ax.plot(*fates.values(), "o", color=BLACK, markersize=3)
-    tables |= {"a_statics": stacked(still), "a_fates": fates}
     angle_axis(ax, ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
         equilibria, at μ₀. Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed.
         At 42° this cycle is stable for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
         changes its fate, about 3° before the fold of the equilibria at every friction. Other cycles have curves of their own.""",
-        **tables,
-    )
+        a_statics=stacked(still), a_fates=fates,
+    )  # fmt: skip
 
 
 #: Kinds of a map that have one colour, and its name.
@@ -296,16 +294,15 @@ def diagram_figure(found: Diagram) -> Sheet:
     figure, ax = single(DOUBLE, 3.6)
     (title, height), units = zip(*(shown(found.model, name) for name in (found.vary, found.name)), strict=True)
     unit, one = units
-    tables: dict[str, Table] = {}
     for i, rest in enumerate(found.equilibria):
         colour = BLACK if rest.mode == "contact" else GREY
         draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
-        tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
+        figure.tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
     for i, branch in enumerate(found.cycles):
         colour = COLOURS[i % len(COLOURS)]
         draw_cycles(ax, branch, units, branch.highest, lambda cycle: cycle.state[0], colour)
         draw_cycles(ax, branch, units, branch.lowest, lambda cycle: cycle.state[0] - 2 * cycle.amplitude, colour)
-        tables[f"cycles_{i + 1}"] = {
+        figure.tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
             "stable": branch.stable,
         }  # fmt: skip
@@ -327,13 +324,12 @@ def diagram_figure(found: Diagram) -> Sheet:
     if not (found.equilibria or found.cycles):
         say(ax, "no equilibria and no cycles found here")
     columns = {"label": "label", found.vary: "value", found.name: "height"}
-    tables["labels"] = {title: np.array([getattr(one, name) for one in found.labels]) for title, name in columns.items()}
     return figure.describe(
         f"""Equilibria (black; grey without contact) and cycles (colours, least and largest {found.name}) over {found.vary}: full
         where stable, dashed where not. LP folds and H Hopf points of equilibria; of cycles LPC folds, PD period doublings, NS
         tori, BPC crossings, HC homoclinic ends. Cycles are those that were followed from Hopf points, starts and doublings: there
         may be others.""",
-        **tables,
+        labels={title: np.array([getattr(one, name) for one in found.labels]) for title, name in columns.items()},
     )
 
 

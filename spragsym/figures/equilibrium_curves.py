@@ -70,12 +70,11 @@ def figure_4() -> Sheet:
 def figure_5() -> Sheet:
     """The linear model against the nonlinear one, below and above the linear model's critical friction."""
     figure, axes = panels(2, 2, DOUBLE, 4.4)
-    tables: dict[str, Table] = {}
     for row, (mu0, lowest) in enumerate(((0.5, (-0.1, 0.01)), (0.7, (-0.23, 0.08)))):
         p = Parameters.article(mu0=mu0)
         curves = branches(p)
         for ax, name, letter, ylim in zip(axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True):
-            tables[letter], (tables[f"{letter}_linear"], _) = table_of(curves), draw_linear(ax, p, name)
+            figure.tables[letter], (figure.tables[f"{letter}_linear"], _) = table_of(curves), draw_linear(ax, p, name)
             draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
     for ax, place in zip(axes[:, 0], (86, 92), strict=True):
@@ -86,8 +85,7 @@ def figure_5() -> Sheet:
         its
         angle (blue), over the inclination: (a) x and (b) y at μ₀ = 0.5, (c) x and (d) y at μ₀ = 0.7;
         {BASE_TEXT}. Dotted lines are the poles of the linear model. {LINES_TEXT} Displacements over L₀;
-        {RANGE_TEXT.lower()}""",
-        **tables,
+        {RANGE_TEXT.lower()}"""
     )
 
 
@@ -231,7 +229,6 @@ def figure_6() -> Sheet:
 def figure_13() -> Sheet:
     """The paths a–a′ and b–b′: hysteresis, and a jump without return."""
     figure, (axes,) = panels(1, 2, DOUBLE, 2.7)
-    tables: dict[str, Table] = {}
     places = [(0.3, 0.45), (0.3, 0.98)], [(0.3, 0.22), (0.2, 1.55)]
     for ax, (letter, angle), at in zip(axes, PATHS_DEG.items(), places, strict=True):
         p = Parameters.article(theta0=np.radians(angle))
@@ -239,12 +236,11 @@ def figure_13() -> Sheet:
         rising, falling = _both_ways(ax, p, curves, np.linspace(*MU0_RANGE, 401), [(0.5,)] * 2, at)
         ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
         remark(ax, rf"$\theta_0 = {angle:g}^\circ$")
-        tables |= {letter: table_of(curves), f"{letter}_rising": rising, f"{letter}_falling": falling}
+        figure.tables |= {letter: table_of(curves), f"{letter}_rising": rising, f"{letter}_falling": falling}
     return figure.describe(
         f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at θ₀ = 60°: a
         jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {BASE_TEXT}.
-        Thin line: rising, broad line: falling. {LINES_TEXT} {RANGE_TEXT}""",
-        **tables,
+        Thin line: rising, broad line: falling. {LINES_TEXT} {RANGE_TEXT}"""
     )
 
 

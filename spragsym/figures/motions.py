@@ -152,7 +152,7 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     found = motion.spectrum(0.0, of=of)
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
     # Of a motion that stays at rest none is large.
-    last = int(np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0))
+    last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
     unit = in_letters(motion.model.quantities["t"][0])
     across, up = labels or (rf"frequency $\times\ {unit}$", f"amplitude of {axis_label(motion.model, of)}")
     end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
@@ -177,7 +177,6 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
     model, late = motion.model, motion.after(transient)
     length, time = (1.0, 1.0) if units is None else (1e3 * units.length, units.time)
     figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
-    tables: dict[str, Table] = {}
     for row, (name, rate) in enumerate(zip(model.coordinates, model.rates, strict=True)):
         size, over_time, phase, spectrum = length, None, None, None
         if units is not None:
@@ -194,7 +193,7 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
             {name: size * getattr(late, name), rate: size / time * getattr(late, rate)},
             {"frequency": found.frequency / time, "amplitude": size * found.amplitude},
         )
-        tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
+        figure.tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
     after = f"{transient:g}" if units is None else f"{transient * time:.4g} s"
     friction = model.about["friction"]
     if units is not None and friction is not None and friction["belt"] is not None:
@@ -204,8 +203,7 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         moved = ", ".join(f"{each['meaning']} {each['name']} = {float(getattr(motion.p, each['name'])):g}" for each in entries)
     return figure.describe(
         f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right, after the time
-        {after}: its rate over it, with the speed of the belt dotted, and its spectrum.""",
-        **tables,
+        {after}: its rate over it, with the speed of the belt dotted, and its spectrum."""
     )
 
 
@@ -284,12 +282,11 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
     p = Parameters.article()
     angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
-    tables: dict[str, Table] = {}
     along = p.replace(theta0=np.radians(angles))
     speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
     for letter, ax, name, values in zip("ab", axes[:2], "Vd", (speeds, creeps), strict=True):
         sweep = rms_sweep(along.replace(**{name: values[:, None]}), workers=workers)
-        tables[letter] = columns = {"theta0_deg": angles}
+        figure.tables[letter] = columns = {"theta0_deg": angles}
         for rms, value, color in zip(sweep.rms, values, _SHADES, strict=True):
             ax.plot(angles, rms, color=color, linewidth=0.9, label=f"${name} = {value:.3g}$")
             columns[f"rms_x_{name}_{value:.4g}"] = rms
@@ -305,12 +302,15 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)
     ax.axhline(first_fold(p), color=GREY, linewidth=0.7, linestyle=":")
-    tables["c"] = {"V": np.repeat(jumps.V, jumps.d.size), "d": np.tile(jumps.d, jumps.V.size), "theta0_deg": places.ravel()}
+    figure.tables["c"] = {
+        "V": np.repeat(jumps.V, jumps.d.size),
+        "d": np.tile(jumps.d, jumps.V.size),
+        "theta0_deg": places.ravel(),
+    }
     return figure.describe(
         f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
         over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
         {V}; (c) the θ₀ at which it steps most, to {np.degrees(jumps.width):.2g}°, over V for three
         d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what
-        the article does not state.""",
-        **tables,
+        the article does not state."""
     )

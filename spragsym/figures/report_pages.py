@@ -214,7 +214,7 @@ def mark_brake(
 ) -> Any:  # fmt: skip
     """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where it jumps, if it does."""
     radians, friction = p.scalars("theta0", "mu0")
-    angle = float(np.degrees(radians))
+    angle = np.degrees(radians)
     low, high = np.degrees(theta0)
     ax.add_patch(Rectangle((low, mu0[0]), high - low, mu0[1] - mu0[0], facecolor=SKY, edgecolor=BLUE, linewidth=0.8, alpha=0.6,
                            zorder=3))  # fmt: skip
@@ -256,7 +256,7 @@ def draw_rising(
         Of the path.
     """
     ax, first = own_axes(ax), p.model.coordinates[0]
-    allowed, end = p.ranges[vary], float(ranges(p.model, (vary,), {})[0, 1])
+    allowed, end = p.ranges[vary], ranges(p.model, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (_TOP, _FAR) if vary == "mu0" else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})

@@ -11,7 +11,6 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import matplotlib
@@ -82,12 +81,15 @@ class Sheet(Figure):
     """A figure with its caption, and the data of its panels by letter."""
 
     caption: str = ""
-    tables: Mapping[str, Table] = MappingProxyType({})
+
+    def __init__(self, *size: Any, **options: Any) -> None:
+        super().__init__(*size, **options)
+        self.tables: dict[str, Table] = {}
 
     def describe(self, caption: str, **tables: Table) -> Sheet:
-        """Set the caption, and the data of panels ``a``, ``b``, …."""
+        """Set the caption, and the data of panels ``a``, ``b``, …, as far as they are not there yet."""
         self.caption = " ".join(caption.split())
-        self.tables = tables
+        self.tables |= tables
         return self
 
     def _repr_png_(self) -> bytes:

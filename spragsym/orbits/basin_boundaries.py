@@ -243,7 +243,7 @@ class _Walk:
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
         """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
-        constants, reach = self.system.constants, 0.1 * float(np.abs(self.saddle.measure).max())
+        constants, reach = self.system.constants, 0.1 * np.abs(self.saddle.measure).max()
         part, clock = 0.0, 0.0
         for _ in range(20):
             state = self.system.flow.plain(state, constants, 1 / self.saddle.growth).state
@@ -290,7 +290,7 @@ class _Walk:
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state + step * along @ self.plane
             try:
-                seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
+                seen = np.linalg.norm(slope) * step**2 / (BENT * np.abs(self.saddle.measure).max())
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
                 moved = self.plane @ (ahead - state)

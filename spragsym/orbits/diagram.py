@@ -180,7 +180,7 @@ def diagram(
     onsets, born_at = None, np.empty(0)
     try:
         onsets = flutter_onsets(p, vary, between={vary: (low, high)})
-        born_at = np.asarray(getattr(onsets, vary))
+        born_at = getattr(onsets, vary)
     except SpragsymError as error:
         remarks.append(f"Hopf points were not looked for: {error}")
     for born in _cycles(p, vary, onsets, born_at, starts, remarks):

@@ -206,7 +206,7 @@ class Rates:
         """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of the flow's speed."""
         found = half_widths(self.logs, self.stretch)
         if self.moves:
-            found[0] = float(np.ptp(self.flow)) / self.span
+            found[0] = np.ptp(self.flow) / self.span
         return np.maximum(found, FLOOR)
 
     @property
@@ -234,7 +234,7 @@ class Rates:
             return "all exponents but the trivial one are negative: what it nears attracts, and a longer motion may reach it"
         if len(across) == 1:
             return "deviations grow, but the motion of one coordinate is never chaotic: a longer motion tells what it comes to"
-        slowest = float(-across[across < 0].max(initial=-np.inf))
+        slowest = -across[across < 0].max(initial=-np.inf)
         if before * slowest < SETTLED:
             return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"
         middle = len(self.logs) // 2

@@ -210,9 +210,9 @@ class _Asked:
 
     def ask(self, value: float, way: tuple[float, float] = ROUGH) -> _Fate:
         """The fate at a value, by a tolerance, from a start that is moved by so much."""
-        before = next((each for each in self.known if (each.value, each.way) == (value, way)), None)
-        if before is not None:
-            return before
+        for before in self.known:
+            if (before.value, before.way) == (value, way):
+                return before
         if sum(each.verdict.t for each in self.known) > LONGEST:
             raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
         with doing("the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)):
@@ -480,7 +480,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     if rests:
         off, rest = min(rests.items())
         return "equilibrium", rest.state, rest.growth, off
-    extent = float(np.ptp(states, axis=0).max())
+    extent = np.ptp(states, axis=0).max()
     for begin, end in returns(hovering.turns, around):
         with suppress(ConvergenceError):
             cycle = cycle_at(system, begin.state, end.t - begin.t)

@@ -239,7 +239,7 @@ def in_letters(scale: str) -> str:
 def label(model: Model, name: str) -> str:
     """A parameter, a coordinate or its rate as an axis names it."""
     if name in model.rates:
-        return rf"$\dot{{{label(model, model.coordinates[model.rates.index(name)])[1:-1]}}}$"
+        return rf"$\dot{{{symbol(model.coordinates[model.rates.index(name)])}}}$"
     return shown(model, name)[0]
 
 

@@ -86,3 +86,4 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
     assert len(article.axes) == 3 * 2
     assert len(rod.axes) == 3 * len(ss.load("sprag_rod").coordinates)
     assert "(deg)" in rod.axes[0].get_ylabel()
+    assert rod.axes[1].get_ylabel() == r"$\dot{\phi}$ (deg/s)"

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +14,8 @@ from click.core import ParameterSource
 
 from ..errors import ParameterError, hint
 from ..models.model import options_of
-from ..models.parameters import FloatArray, Range
+from ..models.parameters import FloatArray, Range, as_number
+from ..models.quantities import Quantities, quantities
 from ..remarks import Remark
 from ..results.equilibria import Stability
 
@@ -126,15 +125,13 @@ class Case:
 
     def following(self, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
         """A set of parameters that follows the state that ``--state`` chose, if it did."""
-        chosen = {}
+        ones, chosen = {name: self.of(name)[1] for name in self.model.coordinates}, {}
         for word in near:
             name, _, value = word.partition("=")
-            chosen[name] = math.nan
-            with suppress(ValueError):
-                chosen[name] = float(value) / self.of(name)[1] if name in self.model.coordinates else math.nan
-            if not math.isfinite(chosen[name]):
-                known = ", ".join(self.model.coordinates)
-                raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
+            try:
+                chosen[name] = as_number(name, float(value)) / ones[name]
+            except (KeyError, ValueError) as error:
+                raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {', '.join(ones)}") from error
         return p.following(**chosen) if chosen else p
 
     def spanning(self, typed: Typed, values: bool, alone: bool) -> Span:
@@ -175,10 +172,21 @@ class Case:
 
     @property
     def si(self) -> dict[str, str]:
-        """SI units of coordinates and their rates."""
+        """SI units of coordinates and their rates, and of what is measured of a motion."""
         entries = self.model.about["coordinates"]
         rates = {entry["rate"]: "1/s" if entry["unit"] == "rad" else "m/s" for entry in entries}
-        return {entry["name"]: entry["unit"] for entry in entries} | rates
+        measured = dict.fromkeys(MEASURED, entries[0]["unit"]) | dict.fromkeys(FORCES, "N") | {"period": "s"}
+        return {entry["name"]: entry["unit"] for entry in entries} | rates | measured
+
+    @property
+    def kind(self) -> Quantities:
+        """The quantities of its model."""
+        return quantities(self.model.where)
+
+    @property
+    def quantity_of(self) -> dict[str, str]:
+        """Of each parameter the quantity of a file that it is."""
+        return {name: quantity for quantity, name in self.kind.parameters.items()}
 
     @property
     def time(self) -> float:
@@ -193,13 +201,10 @@ class Case:
         for span in self.spans:
             if span.name == name:
                 return span.title, span.unit
-        coordinate = self.si.get(name)
-        if coordinate is None and self.study is not None and name in (*RATES, "period"):
-            return (f"{name}_s", self.time) if name == "period" else (f"{name}_per_s", 1.0 / self.time)
-        si = "N" if name in FORCES else self.si[self.model.coordinates[0]] if name in MEASURED else coordinate or "1"
-        if coordinate is None and re.fullmatch(r"(theta|L)(_.*)?", name):  # of a spring
-            si = "rad" if name.startswith("theta") else "m"
-        return self._titled(name + end, si)
+        if self.study is not None and name in RATES:
+            return f"{name}_per_s", 1.0 / self.time
+        of_spring = {"theta": "rad", "L": "m"}.get(name.partition("_")[0], "1")
+        return self._titled(name + end, self.si.get(name, of_spring))
 
     def row(self, values: Mapping[str, Any], end: str = "") -> dict[str, Any]:
         """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
@@ -215,22 +220,19 @@ class Case:
 
     def varied(self, name: str) -> tuple[str, str, float]:
         """A parameter, or with a file its quantity: the parameter, its title, and what one of it is there."""
-        entries = self.model.about["parameters"]
-        for entry in entries:
-            if name == entry["name"] and (self.study is None or name != entry["quantity"]):
-                return name, *self._titled(name, entry["unit"])
-        for entry in entries:
-            if name == entry["quantity"]:
-                if self.study is None:
-                    cure = f"without --data the parameters have no units; give --vary {entry['name']}"
-                    raise ParameterError(f"--vary {name}: {cure}")
-                return entry["name"], *self._titled(name, entry["quantity_unit"], name)
-        if any(name == entry["name"] for entry in self.model.about["units"]):
+        kind = self.kind
+        if name in self.model.parameters and (self.study is None or kind.parameters.get(name) != name):
+            return name, *self.parameter(name)
+        if name in kind.parameters:
+            if self.study is None:
+                cure = f"without --data the parameters have no units; give --vary {kind.parameters[name]}"
+                raise ParameterError(f"--vary {name}: {cure}")
+            return kind.parameters[name], *self._titled(name, kind.units[name], name)
+        if name in kind.bases:
             raise ParameterError(
                 f"--vary {name}: it is a unit of the model, and several parameters change with it; write a file for each value"
             )
-        known = [entry[key] for key in ("name", "quantity") for entry in entries]
-        known = list(dict.fromkeys(known if self.study else self.model.parameters))
+        known = list(dict.fromkeys([*self.model.parameters, *(kind.parameters if self.study else ())]))
         raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
 
     def axis(self, name: str, before: str = "", after: str = "") -> tuple[str, float] | None:
@@ -242,10 +244,10 @@ class Case:
             return None
         from ..figures.style import symbol
 
-        entries = {entry["name"]: (entry["quantity"], entry["quantity_unit"]) for entry in self.model.about["parameters"]}
-        quantity, si = entries.get(name, (name, "m"))
-        unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity if name in entries else "")
-        return f"{before}${symbol(quantity)}${f' ({unit})' if unit else ''}{after}", size
+        quantity = self.quantity_of.get(name, "")
+        si = self.kind.units.get(quantity, "m")
+        unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity)
+        return f"{before}${symbol(quantity or name)}${f' ({unit})' if unit else ''}{after}", size
 
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with what they say of parameters and coordinates in the units of the file."""
@@ -253,8 +255,8 @@ class Case:
 
     def _named(self, name: str) -> tuple[str, float]:
         """A parameter, by its quantity, or a coordinate."""
-        quantities = {entry["name"]: entry["quantity"] for entry in self.model.about["parameters"]}
-        return self.varied(quantities[name])[1:] if name in quantities else self.of(name)
+        quantity = self.quantity_of.get(name)
+        return self.varied(quantity)[1:] if quantity else self.of(name)
 
     def _titled(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
         """A title with its unit, and what one of the model's own units is there."""

@@ -14,7 +14,7 @@ import click
 import spragsym as ss
 
 from ..errors import ModelError, ParameterError
-from ..explorer import Preset, Units, explorer_page
+from ..explorer import explorer_page
 from ..files.storage import probe
 from ..models.load import USUAL, load, shipped
 from ..models.parameters import POSITIVE
@@ -162,7 +162,7 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     about: dict[str, Any] = {}
     if study is not None:
         p = study.kind.parameter_set(study.values)
-        about = {"presets": [Preset.of(f"Your data: {study.source}", p)], "units": _units(study)}
+        about = {"presets": [(f"Your data: {study.source}", p)], **_units(study)}
     return explorer_page(model, **about, onsets=_map(model, p, study) if onsets else ("", ""))
 
 
@@ -184,13 +184,13 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
     return picture(lambda ax: draw_onset_curves(found, ax)), command
 
 
-def _units(study: Study) -> Units:
-    """The units of the user's file."""
-    kind, (length, size) = study.kind, study.unit_of("m")
+def _units(study: Study) -> dict[str, Any]:
+    """The units of the user's file, and whose they are."""
+    kind, (length, size), scales = study.kind, study.unit_of("m"), study.scales
     parameters = {
         name: (quantity, *study.unit_of(kind.units[quantity], quantity)[::-1])
         for quantity, name in kind.parameters.items() if quantity in study.quantities and kind.units[quantity] not in ("rad", "1")
     }  # fmt: skip
     fixed = ", ".join(f"{name} = {study.shown(name)}" for name in kind.bases)
-    about, scales = f"those of {study.source}, at its {fixed}.", study.scales
-    return Units(about, (size, length), (scales.time, "s"), (scales.force, "N"), parameters)
+    units = {"length": (size, length), "time": (scales.time, "s"), "force": (scales.force, "N"), "parameters": parameters}
+    return {"units": units, "source": f"those of {study.source}, at its {fixed}."}

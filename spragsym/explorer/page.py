@@ -66,14 +66,15 @@ def explore(p: ParameterSet) -> Page:
     >>> "<!DOCTYPE html>" in page.text
     True
     """
-    return Page(explorer_page(p.model, [Preset.of("yours", p)]))
+    return Page(explorer_page(p.model, [("yours", p)]))
 
 
 def explorer_page(
     model: Model | None = None,
-    presets: Sequence[Preset] = (),
+    presets: Sequence[tuple[str, ParameterSet]] = (),
     *,
-    units: Units | None = None,
+    units: Mapping[str, Any] | None = None,
+    source: str = "",
     onsets: tuple[str, str] = ("", ""),
 ) -> str:
     """The explorer as one HTML page that needs no network: mechanism, plane, states, and the motion in time.
@@ -84,10 +85,13 @@ def explorer_page(
     ----------
     model : Model, optional
         As :func:`spragsym.load` gives it; the article's by default.
-    presets : sequence of Preset
-        Points of the user's own. The page begins at the first of them; the model's follow.
-    units : Units, optional
-        Units of the user's own, in which states, forces and motion are shown.
+    presets : sequence of (str, Parameters)
+        Points of the user's own, each with what the page's list says. The page begins at the first; the model's follow.
+    units : mapping of str to tuple, optional
+        Units of the user's own, in which states, forces and motion are shown: of ``length``, ``time`` and ``force`` what 1 is,
+        and the unit; and ``parameters``, of each that has a quantity with a unit the name of that, what 1 is, and the unit.
+    source : str
+        Where these are from, in words that the page shows.
     onsets : pair of str
         The map of stability as SVG, and the command that prints its numbers.
 
@@ -109,13 +113,14 @@ def explorer_page(
     """
     model = model or load(USUAL)
     module, drawing = _derived(model)
-    shown = [*presets, *(Preset.of(name, p) for name, p in model.cases())]
+    names, shown = model.parameters, [*presets, *model.cases()]
+    points = [dict(zip(names, p.scalars(*names), strict=True)) for _, p in shown]
     data = {
-        "model": described(model, shown),
-        "presets": [vars(preset) for preset in shown],
-        "units": units and {name: value for name, value in vars(units).items() if name != "source"},
+        "model": described(model, points),
+        "presets": [{"name": name, "point": point} for (name, _), point in zip(shown, points, strict=True)],
+        "units": units,
     }
-    beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(units.source)}</p>' if units else ""
+    beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(source)}</p>' if units else ""
     lines = map(" ".join, zip(model.coordinates, _LINES, strict=False))
     return _filled(
         "page.html",
@@ -135,55 +140,6 @@ def explorer_page(
             **_solver(model),
         },
     )
-
-
-@dataclass(frozen=True)
-class Preset:
-    """A named point of all parameters.
-
-    Attributes
-    ----------
-    name : str
-        What the page's list says.
-    point : dict of str to float
-        The parameters of the model by their names, angles in radians.
-    """
-
-    name: str
-    point: dict[str, float]
-
-    @classmethod
-    def of(cls, name: str, parameters: ParameterSet) -> Preset:
-        """A preset at one point.
-
-        Raises
-        ------
-        ParameterError, ParameterTypeError
-            If a parameter is missing, or is not a single number.
-        """
-        names = parameters.model.parameters
-        return cls(name, dict(zip(names, parameters.scalars(*names), strict=True)))
-
-
-@dataclass(frozen=True)
-class Units:
-    """Units of the data that a page begins at.
-
-    Attributes
-    ----------
-    source : str
-        Where they are from, in words that the page shows.
-    length, time, force : tuple of (float, str)
-        What 1 is in the unit that is named.
-    parameters : dict of str to tuple of (str, float, str)
-        For dimensionless parameters that have a quantity with a unit: its name, what 1 is, and the unit.
-    """
-
-    source: str
-    length: tuple[float, str]
-    time: tuple[float, str]
-    force: tuple[float, str]
-    parameters: dict[str, tuple[str, float, str]] = field(default_factory=dict)
 
 
 def _solver(model: Model) -> dict[str, str]:
@@ -249,8 +205,8 @@ def _derived(model: Model) -> tuple[str, str]:
     return made[f"{model.name}.mjs"], made[f"{model.name}.svg"]
 
 
-def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
-    """Names, ranges, sliders that reach all presets, and what its functions take."""
+def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, Any]:
+    """Names, ranges, sliders that reach some points, and what its functions take."""
     about, contact = model.about, model.about["contact"]
     return {
         "name": model.name,
@@ -264,7 +220,7 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
             | {
                 "angle": entry["unit"] == "rad", "flag": options_of(about, entry["name"])[0],
                 "range": {key: entry[key] for key in ("low", "high", "low_open", "high_open") if entry[key] is not None},
-                **_slider(entry, [preset.point[entry["name"]] for preset in presets]),
+                **_slider(entry, [point[entry["name"]] for point in points]),
             }
             for entry in about["parameters"]
         ],
@@ -277,7 +233,7 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
 
 
 def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, float]:
-    """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base value and presets."""
+    """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base value and points."""
     low, high, base = entry["low"], entry["high"], entry["base"]
     reach = max([_REACH * abs(base) if base else _PLAIN, *(_ROOM * abs(value) for value in values)])
     first = -reach if low is None else low

@@ -4,7 +4,7 @@ import json
 import math
 import tomllib
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -21,7 +21,7 @@ Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]
 Row: TypeAlias = dict[str, Any]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Statement:
     """A statement of the article and the computation that decides it, as statements.toml has it."""
 
@@ -30,18 +30,17 @@ class Statement:
     stated: str
     computed: str | list[Any]  #: a function of computed.py, with its arguments if it has any
     outcome: str  #: in words, if the computation holds
-    test: str  #: in tests/article/test_claims.py
-    command: str
     status: str = "reproduced"  #: if the computation holds
     digits: int = 12  #: of the computed numbers
     tolerance: str = "none: a yes or no"
+    command: str
+    test: str  #: in tests/article/test_claims.py
     consequence: str = ""  #: for those who use the article, where a statement does not hold as it stands
 
     def row(self, holds: bool, values: dict[str, Value]) -> Row:
         """A row of the ledger of claims: what is stated and what was found."""
-        told = ("id", "where", "stated", "outcome", "status", "digits", "tolerance", "command", "test", "consequence")
-        row = {name: getattr(self, name) for name in told}
-        row |= {"test": f"tests/article/test_claims.py::{self.test}", "values": values}
+        row = vars(self) | {"test": f"tests/article/test_claims.py::{self.test}", "values": values}
+        del row["computed"]
         if not holds:
             row |= {"outcome": f"does not hold: {self.outcome}", "status": "not reproduced"}
         return row
@@ -53,7 +52,7 @@ def printed() -> Any:
 
 
 STATEMENTS = tuple(
-    Statement(id, **entry) for id, entry in tomllib.loads(shipped_text("spragsym.article", "statements.toml")).items()
+    Statement(id=id, **entry) for id, entry in tomllib.loads(shipped_text("spragsym.article", "statements.toml")).items()
 )
 
 
@@ -139,9 +138,5 @@ def page() -> str:
     return filled(
         "spragsym.article", "reproduction.md", "the report on the article", rows=rows, claims=claims, printed=equations,
         stated=stated, measured=json.loads(shipped_text("spragsym.article", "measured.json")), paradox=PARADOX, V=V, d=f"{D:g}",
-        both_forms=both_forms, counts=_counts,
+        both_forms=both_forms,
     )  # fmt: skip
-
-
-def _counts(statuses: Mapping[str, int]) -> str:
-    return ", ".join(f"{count} {status}" for status, count in sorted(statuses.items()))

@@ -36,27 +36,14 @@ def contents(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "
     return data
 
 
-def decoded(data: bytes) -> str:
-    """Text in UTF-8, with a mark at its beginning or without, or in UTF-16 with one, as Windows PowerShell's ``>`` writes it.
-
-    Raises
-    ------
-    UnicodeDecodeError
-        If it is neither.
-
-    Examples
-    --------
-    >>> decoded("k = 180 N/mm ± 15 %".encode("utf-16"))
-    'k = 180 N/mm ± 15 %'
-    """
-    return data.decode("utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig")
-
-
 def text_of(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "another file", remedy: str = "") -> str:
-    """The text of a file; errors as of :func:`contents`, and one for bytes that are no text."""
+    """The text of a file in UTF-8, with a mark at its beginning or without, or in UTF-16 with one, as PowerShell writes it.
+
+    Errors are those of :func:`contents`, and one for bytes that are no text.
+    """
     data = contents(path, largest, what)
     try:
-        return decoded(data)
+        return data.decode("utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig")
     except UnicodeDecodeError as error:
         raise ParameterError(f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}") from error
 

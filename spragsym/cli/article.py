@@ -5,6 +5,7 @@ import inspect
 import itertools
 import re
 import sys
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import asdict
@@ -28,6 +29,7 @@ _GOOD, _OPEN, _BAD, _DIM = {"fg": "green"}, {"fg": "cyan"}, {"fg": "red", "bold"
 _STYLES: Mapping[str, Style] = {
     "confirmed": _GOOD, "misprint": {"fg": "yellow"}, "approximation": _OPEN, "definition": _DIM, "failed": _BAD,
     "reproduced": _GOOD, "corrected": {"fg": "magenta"}, "input not stated": _OPEN, "not reproduced": _BAD,
+    "holds": _GOOD, "fails": _BAD, "no meaning": _DIM,
 }  # fmt: skip
 
 
@@ -143,19 +145,19 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    styles: Mapping[str, Style] = {variant_models.HOLDS: _GOOD, variant_models.FAILS: _BAD, variant_models.NO_MEANING: _DIM}
-    _print_rows("model less article", styles, [(row.id, row.where, row.status, row.remark) for row in rows])
-    hold, fail, none = (sum(row.status == status for row in rows) for status in styles)
+    _print_rows("model less article", [(row.id, row.where, row.status, row.remark) for row in rows])
+    number = Counter(row.status for row in rows)
+    hold, fail, none = number["holds"], number["fails"], number["no meaning"]
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
 
 
-def _print_rows(last: str, styles: Mapping[str, Style], rows: Sequence[tuple[str, str, str, str]]) -> None:
+def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
     table = [("row", "where", "status", last), *rows]
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
-        styled = line.removesuffix(status) + click.style(status, **styles.get(status, {"bold": True}))
+        styled = line.removesuffix(status) + click.style(status, **_STYLES.get(status, {"bold": True}))
         click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
 
 
@@ -163,7 +165,7 @@ def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
     """Equations with the remark of each; of the text's statements the outcome."""
     remarks = ("outcome", "cause", "limit", "note")
     shown = [(row["id"], row["where"], row["status"], next((row[key] for key in remarks if row.get(key)), "")) for row in rows]
-    _print_rows("remark", _STYLES, shown)
+    _print_rows("remark", shown)
     for row in rows:
         if row.get("consequence"):
             right = f": right is {row['derived']}" if "derived" in row else ""

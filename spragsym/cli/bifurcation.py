@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -73,8 +72,11 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
 
     def search(title: str, along: Sequence[str], question: Callable[..., Any], **more: Any) -> None:
         with show_progress(f"searching for {title} along {' and '.join(along)}"):
-            vary = along[0] if len(along) == 1 else along
-            found[title] = _within_ranges(question(case.set(*along), vary, **case.searching(*along), **more))
+            points = question(case.set(*along), along[0] if len(along) == 1 else along, **case.searching(*along), **more)
+        # Closed forms know mirror images beyond the ranges of what varies.
+        ranges = [points.parameters.ranges[name] for name in along]
+        low, high = np.array([(one.low, one.high) for one in ranges]).T[..., None]
+        found[title] = points.between(np.clip(points.region[-len(along) :], low, high))
 
     search("folds", names[:1], ss.folds)
     search("onsets", names[:1], ss.flutter_onsets, damping=False if undamped else None)
@@ -101,15 +103,6 @@ def _plane(case: Case) -> tuple[str, ...]:
         typed = " --vary ".join(span.typed for span in case.spans)
         raise ParameterError(f"--vary {typed}: give one parameter, or two different ones")
     return names
-
-
-def _within_ranges(found: Any) -> Any:
-    """Points at which all that varies is in its range: closed forms know mirror images beyond it."""
-    ranges, first = [found.parameters.ranges[name] for name in found.vary], len(found.region) - len(found.vary)
-    inside = np.all([allowed.inside(getattr(found, name)) for name, allowed in zip(found.vary, ranges, strict=True)], axis=0)
-    region = found.region.copy()
-    region[first:] = np.clip(region[first:].T, [one.low for one in ranges], [one.high for one in ranges]).T
-    return replace(found.select(inside), region=region)
 
 
 def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], n: int, undamped: bool) -> None:

@@ -285,11 +285,12 @@ def in_degrees(allowed: Range, remedy: str = "") -> Range:
     return replace(allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy)
 
 
-def study_of(path: str | Path, model: str | None, trust: bool) -> Study:
-    """The data of a brake, for the model that the command names if it names one."""
+def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = True) -> Study:
+    """The data of a brake, for the model that the command names if it names one; with warnings of what numbers may mean."""
     from ..report import Study
+    from ..report.brake_files import read_brake
 
-    study = Study.from_file(path, trust=trust or model or False)
+    study = (Study.from_file if warn else read_brake)(path, trust=trust or model or False)
     if model not in (None, study.model):
         raise ParameterError(f"--model {model}: {path} is about {study.model}; leave one of the two out")
     return study

@@ -68,12 +68,9 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([html], force)
-    from ..report.brake_files import read_brake
     from ..report.reports import Asked, Report
 
-    study = read_brake(file, trust or model or False)  # the report has its own warnings
-    if model not in (None, study.model):
-        raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
+    study = study_of(file, model, trust, warn=False)  # the report has its own warnings
     found = Report(study, Asked(redesign=redesign, oscillation=oscillation, safety=safety))
     blocks = found.blocks()
 

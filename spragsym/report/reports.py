@@ -116,7 +116,7 @@ class Report(Result):
     @cached_property
     def jump_at(self) -> float | None:
         """Where it jumps, as it is told: the friction of the law, or another quantity in SI; NaN where it never does."""
-        return self._jump if self._jump is None or math.isnan(self._jump) else self.study.told(self._jump)
+        return None if self._jump is None else self.study.told(self._jump)
 
     @cached_property
     def theta0_jump_deg(self) -> float | None:
@@ -266,10 +266,10 @@ class Report(Result):
     @cached_property
     def peak(self) -> JumpPeak | None:
         """The jump as a motion; of friction, if there is one that the belt may reach."""
-        value, jump = self._jump, self.jump_at
-        if not (self.asked.oscillation and self.study.moves) or value is None or jump is None or math.isnan(jump):
+        value = self._jump
+        if not (self.asked.oscillation and self.study.moves) or value is None or math.isnan(value):
             return None
-        return self._known("the jump as a motion is", lambda: jump_peak(self.study, value, jump, self.speed))
+        return self._known("the jump as a motion is", lambda: jump_peak(self.study, value, self.speed))
 
     @cached_property
     def oscillation(self) -> Oscillation | None:
@@ -295,7 +295,7 @@ class Report(Result):
     @property
     def unbounded(self) -> tuple[str, ...]:
         """Quantities of whose distribution a part lies beyond the box of the certificate."""
-        return tuple(name for name in self.study.unbounded if name != "m")  # on which no equilibrium depends
+        return tuple(name for name in varied(self.study) if not self.study.quantities[name].cut)
 
     @cached_property
     def probability(self) -> JumpProbability | None:
@@ -303,7 +303,7 @@ class Report(Result):
         study, n = self.study, self.asked.n
         if not self.asked.probability or study.rise is None or not varied(study):
             return None
-        if self.within == "proved" and not study.unbounded:
+        if self.within == "proved" and not self.unbounded:
             return JumpProbability(0.0, 0.0, 0.0, 1.0, 0, 0.0, {}, {}, {}, {}, (0.0, 0.0))
         odds = chance(study, effort(study).samples if n is None else n)
         bounds = self._known("bounds of the probability are", lambda: bracket(study))

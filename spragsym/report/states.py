@@ -254,11 +254,10 @@ def _roots(study: Study, q: list[float]) -> ComplexArray:
     return roots(*linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None]))[0]
 
 
-def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:
+def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
     """The jump as a motion; None where the belt's friction reaches none, the law is not known, or the motion creeps.
 
-    ``value`` is that of the parameter that rises, ``jump`` what it is told as, and ``speed`` the least one of the belt in m/s
-    that brings a friction.
+    ``value`` is that of the parameter that rises, and ``speed`` the least one of the belt in m/s that brings a friction.
 
     Notes
     -----
@@ -266,7 +265,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
     The motion begins at rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is
     left, and the others are balanced.
     """
-    rise, at = study.rises, _moving(study, value, jump, speed)
+    rise, at = study.rises, _moving(study, value, speed)
     if at is None:
         return None
     p = study.at_work
@@ -292,21 +291,21 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
     ends = (end(course[: start.size], axis=1) for end in (np.min, np.max))
     lowest, highest = (in_units(study, dict(zip(p.model.coordinates, end, strict=True))) for end in ends)
     return JumpPeak(
-        at=jump, before=in_units(study, turn.before), after=in_units(study, turn.after),
+        at=study.told(value), before=in_units(study, turn.before), after=in_units(study, turn.after),
         ranges={name: (lowest[name], highest[name]) for name in lowest},
         spring_force_N=springs, contact_force_N=contact, lifts_off=contact is not None and contact[0] == 0,
         settles=_COMES_TO.get(comes_to, "unsettled"), followed_s=float(motion.t[-1] * study.scales.time),
     )  # fmt: skip
 
 
-def _moving(study: Study, value: float, jump: float, speed: float) -> Any:
+def _moving(study: Study, value: float, speed: float) -> Any:
     """The parameters of the motion where it jumps; None where the law is not known or brings no such friction."""
     p, law = study.dimensionless, study.kind.law
     if not study.moves or (study.slides and study.law != "friction_at_speed"):
         return None
     if not study.of_friction:
         return p.replace(**{study.rises.name: value})
-    at = p.replace(mu0=1.0)
+    at, jump = p.replace(mu0=1.0), study.told(value)
     if jump > study.friction[2]:
         if math.isnan(speed):
             return None

@@ -218,11 +218,6 @@ class Study:
         """Half of the width of every quantity that has one, in SI."""
         return {name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies}
 
-    @property
-    def unbounded(self) -> tuple[str, ...]:
-        """Quantities of whose distribution a part lies beyond ``low`` and ``high``."""
-        return tuple(name for name in self.tolerances if not self.quantities[name].cut)
-
     @cached_property
     def scales(self) -> Scales:
         """Scales of length, time and force."""

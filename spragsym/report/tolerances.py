@@ -129,13 +129,18 @@ def ending(study: Study, values: Mapping[str, Any], target: float | None = None,
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has begun to."""
     low, high, units = parameter_ends(study)
-    if not study.of_friction:
-        name = study.rises.name
-        low = low.replace(**{name: max(study.begins(), float(getattr(low, name)))})
+    name = study.rises.name
+    low = low.replace(**{name: max(study.begins(), float(getattr(low, name)))})
     if not _all_works(study):
         ends = zip((low, high), friction_bounds(study), strict=True)
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in ends)
     return low, high, units
+
+
+def splitting(study: Study) -> Splitting:
+    """The state of all brakes, followed as what rises does, in parts of their box."""
+    low, high, units = box(study)
+    return Splitting(low, high, study.rises.name, study.begins(), units)
 
 
 def _all_works(study: Study) -> bool:
@@ -184,10 +189,9 @@ def begins_alike(study: Study, after: Numbers) -> bool:
         return True
     ends = {name: sorted((value, after.get(name, value))) for name, value in study.values.items()}
     moved = {name: replace(one.alone, low=ends[name][0], high=ends[name][1]) for name, one in study.quantities.items()}
-    low, high, units = box(study.with_quantities(moved))
     of = sides(study)
     try:
-        way = Splitting(low, high, study.rises.name, study.begins(), units)
+        way = splitting(study.with_quantities(moved))
         least, most = way.whole.low[:-1, 0], way.whole.high[:-1, 0]
         upward = [after.get(name, 0.0) > study.values[name] for name, _ in (of[side] for side in way.free)]
         return way.begins_alike(np.where(upward, least, most), np.where(upward, most, least))
@@ -208,14 +212,11 @@ def bracket(study: Study) -> Span:
     def law(name: str, scale: float) -> Any:
         return lambda value: study.quantities[name].whole.cdf(np.asarray(value) * scale)
 
-    low, high, units = box(study)
-    splitting, of = Splitting(low, high, study.rises.name, study.begins(), units), sides(study)
-    laws = {side: law(*of[side]) for side in splitting.free}
-    up_to = (law(*of[study.rises.name]),) * 2
-    if study.of_friction:
-        least, most = _shares_that_work(study)
-        up_to = law("mu0", 1 / most), law("mu0", 1 / least)
-    below, above = measured(splitting, laws, up_to, _PARTS)
+    whole, of = splitting(study), sides(study)
+    laws = {side: law(*of[side]) for side in whole.free}
+    (quantity, size), (least, most) = of[study.rises.name], _shares_that_work(study)
+    up_to = law(quantity, size / most), law(quantity, size / least)
+    below, above = measured(whole, laws, up_to, _PARTS)
     ends = [study.quantities[name] for name in names]
     off = _PARTS * _ROUNDING * max(abs(one.high) / (one.high - one.low) for one in ends)
     return max(0.0, below - off), min(1.0, above + off)

@@ -32,25 +32,18 @@ COUNT, LARGEST = 11, 1e6
 
 
 @dataclass(frozen=True)
-class Typed:
-    """A range as it was typed; what was left out is None."""
-
-    text: str
-    name: str
-    ends: tuple[float, float] | None = None
-    count: int | None = None
-
-
-@dataclass(frozen=True)
 class Span:
-    """A parameter that varies, with what one of it is in the answer, and what it is called there; ends in radians, if given."""
+    """What varies, as it was typed; of a case a parameter, with what one of it is in the answer, and what it is called there.
+
+    Its ends, if given, are as typed, and of a case the model's own.
+    """
 
     typed: str
     name: str
-    unit: float
-    title: str
-    ends: tuple[float, float] | None
-    count: int
+    ends: tuple[float, float] | None = None
+    count: int = COUNT
+    unit: float = 1.0
+    title: str = ""
 
     @property
     def values(self) -> FloatArray:
@@ -134,40 +127,40 @@ class Case:
                 raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {', '.join(ones)}") from error
         return p.following(**chosen) if chosen else p
 
-    def spanning(self, typed: Typed, values: bool, alone: bool) -> Span:
-        """What varies as it was typed; with ``values``, both ends are values themselves.
+    def spanning(self, span: Span, values: bool, alone: bool) -> Span:
+        """What varies, from what was typed; with ``values``, both ends are values themselves.
 
         Where it stands ``alone`` a range has no value besides.
         """
-        name, title, unit = self.varied(typed.name)
-        if typed.ends is not None and alone and is_typed(name):
+        name, title, unit = self.varied(span.name)
+        found = replace(span, name=name, unit=unit, title=title)
+        if span.ends is None:
+            return found
+        if alone and is_typed(name):
             flag = options_of(self.model.about, name)[0]
-            raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
-        allowed, count = self.model.Parameters.ranges[name], typed.count or COUNT
-        if typed.ends is None:
-            return Span(typed.name, name, unit, title, None, count)
-        angle = self.model.is_angle(name)
-        for end in typed.ends:
+            raise ParameterError(f"{flag} gives {name} a value, and --vary {span.typed} varies it; leave one of the two out")
+        allowed, angle = self.model.Parameters.ranges[name], self.model.is_angle(name)
+        for end in span.ends:
             value = end / unit
             if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
                 raise ParameterError(
-                    f"--vary {typed.text}: {title} = {end:g} is too far; give at most {LARGEST * unit:g} in size"
+                    f"--vary {span.typed}: {title} = {end:g} is too far; give at most {LARGEST * unit:g} in size"
                 )
             if not (allowed.contains(value) if values else allowed.low <= value <= allowed.high):
                 own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"
                 limits = in_degrees(allowed) if angle else allowed
-                raise ParameterError(f"--vary {typed.text}: {title} = {end:g}{own} is not in {limits}")
-        low, high = typed.ends
-        return Span(typed.name, name, unit, title, (low / unit, high / unit), count)
+                raise ParameterError(f"--vary {span.typed}: {title} = {end:g}{own} is not in {limits}")
+        low, high = span.ends
+        return replace(found, ends=(low / unit, high / unit))
 
-    def box(self, texts: Sequence[Typed]) -> dict[str, tuple[float, float]]:
+    def box(self, spans: Sequence[Span]) -> dict[str, tuple[float, float]]:
         """Ranges of coordinates by name."""
         found = {}
-        for typed in texts:
-            if typed.ends is None:
-                raise ParameterError(f"--within {typed.text} is no range; give it as {self.model.coordinates[0]}=0:1")
-            unit, (low, high) = self.of(typed.name)[1], typed.ends
-            found[typed.name] = (low / unit, high / unit)
+        for span in spans:
+            if span.ends is None:
+                raise ParameterError(f"--within {span.typed} is no range; give it as {self.model.coordinates[0]}=0:1")
+            unit, (low, high) = self.of(span.name)[1], span.ends
+            found[span.name] = (low / unit, high / unit)
         return found
 
     @property

@@ -18,7 +18,7 @@ from ..models import load
 from ..models.load import USUAL
 from ..models.model import options_of
 from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, Range, as_number, as_numbers, degrees, shown
-from .case import Case, Typed, in_degrees, is_typed, study_of
+from .case import COUNT, Case, Span, in_degrees, is_typed, study_of
 from .output import print_json, refuse
 
 if TYPE_CHECKING:
@@ -117,21 +117,21 @@ class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
 
     name = "range"
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Typed:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Span:
         name, sign, rest = value.partition("=")
         numbers = rest.split(":")
         try:
             if sign and len(numbers) not in (2, 3):
                 raise ValueError
             ends = (float(numbers[0]), float(numbers[1])) if sign else None
-            count = int(numbers[2]) if len(numbers) == 3 else None
+            count = int(numbers[2]) if len(numbers) == 3 else COUNT
         except ValueError:
             self.fail(f"{value!r} is neither a name nor a range; give it as mu0=0:1, or with values as mu0=0:1:11")
-        if count is not None and not 2 <= count <= 100_000:
+        if not 2 <= count <= 100_000:
             self.fail(f"{value!r}: values with both ends are 2 to 100000")
         if ends and ends[0] == ends[1]:
             self.fail(f"{value!r}: both ends are {shown(ends[0])}; give two values")
-        return Typed(value, name, ends, count)
+        return Span(value, name, ends, count)
 
 
 def _flag(param: click.Parameter | None) -> str:
@@ -288,9 +288,9 @@ class OfModel(Command):
             values[name] = value
         start = {f"{name}0": given.pop(f"{name}0") / units.of(name)[1] for name in self.model.components if self.start}
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
-        asked = given.pop("vary", None) or [Typed(name, name) for name in self.varied]
-        typed = [asked] if isinstance(asked, Typed) else asked
-        spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(typed))
+        asked = given.pop("vary", None) or [Span(name, name) for name in self.varied]
+        asked = [asked] if isinstance(asked, Span) else asked
+        spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(asked))
         ask, force = {name: one for name, one in ask.items() if one}, given.pop("force", False)
         case = Case(self.model, ctx.obj, values, start, ask, spans, force)
         json_output, plot = given.pop("json_output", False), given.get("plot")

@@ -274,15 +274,15 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     def fold() -> Any:
         found = ss.critical_friction(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
-        return found if found.complete else None
+        return (float(found), math.degrees(found.theta0), found.kind or None) if found.complete else None
 
-    lowest = answer("mu0_lowest", fold, "theta0", "mu0")
+    lowest, at_deg, kind = answer("mu0_lowest", fold, "theta0", "mu0") or (None, None, None)
     varies = None in case.values.values()
     return {
         "mu0_jump": None if varies else answer("mu0_jump", jump, "mu0"),
-        "mu0_lowest": None if lowest is None else float(lowest),
-        "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
-        "kind_lowest": None if lowest is None else lowest.kind or None,
+        "mu0_lowest": lowest,
+        "theta0_lowest_deg": at_deg,
+        "kind_lowest": kind,
         "mu0_cusp": answer("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"),
         "mu_cr": answer("mu_cr", lambda: float(ss.linear_critical_friction(p))),
     }, case.said(remarks)  # fmt: skip

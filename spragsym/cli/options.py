@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import inspect
+import itertools
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -345,9 +346,8 @@ def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:
 
 def _value_of(args: Sequence[str], flag: str) -> str | None:
     """The value of an option, if it is there and a value follows."""
-    for place, word in enumerate(args):
-        if word == flag and place + 1 < len(args):
-            return args[place + 1]
-        if word.startswith(f"{flag}="):
-            return word.partition("=")[2]
+    for word, following in itertools.zip_longest(args, args[1:]):
+        name, sign, value = word.partition("=")
+        if name == flag:
+            return value if sign else following
     return None

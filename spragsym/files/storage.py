@@ -129,7 +129,7 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mappin
 
 def _sealed(data: bytes) -> bytes:
     """The content, followed by a last line with its checksum."""
-    return data + _TRAILER % _sha256(data)
+    return data + _TRAILER + hashlib.sha256(data).hexdigest().encode() + b"\n"
 
 
 def plain(text: str) -> str:
@@ -140,8 +140,7 @@ def plain(text: str) -> str:
 # ------------------------------------------------------------------------------------------------------ to read
 
 #: The last line of a file.
-_TRAILER = b"# sha256: %b\n"
-_TRAILED = re.compile(rb"(.*\n)# sha256: ([0-9a-f]{64})\n", re.DOTALL)
+_TRAILER = b"# sha256: "
 
 
 def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -167,18 +166,18 @@ def _verified(path: Path) -> bytes:
         data = resolved(path).read_bytes()
     except OSError as error:
         raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
-    parts = _TRAILED.fullmatch(data)
-    if parts is None:
+    covered, mark, _ = data.rpartition(_TRAILER)
+    if not mark:
         raise DamagedError(
             f"{path} has no checksum at its end: it was cut, changed, or written by something else; "
             "remove it to compute it again, or give another path"
         )
-    if _sha256(parts[1]) != parts[2]:
+    if data != _sealed(covered):
         raise DamagedError(
             f"{path} is damaged or was changed: its {len(data)} bytes do not give its checksum; "
             "take it from a copy, or remove it to compute it again"
         )
-    return parts[1]
+    return covered
 
 
 def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -188,10 +187,6 @@ def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
     header, *rows = csv.reader(table)
     columns = dict(zip(header, zip(*rows, strict=True) if rows else [()] * len(header), strict=True))
     return {name: np.array(values) for name, values in columns.items()}, attrs
-
-
-def _sha256(data: bytes) -> bytes:
-    return hashlib.sha256(data).hexdigest().encode()
 
 
 # ------------------------------------------------------------------------------------- whole or not at all

@@ -463,28 +463,19 @@ def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:
 
 
 def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Measured:
-    """A value with its tolerance as Python is told it."""
-    unit = PLAIN_UNITS.get(si, si)
-    if isinstance(off, str):
-        ends = read(off if off.lstrip().startswith("[") else _around(value, off, si), si, allowed)
-        return replace(ends, value=value if ends.low <= value <= ends.high else ends.value, unit=unit)
+    """A value with its tolerance as Python is told it: numbers become the text of a file."""
+    told, unit, in_si = f"tolerance of {name}", PLAIN_UNITS.get(si, si), "" if si == "1" else si
+    if off is None:
+        return Measured(value, value, value, unit)
     if isinstance(off, tuple):
-        if len(off) != 2:
-            raise ParameterError(f"tolerance of {name} = {off!r}; give two ends, the smaller first")
-        low, high = (as_number(f"tolerance of {name}", end, allowed) for end in off)
-        if not low <= high:
-            raise ParameterError(f"tolerance of {name} = {off!r} begins above its end; give the smaller first")
-        value = 0.5 * low + 0.5 * high if not low <= value <= high else value
-    else:
-        width = 0.0 if off is None else abs(as_number(f"tolerance of {name}", off))
-        low, high = value - width, value + width
-    for end in (low, high):
-        if not allowed.contains(end):
-            raise ParameterError(f"tolerance of {name} = {off!r} reaches {end:g}, which is not in {allowed}; give a smaller one")
-    return Measured(value, low, high, unit)
-
-
-def _around(value: float, off: str, si: str) -> str:
-    """``value ± off`` as :func:`spragsym.report.units.read` takes it."""
-    sign = "" if off.lstrip().startswith(("±", "+-", "+/-", "+\N{MINUS SIGN}", "sd ")) else "± "
-    return f"{np.format_float_positional(value, trim='0')} {'' if si == '1' else si} {sign}{off}"
+        off = f"[{', '.join(repr(as_number(told, end, allowed)) for end in off)}] {in_si}"
+    elif not isinstance(off, str):
+        off = f"{abs(as_number(told, off))!r} {in_si}"
+    if not off.lstrip().startswith("["):
+        sign = "" if off.lstrip().startswith(("±", "+-", "+/-", "+\N{MINUS SIGN}", "sd ")) else "± "
+        off = f"{value!r} {in_si} {sign}{off}"
+    try:
+        ends = read(off, si, allowed)
+    except ParameterError as error:
+        raise ParameterError(f"{told}: {error}") from error
+    return replace(ends, value=value if ends.low <= value <= ends.high else ends.value, unit=unit)

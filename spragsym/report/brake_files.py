@@ -137,8 +137,8 @@ class _Reader:
 
     def _syntax(self, message: str) -> str:
         """What tomllib says, with the line before it and how a line is written."""
-        found = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", message)
-        number = int(found[1]) if found and found[1] else len(self.lines)
+        found = re.search(r" \(at line (\d+), column \d+\)", message)  # else at the end
+        number = int(found[1]) if found else len(self.lines)
         line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
         key = line.partition("=")[0].strip()
         example = example_of(key, quantities(USUAL).units.get(key, "kg"))
@@ -412,7 +412,7 @@ def _number(cell: str) -> str:
 
 def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int) -> tuple[int, float]:
     """Which column has one of these names, and what its unit is in SI."""
-    what, write = ("the sliding speed", "v [m/s]") if si == "m/s" else ("the friction coefficient", "mu")
+    what, write = ("the sliding speed", "v [m/s]") if si == "m/s" else ("the friction coefficient", "mu or mu [%]")
     found = [i for i, name in enumerate(names) if _word(name) in known]
     if len(found) != 1:
         several = f"is named {len(found)} times" if found else "is not among the names"
@@ -428,7 +428,7 @@ def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], s
     try:
         return i, factor("" if si == "1" and unit in ("-", "–", "1") else unit, si)
     except ParameterError as error:
-        raise _RefusedError(f"{name!r}: {error}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", line, 2) from error
+        raise _RefusedError(f"{name!r}: {error}; write {write}", line, 2) from error
 
 
 @dataclass(frozen=True)

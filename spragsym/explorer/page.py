@@ -181,7 +181,7 @@ def _in_a_script(text: str) -> str:
 
 def _escaped(text: str) -> str:
     """Plain text as HTML."""
-    return text.strip().replace("&", "&amp;").replace("<", "&lt;")
+    return html.escape(text.strip(), quote=False)
 
 
 def _words(blocks: Sequence[str]) -> str:

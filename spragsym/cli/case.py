@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -163,7 +164,7 @@ class Case:
             found[span.name] = (low / unit, high / unit)
         return found
 
-    @property
+    @cached_property
     def si(self) -> dict[str, str]:
         """SI units of coordinates and their rates, and of what is measured of a motion."""
         entries = self.model.about["coordinates"]

@@ -128,9 +128,9 @@ Columns = Mapping[str, NDArray[Any]]
 class Slots:
     """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` says how many each point has.
 
-    ``first`` is the first equilibrium of every point; after :meth:`clear`, NaN and 0 for points without one. ``further`` are rows
-    and columns: of some points the equilibria in slots 1 and up, of shape (further slots, len(rows)), NaN and 0 beyond the count;
-    slots behind these are empty. A later entry replaces an earlier one.
+    ``first`` is the first equilibrium of every point that has one. ``further`` are rows and columns: of some points the
+    equilibria in slots 1 and up, of shape (further slots, len(rows)), NaN and 0 beyond the count; slots behind these are empty.
+    A later entry replaces an earlier one.
     """
 
     size: int
@@ -152,27 +152,12 @@ class Slots:
 
     def padded(self, name: str) -> NDArray[Any]:
         """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the stability, beyond the count."""
-        nothing = _NOTHING[name]
         table: NDArray[Any] = np.empty((self.slots, self.size), dtype=_TYPES[name])
-        table[0] = self.first[name]
-        table[1:] = nothing
+        table[0], table[1:] = self.first[name], _NOTHING[name]
         for rows, columns in self.further:
-            filled = 1 + len(columns[name])
-            table[1:filled, rows] = columns[name]
-            table[filled:, rows] = nothing
+            table[1 : 1 + len(columns[name]), rows] = columns[name]
+        table[:, self.count == 0] = _NOTHING[name]  # of points without one memory holds anything
         return table.T
-
-    def clear(self) -> None:
-        """Empty the first slot of points that have no equilibrium: memory holds anything before it is written."""
-        if not self.count.all():
-            without = self.count == 0
-            for name, values in self.first.items():
-                values[without] = _NOTHING[name]
-
-
-def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
-    """Columns of shape (slots, points) with nothing in them."""
-    return {name: np.full((slots, points), nothing, dtype=_TYPES[name]) for name, nothing in _NOTHING.items()}
 
 
 def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, dict[str, NDArray[Any]]]:

@@ -20,7 +20,7 @@ from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
 from . import block, compiled
-from .block import COLUMNS, Columns, Slots, empty
+from .block import COLUMNS, Slots
 
 if TYPE_CHECKING:
     from .adaptive_precision import Settled
@@ -103,7 +103,6 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     )
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
-    out.clear()
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
     decided = np.ones(p.shape, dtype=np.bool_)
@@ -186,18 +185,17 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple
     if left.size:
         from . import adaptive_precision
 
-        count, columns = np.zeros(left.size, dtype=np.int8), empty(out.slots, left.size)
-        for place, row in enumerate(left):
+        for row in left:
             point = [float(value[row]) for value in given]
             try:
                 found = adaptive_precision.equilibria(*point, contact=contact)
-                _store(columns, place, found, adaptive_precision.named(point))
+                columns = _columns(found, adaptive_precision.named(point))
             except ConvergenceError as reason:
                 reasons[int(rows[row])] = str(reason)
-            else:
-                count[place] = len(found.states)
-                folds += [int(rows[row])] * found.fold
-        out.put(rows[left], count, columns)
+                continue
+            folds += [int(rows[row])] * found.fold
+            if found.states:
+                out.put(rows[row : row + 1], len(found.states), columns)
     return np.array(folds, dtype=np.int64), reasons
 
 
@@ -215,8 +213,8 @@ def _solve_widely(
     return np.concatenate(left)
 
 
-def _store(columns: Columns, place: int, found: Settled, point: str) -> None:
-    """States rounded to float64, by at most half a unit in the last place, which the error includes."""
+def _columns(found: Settled, point: str) -> dict[str, NDArray[Any]]:
+    """States rounded to float64, by at most half a unit in the last place, which the error includes; of shape (states, 1)."""
     from mpmath import log10  # numbers of any size
 
     for state in found.states:
@@ -225,10 +223,8 @@ def _store(columns: Columns, place: int, found: Settled, point: str) -> None:
                 f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of {point} is beyond float64; "
                 "spragsym.precise carries it"
             )
-    for slot, state in enumerate(found.states):
-        for name, values in columns.items():
-            values[slot, place] = float(getattr(state, name))
-        columns["error"][slot, place] += 1.2e-16
+    columns = {name: np.array([[float(getattr(state, name))] for state in found.states]) for name in COLUMNS}
+    return columns | {"error": columns["error"] + 1.2e-16}
 
 
 # ---------------------------------------------------------------------------------------------------- backends

@@ -11,11 +11,11 @@ from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters, Ranges
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
-from ..numerics.polynomials import ChartRoot, roots_on_the_line
+from ..numerics.polynomials import RootOf, roots_on_the_line
 from ..questions import NotInClosedForm
 from ..results.points import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import STATE, Angles, ExactRoot, Point, in_contact, listed, unfolded
+from .folds import STATE, Angles, Point, in_contact, listed, unfolded
 from .kernel import FIXED
 
 
@@ -94,18 +94,18 @@ def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         return
     polynomial, roots = cusp_sines(*exact, bits=bits - 32)
     for root in roots:
-        yield from _cusps_at(exact, ExactRoot(polynomial, ChartRoot(*root)))
+        yield from _cusps_at(exact, RootOf(polynomial, *root))
     if not alpha:
         # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
         # −1 − κ/(1 + β).
-        yield from _cusps_at(exact, ExactRoot((-1, 1), ChartRoot(Fraction(1), Fraction(1))))
+        yield from _cusps_at(exact, RootOf((-1, 1), Fraction(1), Fraction(1)))
 
 
-def _cusps_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]:
+def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
     """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of parameters, is known to be."""
     alpha = exact[1]
     values = tuple(map(balls.exact, exact))
-    s, zero = sine.root.interval(), balls.exact(Fraction(0))
+    s, zero = sine.interval(), balls.exact(Fraction(0))
     s0, friction = _catastrophe.cusp_sine(s, *values)
     L = _cusp_length(s, *values)
 
@@ -119,7 +119,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]:
     if sides != (1, -1):
         return
     leaning = _catastrophe.cusp_point(s, *values)[1] if alpha else zero
-    upright = abs(sine.root.low) == abs(sine.root.high) == 1
+    upright = abs(sine.low) == abs(sine.high) == 1
     width = zero if upright else balls.sqrt(1 - s * s)
     flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0

@@ -25,9 +25,9 @@ from ..bifurcation.flutter import Onsets
 from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, Undecided, atan2, decided, sign, sign_or_zero, with_enough_bits
+from ..numerics.balls import Interval, Undecided, atan2, decided, sign, with_enough_bits
 from ..numerics.interval_arrays import IntArray
-from ..numerics.polynomials import Root, eigenvalues, in_t, on_circle, real_roots, roots_on_the_line
+from ..numerics.polynomials import RootOf, eigenvalues, in_t, on_circle, real_roots, roots_on_the_line
 from ..questions import NotInClosedForm, of_article
 from ..results.result import Result
 from . import kernel
@@ -204,29 +204,28 @@ class Elimination:
     @cached_property
     def full(self) -> tuple[int, ...]:
         """The polynomial in v, multiple roots included."""
-        if self.alpha:
-
-            def resultant(c: Fraction, s: Fraction) -> Fraction:
-                X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
-                return X * X - Y * Z
-
-            return self.polynomial(resultant, _DEGREE)
         mu0, kappa, _, *springs = self.values
-        return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, mu0, kappa, *springs), _DEGREE_WITHOUT_ALPHA)
+
+        def remaining(c: Fraction, s: Fraction) -> Fraction:
+            if not self.alpha:
+                return _stability.flutter_without_alpha(c, s, mu0, kappa, *springs)
+            X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
+            return X * X - Y * Z
+
+        degree = _DEGREE if self.alpha else _DEGREE_WITHOUT_ALPHA
+        return polynomials.interpolate(in_v(remaining, degree), 2 * degree)
 
     @cached_property
     def simple(self) -> tuple[int, ...]:
         """The roots, each once."""
         return polynomials.squarefree(self.full)
 
-    def roots(self, bits: int) -> list[Root]:
+    def roots(self, bits: int) -> list[RootOf]:
         """All of them in 0 ≤ v < 1, to a width below 2^−bits."""
-        upright = [Root(Fraction(0), Fraction(0))] if self.simple[0] == 0 else []
-        return upright + [root for root in real_roots(self.simple, Fraction(0), Fraction(1), bits) if root.low < 1]
-
-    def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> tuple[int, ...]:
-        """A polynomial of that degree in cos θ and sin θ, as one in v."""
-        return polynomials.interpolate(in_t(lambda c, s: function(-s, c), degree), 2 * degree)  # as in direction()
+        zero, one = Fraction(0), Fraction(1)
+        upright = [(zero, zero)] if self.simple[0] == 0 else []
+        places = [*upright, *real_roots(self.simple, zero, one, bits)]
+        return [RootOf(self.simple, low, high) for low, high in places if low < 1]
 
     def length(self, c: Any, s: Any, values: tuple[Any, ...]) -> tuple[Any, Any]:
         """X and Y of L = X/Y."""
@@ -236,15 +235,15 @@ class Elimination:
         _, _, u2, w2 = _stability.reference_lines(c, s, *values)
         return -u2, w2
 
-    def vanishes(self, root: Root, function: Callable[[Any, Any, Any, Any], Any], degree: int) -> bool:
-        """Whether ``function(c, s, X, Y)``, of that degree in cos θ and sin θ, is exactly 0 at a root."""
-        other = self.polynomial(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
-        return polynomials.has_root(polynomials.common_divisor(self.simple, other), *root)
+    def sign_of(self, root: RootOf, value: Interval, function: Callable[..., Any], degree: int, what: str) -> int:
+        """The sign of an interval at a root; 0 where ``function(c, s, X, Y)``, of that degree in cos θ and sin θ, is 0 there."""
+        exactly = in_v(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
+        return root.sign_of(value, exactly, 2 * degree, what)
 
-    def multiplicity(self, root: Root) -> int:
+    def multiplicity(self, root: RootOf) -> int:
         """How many of the polynomial and its derivatives vanish at a root, in turn."""
         multiplicity, derivative = 0, self.full
-        while polynomials.has_root(polynomials.common_divisor(self.simple, derivative), *root):
+        while root.is_of(polynomials.common_divisor(self.simple, derivative)):
             multiplicity, derivative = multiplicity + 1, polynomials.derivative(derivative)
         return multiplicity
 
@@ -253,6 +252,11 @@ def direction(v: Any) -> tuple[Any, Any]:
     """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half has the tangent v."""
     c, s, _ = on_circle(v)
     return -s, c
+
+
+def in_v(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
+    """(1 + v²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in v."""
+    return in_t(lambda c, s: function(-s, c), degree)
 
 
 def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
@@ -264,11 +268,11 @@ def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
             yield from _at_length(elimination, root, L, values, bits, alone=len(lengths) == 1)
 
 
-def _lengths(elimination: Elimination, root: Root, values: tuple[Interval, ...]) -> list[Interval]:
+def _lengths(elimination: Elimination, root: RootOf, values: tuple[Interval, ...]) -> list[Interval]:
     """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
-    c, s = direction(balls.between(*root))
+    c, s = direction(root.interval())
     X, Y = elimination.length(c, s, values)
-    if sign_or_zero(Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, _DEGREE_OF_LENGTH)):
+    if elimination.sign_of(root, Y, lambda c, s, X, Y: Y, _DEGREE_OF_LENGTH, "Y = 0"):
         L = X / Y
         return [L] if decided(L, "L = 0") > 0 else []
     mu0, _, *springs = values
@@ -280,7 +284,7 @@ def _lengths(elimination: Elimination, root: Root, values: tuple[Interval, ...])
 
 
 def _at_length(
-    elimination: Elimination, root: Root, L: Interval, values: tuple[Interval, ...], bits: int, *, alone: bool
+    elimination: Elimination, root: RootOf, L: Interval, values: tuple[Interval, ...], bits: int, *, alone: bool
 ) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
 
@@ -288,7 +292,7 @@ def _at_length(
     α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0,
     −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
     """
-    v = balls.between(*root)
+    v = root.interval()
     c, s = direction(v)
     mu0, kappa, *springs = values
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
@@ -299,7 +303,7 @@ def _at_length(
         return u1 * Y + w1 * X
 
     stationary = False
-    if sign_or_zero(s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, _DEGREE_OF_LENGTH + 1)) <= 0:
+    if elimination.sign_of(root, s0, sine, _DEGREE_OF_LENGTH + 1, "sin θ₀ = 0") <= 0:
         return
     if elimination.alpha:
         cosines = [(u2 + w2 * L) / springs[0]]
@@ -308,7 +312,7 @@ def _at_length(
         def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
             return Y * Y - sine(c, s, X, Y) ** 2
 
-        above = sign_or_zero(1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (_DEGREE_OF_LENGTH + 1)))
+        above = elimination.sign_of(root, 1 - s0 * s0, gap, 2 * (_DEGREE_OF_LENGTH + 1), "sin θ₀ = 1")
         width = balls.sqrt(1 - s0 * s0) if above > 0 else balls.exact(Fraction(0))
         cosines = {1: [width, -width], 0: [width], -1: []}[above]
         stationary = above == 0

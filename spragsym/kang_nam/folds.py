@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, RANGES, Parameters, Ranges
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, sign_or_zero, with_enough_bits
-from ..numerics.polynomials import ChartRoot, in_t, on_circle, roots_on_the_line
+from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, with_enough_bits
+from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..questions import NotInClosedForm
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
@@ -125,11 +125,15 @@ class Fold:
 
 @dataclass(frozen=True)
 class _Direction:
-    """t = tan(θ/2) at a root of the eliminated polynomial: its multiplicity, 3 for more, and whether f″ = 0 there."""
+    """t = tan(θ/2) is a root of the eliminated polynomial: its multiplicity, 3 for more, and whether f″ = 0 there."""
 
-    t: Interval
+    root: RootOf
     multiplicity: int = 1
     flat: bool = False
+
+    @property
+    def t(self) -> Interval:
+        return self.root.interval()
 
 
 def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
@@ -143,12 +147,12 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     without, change, sextic = lines_and_sextic(vary, c0, s0, others)
     try:
         roots = roots_on_the_line(sextic, bits // 2, positive=True)
-        directions = [_Direction(root.interval()) for root in roots]
+        directions = list(map(_Direction, roots))
     except Undecided:
         common = _independent_of_theta0(vary, exact)
         if common is None:
             raise
-        directions = [direction for _, direction in with_multiplicity(common, _curvature(vary, exact), bits)]
+        directions = list(with_multiplicity(common, _curvature(vary, exact), bits))
     for direction in directions:
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, c0, s0)
@@ -211,7 +215,7 @@ def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polyno
 
 def with_multiplicity(
     polynomial: polynomials.Polynomial, curvature: list[polynomials.Polynomial], bits: int
-) -> Iterator[tuple[ExactRoot, _Direction]]:
+) -> Iterator[_Direction]:
     """The positive roots of an exact polynomial, each with its multiplicity."""
     repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     again = polynomials.common_divisor(repeated, polynomials.derivative(repeated))
@@ -221,7 +225,7 @@ def with_multiplicity(
         if root.is_of(repeated):
             multiplicity = 3 if root.is_of(again) else 2
             flat = all(root.is_of(polynomials.common_divisor(repeated, one)) for one in curvature)
-        yield ExactRoot(polynomial, root), _Direction(root.interval(), multiplicity, flat)
+        yield _Direction(root, multiplicity, flat)
 
 
 def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
@@ -269,10 +273,10 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
 
     polynomial = polynomials.interpolate(in_t(eliminated, _HALF), _DEGREE)
     values = tuple(map(balls.exact, given))
-    for root, direction in with_multiplicity(polynomial, _curvature("theta0", exact), bits):
+    for direction in with_multiplicity(polynomial, _curvature("theta0", exact), bits):
         c, s, _ = on_circle(direction.t)
         s0 = _catastrophe.fold_sine(c, s, *values)
-        if root.sign_of(s0, in_t(sine, _HALF), _DEGREE, "sin θ₀ = 0 on a fold") <= 0:
+        if direction.root.sign_of(s0, in_t(sine, _HALF), _DEGREE, "sin θ₀ = 0 on a fold") <= 0:
             continue
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
@@ -282,7 +286,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             # is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
             short = in_t(lambda c, s: 1 - sine(c, s), _HALF)
-            inside = root.sign_of(gap, short, _DEGREE, "sin θ₀ = 1 on a fold") > 0
+            inside = direction.root.sign_of(gap, short, _DEGREE, "sin θ₀ = 1 on a fold") > 0
             cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)
@@ -314,23 +318,6 @@ class Point:
         moving = (self.parameters[NAMES.index(name)] for name in vary)
         values, error = as_floats((*moving, self.theta, self.L, self.x, self.y))
         return (*values, error)
-
-
-@dataclass(frozen=True)
-class ExactRoot:
-    """A root of an exact polynomial in tan(θ/2) or sin θ."""
-
-    polynomial: polynomials.Polynomial
-    root: ChartRoot
-
-    def sign_of(self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
-        """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that degree has this root too."""
-
-        def vanishes() -> bool:
-            other = polynomials.interpolate(exactly, degree)
-            return self.root.is_of(polynomials.common_divisor(self.polynomial, other))
-
-        return sign_or_zero(value, what, vanishes)
 
 
 def unfolded(angles: Angles, *values: Interval) -> Interval:

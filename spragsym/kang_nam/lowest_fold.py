@@ -10,12 +10,12 @@ from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
-from ..numerics.polynomials import ChartRoot, on_circle
+from ..numerics.polynomials import RootOf, on_circle
 from ..questions import NotInClosedForm
 from ..results.paths import LowestEnd
 from . import kernel
 from .cusps import proved_cusps
-from .folds import Angles, ExactRoot, Point, in_contact, lines_and_sextic, unfolded, with_multiplicity
+from .folds import Angles, Point, in_contact, lines_and_sextic, unfolded, with_multiplicity
 from .kernel import FIXED
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
@@ -94,12 +94,12 @@ def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         return
     polynomial = polynomials.squarefree(_catastrophe.turning_polynomial(*exact))
     for root in polynomials.real_roots(polynomial, Fraction(0), Fraction(1), bits - 32):
-        yield from _turning_at(exact, ExactRoot(polynomial, ChartRoot(*root)))
+        yield from _turning_at(exact, RootOf(polynomial, *root))
 
 
-def _turning_at(exact: tuple[Fraction, ...], sine: ExactRoot) -> Iterator[Point]:
+def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
     values = tuple(map(balls.exact, exact))
-    s = sine.root.interval()
+    s = sine.interval()
     numerator, denominator = _catastrophe.turning_sine(s, *values)
     s0 = numerator / denominator
 
@@ -131,7 +131,7 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     level = Fraction(1), Fraction(0)
     polynomial = polynomials.primitive(lines_and_sextic("mu0", *level, exact)[2])
     values = tuple(map(balls.exact, exact))
-    for _, direction in with_multiplicity(polynomial, [], bits):
+    for direction in with_multiplicity(polynomial, [], bits):
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, *map(balls.exact, level))
         mu0 = _catastrophe.surface(*angles, *values)

@@ -132,9 +132,10 @@ def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[
 
 
 @dataclass(frozen=True)
-class ChartRoot:
+class RootOf:
     """A real root of a polynomial in (low, high], or of the reversed polynomial: then it is the reciprocal."""
 
+    polynomial: Polynomial
     low: Fraction
     high: Fraction
     backward: bool = False
@@ -148,26 +149,34 @@ class ChartRoot:
         """Whether it is one of a divisor of its polynomial."""
         return has_root(tuple(reversed(polynomial)) if self.backward else polynomial, self.low, self.high)
 
+    def sign_of(self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
+        """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that degree has this root too."""
+
+        def vanishes() -> bool:
+            return self.is_of(common_divisor(self.polynomial, interpolate(exactly, degree)))
+
+        return balls.sign_or_zero(value, what, vanishes)
+
 
 #: Ends of the two charts: no round numbers, where roots of symmetric parameters are.
 _BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
 
 
-def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool = False) -> list[ChartRoot]:
+def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool = False) -> list[RootOf]:
     """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of :func:`.real_roots`.
 
     Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where balls are undecided.
     """
     while positive and polynomial and isinstance(polynomial[0], int) and polynomial[0] == 0:
         polynomial = polynomial[1:]  # the root 0
-    found: list[ChartRoot] = []
+    found: list[RootOf] = []
     if not polynomial:
         return found
     for chart, limit, backward in ((polynomial, _BETWEEN, False), (tuple(reversed(polynomial)), 1 / _BETWEEN, True)):
         for low, high in real_roots(chart, _BELOW if positive else -limit, limit, bits):
             at_the_end = backward and low == limit  # which the first chart has
             if not at_the_end and (high > 0 or not positive):
-                found.append(ChartRoot(low, high, backward))
+                found.append(RootOf(polynomial, low, high, backward))
     return found
 
 

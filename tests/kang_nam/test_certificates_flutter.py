@@ -31,7 +31,7 @@ def test_directions_end_before_180_degrees() -> None:
     elimination = flutter.Elimination(*map(Fraction, (1, 1, 1, 1, 1)))
     vars(elimination)["simple"] = (0, 1, -3, 2)
     half, none = Fraction(1, 2), Fraction(0)
-    assert [tuple(root) for root in elimination.roots(60)] == [(none, none), (half, half)]
+    assert [(root.low, root.high) for root in elimination.roots(60)] == [(none, none), (half, half)]
 
 
 def test_a_boundary_is_touched_at_an_even_root_of_one_length(monkeypatch: pytest.MonkeyPatch) -> None:

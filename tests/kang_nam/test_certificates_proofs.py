@@ -13,11 +13,11 @@ import sympy as sp
 
 import spragsym as ss
 from spragsym.kang_nam import cusps, folds
-from spragsym.kang_nam.folds import Angles, ExactRoot, Point
+from spragsym.kang_nam.folds import Angles, Point
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
-from spragsym.numerics.polynomials import ChartRoot
+from spragsym.numerics.polynomials import RootOf
 from tests.oracles import reference
 from tests.support import as_mpf
 
@@ -175,9 +175,9 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
     """At sin θ = 1/√3 and 3/5, which no interval of dyadic ends is: polynomials of degree 10."""
     polynomial = (Fraction(-3), Fraction(5), Fraction(9), Fraction(-15))  # (5 s − 3)(1 − 3 s²)
     ends = ((577, 578), (599, 601), (600, 600))
-    third, rational, exact = (ExactRoot(polynomial, ChartRoot(*(Fraction(n, 1000) for n in pair))) for pair in ends)
+    third, rational, exact = (RootOf(polynomial, *(Fraction(n, 1000) for n in pair)) for pair in ends)
 
-    def is_zero(root: ExactRoot, numerator: Any) -> bool:
+    def is_zero(root: RootOf, numerator: Any) -> bool:
         with balls.precision(100):
             try:
                 open_ = balls.between(Fraction(-1), Fraction(1))

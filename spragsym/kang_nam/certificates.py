@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple, TypeAlias
 
@@ -17,7 +17,6 @@ import numpy as np
 from ..bifurcation.paths import first_end
 from ..bifurcation.tubes import ByColumn
 from ..design.certificates import Claim, Held, corner_values
-from ..errors import ParameterError
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..models.quantities import Unit, checked_units
@@ -42,9 +41,12 @@ def claims(
     border of the claim, a fold or an onset of flutter, can't be decided there.
     """
     require_usual(low, "mu0", begin)
-    if claim not in CLAIMS or not (vary is None or (vary == "mu0" and claim == "no jump")):
+    measures = checked_units(units, tuple(Parameters.ranges), ("theta0",))
+    powers = [one for unit in measures.values() for one in unit.powers.items() if one[0] in NAMES]
+    whole = all(name != "mu0" and power == int(power) for name, power in powers)
+    if claim not in CLAIMS or not whole or not (vary is None or (vary == "mu0" and claim == "no jump")):
         raise NotInClosedForm
-    return _Closed(low, high, claim, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
+    return _Closed(low, high, claim, measures)
 
 
 #: Of which boxes something is proved, and how much each side matters for the others.
@@ -61,15 +63,10 @@ class _Closed(Claim):
         self.prove, self.false = CLAIMS[claim]
         matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(NAMES)}
         self.sides = (*NAMES, *matter)
-        sided = list(enumerate(matter.values(), len(NAMES)))
-        powers = {
-            name: tuple((side, _whole_number(name, unit.powers[name])) for side, unit in sided if name in unit.powers)
-            for name in NAMES
-        }
         ends = corner_values(NAMES, low, high, matter)
         if claim == "no jump":  # what goes on to the largest friction goes on to every other
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
-        self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), powers)
+        self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), matter)
 
     def settled(self, parts: Boxes) -> tuple[Boxes, FloatArray]:
         holds, weight = self.prove(parts)
@@ -83,13 +80,6 @@ class _Closed(Claim):
 
     def fails(self, points: FloatArray) -> BoolArray:
         return self.false(self.point(points))
-
-
-def _whole_number(name: str, power: float) -> int:
-    if int(power) != power or name == "mu0":
-        raise ParameterError(f"units: {name} has the power {power:g} of one; closed forms take whole numbers, and none for mu0; "
-                             "method='search' takes others")  # fmt: skip
-    return int(power)
 
 
 _MU0 = NAMES.index("mu0")
@@ -267,21 +257,19 @@ _SHARE = 0.25
 
 @dataclass(frozen=True)
 class Boxes(Held):
-    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over their base values.
+    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over their base values."""
 
-    ``powers`` are, for each parameter that depends on units, the sides that these are, and the power of each.
-    """
-
-    powers: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
+    units: Mapping[str, Unit]
 
     def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
         """Parameters by name from one value of each side, of any number type."""
-        sides = list(sides)
-        found = dict(zip(NAMES, sides, strict=False))
-        for name, factors in self.powers.items():
-            for side, power in factors:
-                found[name] = found[name] * sides[side] ** power if power > 0 else found[name] / sides[side] ** -power
-        return found
+        found = dict(zip((*NAMES, *self.units), sides, strict=True))
+        for unit in self.units:
+            for name, power in self.units[unit].powers.items():
+                if name in NAMES:
+                    factor = found[unit] ** abs(int(power))
+                    found[name] = found[name] * factor if power > 0 else found[name] / factor
+        return {name: found[name] for name in NAMES}
 
     def middle(self) -> dict[str, FloatArray]:
         """Their middles, by parameter."""

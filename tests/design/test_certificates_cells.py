@@ -1,6 +1,8 @@
 """Certificates over boxes: that cells cover every direction, halves every point, and that shares and counts add up."""
 
+from collections.abc import Mapping
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any
 
 import mpmath
@@ -10,18 +12,19 @@ import pytest
 from spragsym.kang_nam import certificates
 from spragsym.kang_nam.certificates import Boxes, Ground, Line, Verdict
 from spragsym.models.parameters import NAMES
+from spragsym.models.quantities import Unit
 from tests.support import as_fraction
 
-#: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂² with units 6 and 7.
-POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),), "sigma": ((7, 2),)}
+#: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂²; the belt's speed is nothing to equilibria.
+UNITS = {"u1": Unit(0.1, 2.0, {"kappa": -1, "alpha": -1}), "u2": Unit(0.1, 2.0, {"kappa": -2, "sigma": 2, "V": -0.5})}
 
 
-def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int], ...]] | None = None) -> Boxes:
+def random_boxes(seed: int, count: int, units: Mapping[str, Unit] = MappingProxyType({})) -> Boxes:
     rng = np.random.default_rng(seed)
-    sides = 8 if powers else 6
+    sides = len(NAMES) + len(units)
     low = rng.uniform(0.1, 1.5, (sides, count))
     high = low + rng.uniform(0, 0.3, (sides, count)) * rng.integers(0, 2, (sides, count))
-    return Boxes(low, high, np.zeros(count, dtype=bool), powers or {})
+    return Boxes(low, high, np.zeros(count, dtype=bool), units)
 
 
 # ------------------------------------------------------------------------------------------------------------- cells
@@ -34,11 +37,11 @@ def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("powers", [{}, POWERS], ids=["parameters", "units"])
+@pytest.mark.parametrize("units", [{}, UNITS], ids=["parameters", "units"])
 @pytest.mark.parametrize("fixed", [True, False])
-def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> None:
+def test_the_ground_holds_every_point_of_a_cell(fixed: bool, units: Any) -> None:
     """cos θ and sin θ at the shares of the way that the cell has, θ₀ and the parameters at those of the box."""
-    boxes = random_boxes(2, 20, powers)
+    boxes = random_boxes(2, 20, units)
     rng, n = np.random.default_rng(3), len(boxes.low)
     low = Line(rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
     high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
@@ -58,7 +61,8 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
                     (ground.c0, mpmath.cos(point[0])), (ground.s0, mpmath.sin(point[0])),
                 ]  # fmt: skip
                 for name, true in zip(NAMES, point, strict=False):
-                    factors = [point[side] ** power for side, power in powers.get(name, ())]
+                    powers = (unit.powers.get(name, 0) for unit in units.values())
+                    factors = [of**power for of, power in zip(point[len(NAMES) :], powers, strict=True)]
                     known.append((ground.parameters[name], true * mpmath.fprod(factors)))
                 for number, true in known:
                     allowed = Fraction(float(number.error[k])) + Fraction(1, 10**15)
@@ -68,7 +72,7 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
 
 
 def whole(count: int) -> Boxes:
-    return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.zeros(count, dtype=bool))
+    return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.zeros(count, dtype=bool), {})
 
 
 def flat(ends: Any) -> Line:

@@ -218,7 +218,7 @@ def test_a_proof_does_not_lean_on_the_search_for_counterexamples(claim: str) -> 
     wrong = np.flatnonzero(~HOLDS[claim](p))[:20]
     assert wrong.size >= 5
     corner = np.array([getattr(p, name)[wrong] for name in NAMES])
-    proved, _ = CLAIMS[claim][0](Boxes(corner, corner, np.zeros(wrong.size, dtype=bool)))
+    proved, _ = CLAIMS[claim][0](Boxes(corner, corner, np.zeros(wrong.size, dtype=bool), {}))
     assert not proved.any()
 
 

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from . import contractors
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
-from .jets import constant, gradient, variables
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix
+from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
@@ -41,7 +41,7 @@ SPREAD = 0.35
 
 
 class System:
-    """n equations in n unknowns with parameters: their values and slopes over boxes, if they are not given, by jets.
+    """n equations in n unknowns with parameters: their values over boxes, and their slopes, if they are not given, by jets.
 
     What is neither equations nor their values and slopes has a default that knows nothing more.
     """
@@ -57,8 +57,7 @@ class System:
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
-        given = variables(list(unknowns), self.order) if self.order else list(unknowns)
-        return stacked([constant(value) for value in self.equations(given, parameters)], unknowns.shape[1:])
+        raise NotImplementedError
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""

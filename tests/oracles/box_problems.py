@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from spragsym.numerics import boxes
-from spragsym.numerics.interval_arrays import Intervals
+from spragsym.numerics.interval_arrays import Intervals, stacked
 from spragsym.statics.namespaces import XP
 
 
@@ -43,6 +43,10 @@ class Problem(boxes.System):
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """The values over boxes."""
         return self.function(unknowns)
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The same, stacked."""
+        return stacked(self.function(list(unknowns)), unknowns.shape[1:])
 
 
 def _example_22(x: Sequence[Any]) -> Sequence[Any]:

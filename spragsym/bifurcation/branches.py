@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..models.field import apart
 from ..models.parameters import ParameterSet, Span
+from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
@@ -27,7 +28,7 @@ from ..statics.stability import linearization
 from .defining_systems import given_column
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
-from .tubes import ByColumn, Tubes
+from .tubes import Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3

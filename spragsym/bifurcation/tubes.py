@@ -15,8 +15,8 @@ little more is left than slopes really vary by; intervals would take each entry 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
@@ -24,6 +24,7 @@ import numpy as np
 from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
+from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
 from ..statics.balance import Balance
 from ..statics.forces import State
@@ -40,31 +41,6 @@ STEPS = 6
 TINY = 1e-12
 #: A sum of a few products of floats, rounded up.
 UP = 1 + 2.0**-40
-
-
-@dataclass(frozen=True)
-class ByColumn:
-    """Arrays of which each column, along the last axis, is of one box; what is no array is of all."""
-
-    def __getitem__(self, rows: Any) -> Self:
-        return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
-
-    def put(self, rows: Any, other: Self) -> None:
-        """Overwrite some columns by those of another."""
-        for field in fields(self):
-            getattr(self, field.name)[..., rows] = getattr(other, field.name)
-
-    def then(self, others: Self) -> Self:
-        """These, and others."""
-
-        def joined(one: Any, other: Any) -> Any:
-            return one.then(other) if isinstance(one, ByColumn) else np.concatenate([one, other], axis=-1)
-
-        return self._made(joined, others)
-
-    def _made(self, of: Callable[..., Any], *others: Self) -> Self:
-        parts = {field.name: [getattr(each, field.name) for each in (self, *others)] for field in fields(self)}
-        return replace(self, **{name: of(*each) for name, each in parts.items() if isinstance(each[0], np.ndarray | ByColumn)})
 
 
 def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:

@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
-from .tubes import LEAST, ByColumn, Place, Tubes
+from .tubes import LEAST, Place, Tubes
 
 #: First step towards the fold, over the size of the coordinate, and how much farther the next one may go.
 PROBE, FARTHER = 1e-4, 8.0

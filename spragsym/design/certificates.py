@@ -17,12 +17,13 @@ from typing import Any, ClassVar, Self, TypeAlias
 
 import numpy as np
 
-from ..bifurcation.tubes import ByColumn, halves
+from ..bifurcation.tubes import halves
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet
 from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
+from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
 from ..progress import doing
 from ..results.equilibria import Equilibria, Stability

@@ -23,12 +23,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..bifurcation.defining_systems import ranges
-from ..bifurcation.tubes import ByColumn
 from ..errors import ConvergenceError
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
 from ..numerics import polynomials
 from ..numerics.chains import link, walked
+from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..numerics.polynomials import (
     Polynomial,

@@ -15,12 +15,12 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..bifurcation.paths import first_end
-from ..bifurcation.tubes import ByColumn
 from ..design.certificates import Claim, Held, corner_values
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, cosine_and_sine, sides
+from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray
 from ..questions import NotInClosedForm
 from ..results.equilibria import Stability

@@ -8,11 +8,11 @@ polynomial is given back as undecided where that bound leaves open a sign that i
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from .affine import UNIT, Rounded
+from .columns import ByColumn
 from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
@@ -23,7 +23,8 @@ HALVINGS = 6
 SCALE = 1.0703125
 
 
-class Parts(NamedTuple):
+@dataclass(frozen=True)
+class Parts(ByColumn):
     """Parts of 0 < w < 1, each with the coefficients of its row's polynomial there, of shape (degree + 1, parts)."""
 
     row: IndexArray
@@ -49,10 +50,9 @@ def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
     undecided = np.asarray(~np.isfinite(pending.value + pending.error).all(axis=0))
     found = []
     for depth in range(DEPTH + 1):
-        pending = _select(pending, ~undecided[pending.row])
         none, one = _descartes(pending)
-        found.append(_select(pending, one))
-        pending = _select(pending, ~(none | one))
+        found.append(pending[np.flatnonzero(one)])
+        pending = pending[np.flatnonzero(~(none | one | undecided[pending.row]))]
         if not pending.row.size:
             break
         if depth == DEPTH:
@@ -62,9 +62,7 @@ def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
         half = pending.row.size // 2
         # Lower halves whose value at the cut has no sign: more halvings would not give it one.
         undecided[pending.row[:half][np.abs(pending.value[-1, :half]) <= pending.error[-1, :half]]] = True
-    parts = _joined(found)
-    parts = _select(parts, ~undecided[parts.row])
-    return _refined(parts, undecided)
+    return _refined(found[0].then(*found[1:]), undecided)
 
 
 @dataclass(frozen=True)
@@ -128,18 +126,6 @@ def _beginning(coefficients: list[Rounded], size: int) -> Parts:
     return Parts(np.arange(size), np.zeros(size), np.ones(size), np.ldexp(value, exponent), np.ldexp(error, exponent))
 
 
-def _select(parts: Parts, which: BoolArray) -> Parts:
-    if which.all():
-        return parts
-    index = np.flatnonzero(which)
-    return Parts(parts.row[index], *(column[..., index] for column in parts[1:]))
-
-
-def _joined(parts: list[Parts]) -> Parts:
-    rows, *others = (np.concatenate(columns, axis=-1) for columns in zip(*parts, strict=True))
-    return Parts(rows, *others)
-
-
 def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
     """Where a part holds no root, and where exactly one, a simple one. An open sign between two that differ changes nothing."""
     signs = Rounded(parts.value, parts.error).sign()
@@ -162,10 +148,8 @@ def _halved(parts: Parts) -> Parts:
     spread = (parts.error + 1.01 * degree * UNIT * np.abs(parts.value)) * (1 + 2 * degree * UNIT)
     low_error, high_error = _cut(spread)
     half = 0.5 * parts.width
-    return Parts(
-        np.concatenate([parts.row, parts.row]), np.concatenate([parts.low, parts.low + half]), np.concatenate([half, half]),
-        np.concatenate([low_value, high_value], axis=1), np.concatenate([low_error, high_error], axis=1),
-    )  # fmt: skip
+    lower = Parts(parts.row, parts.low, half, low_value, low_error)
+    return lower.then(Parts(parts.row, parts.low + half, half, high_value, high_error))
 
 
 def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:

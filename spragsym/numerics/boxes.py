@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from . import contractors
+from .columns import ByColumn
 from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix
 from .jets import gradient, variables
 
@@ -82,7 +83,7 @@ class System:
 
 
 @dataclass(frozen=True)
-class Pairs:
+class Pairs(ByColumn):
     """Boxes, shape (2, n, N), and the nodes that they are looked at for, shape (N,)."""
 
     ends: FloatArray
@@ -90,9 +91,6 @@ class Pairs:
 
     def __len__(self) -> int:
         return int(self.nodes.size)
-
-    def __getitem__(self, which: BoolArray | IntArray | slice) -> Pairs:
-        return Pairs(self.ends[:, :, which], self.nodes[which])
 
 
 @dataclass(frozen=True)
@@ -107,11 +105,6 @@ class Outcome:
     undecided: Pairs
     points: Tree
     looks: int
-
-
-def joined(parts: list[Pairs]) -> Pairs:
-    """One list of several, of one at least."""
-    return Pairs(np.concatenate([part.ends for part in parts], axis=2), np.concatenate([part.nodes for part in parts]))
 
 
 def search(
@@ -134,7 +127,7 @@ def search(
         regions = points.hulls(region) if region.shape[2] > 1 else None
         here = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), regions, system.prepared(points.bounds))
         here.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
-    unique, where, undecided = map(joined, (here.unique, here.where, here.undecided))
+    unique, where, undecided = (first.then(*others) for first, *others in (here.unique, here.where, here.undecided))
     return Outcome(unique, where, undecided, points, here.looks)
 
 
@@ -168,7 +161,7 @@ class _Search:
             while stack and total < CHUNK:
                 taken.append(stack.pop())
                 total += len(taken[-1])
-            pairs = joined(taken)
+            pairs = taken[0].then(*taken[1:])
             if len(pairs) > 2 * CHUNK:
                 stack.append(pairs[:-CHUNK])
                 pairs = pairs[-CHUNK:]
@@ -237,7 +230,7 @@ class _Search:
         halve = np.flatnonzero(again & ~better)
         places, children = self.points.children(now.nodes[split_node])
         halved_nodes = self._in_their_regions(Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children))
-        return joined([halved_nodes, now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])])
+        return halved_nodes.then(now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve]))
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
         """What is left of boxes in the regions of their nodes: that of one point may be wide, and that of another narrow."""

@@ -188,7 +188,7 @@ def test_no_look_loses_a_root(steps):
     left = pairs
     for _ in range(steps):
         left = search.look(left)
-    unique, where, undecided = (boxes.joined(part) for part in (search.unique, search.where, search.undecided))
+    unique, where, undecided = (first.then(*more) for first, *more in (search.unique, search.where, search.undecided))
     for k in range(len(pairs)):
         node, (x, y) = pairs.nodes[k], roots[:, k]
         kept = np.concatenate([part.ends[:, :, part.nodes == node] for part in (left, unique, undecided)], axis=2)

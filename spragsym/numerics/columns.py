@@ -1,0 +1,38 @@
+"""Arrays whose columns belong together, as those of boxes: some of them, and more of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any, Self
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class ByColumn:
+    """Arrays of which each column, along the last axis, is of one box; what is no array is of all."""
+
+    def __getitem__(self, rows: Any) -> Self:
+        return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
+
+    def put(self, rows: Any, other: Self) -> None:
+        """Overwrite some columns by those of another."""
+        for field in fields(self):
+            getattr(self, field.name)[..., rows] = getattr(other, field.name)
+
+    def then(self, *others: Self) -> Self:
+        """These, and others."""
+
+        def joined(one: Any, *more: Any) -> Any:
+            return one.then(*more) if isinstance(one, ByColumn) else np.concatenate([one, *more], axis=-1)
+
+        return self._made(joined, *others)
+
+    def _made(self, of: Callable[..., Any], *others: Self) -> Self:
+        parts = {
+            name: of(part, *(getattr(each, name) for each in others))
+            for name, part in vars(self).items()
+            if isinstance(part, (np.ndarray, ByColumn))
+        }
+        return type(self)(**vars(self) | parts)

@@ -143,7 +143,7 @@ class Slots:
         self.count = np.zeros(self.size, dtype=np.int8)
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
-    def put(self, rows: IntArray | slice, count: NDArray[Any], columns: Columns) -> None:
+    def put(self, rows: IntArray | slice, count: NDArray[Any] | int, columns: Columns) -> None:
         """Store all equilibria of the points in ``rows``, columns of shape (some slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():

@@ -99,10 +99,6 @@ class Rounded(Arithmetic):
     def __rtruediv__(self, other: Any) -> Any:
         return Rounded(other) / self
 
-    def reciprocal(self) -> Any:
-        """1/x, with an infinite error where 0 may be in x."""
-        return 1.0 / self
-
     __pow__ = repeated_product
 
     def sqrt(self) -> Rounded:

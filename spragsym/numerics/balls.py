@@ -411,7 +411,7 @@ def _size(value: Ball) -> int:
 
 def _shifted(radius: int, places: int) -> int:
     """At least radius · 2^places."""
-    return radius << places if places >= 0 else -(-radius >> -places)
+    return -_shifted_down(-radius, places)
 
 
 def _shifted_down(value: int, places: int) -> int:

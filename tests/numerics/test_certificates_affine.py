@@ -136,7 +136,7 @@ def test_numbers_without_width_are_rounded_too(size: float) -> None:
         for operation, a, b in ((operator.mul, one, other), (operator.mul, other, one), (operator.add, one, other)):
             check(operation(a, b), at, list(map(operation, linear(a, at), linear(b, at))))
     if size >= 1:
-        check(exact.reciprocal(), at, [1 / a for a in linear(exact, at)])
+        check(1.0 / exact, at, [1 / a for a in linear(exact, at)])
 
 
 def test_sides_hold_their_boxes() -> None:

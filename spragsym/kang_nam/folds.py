@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -125,14 +126,15 @@ class Fold:
 
 @dataclass(frozen=True)
 class _Direction:
-    """t = tan(θ/2) is a root of the eliminated polynomial: its multiplicity, 3 for more, and whether f″ = 0 there."""
+    """t = tan(θ/2), a root of the eliminated polynomial: its multiplicity, 3 for more, and whether f″ = 0 there."""
 
     root: RootOf
     multiplicity: int = 1
     flat: bool = False
 
-    @property
+    @cached_property
     def t(self) -> Interval:
+        """An interval that holds it."""
         return self.root.interval()
 
 

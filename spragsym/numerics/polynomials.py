@@ -10,13 +10,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from . import balls
-from .arithmetic import solved
 from .balls import Ball, Interval, Undecided
 from .interval_arrays import FloatArray
 
@@ -113,22 +112,23 @@ def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]
     return rest
 
 
-@cache
-def _interpolation(degree: int) -> dict[int, list[int]]:
-    """Integers about 0, and degree! times the coefficients of the Lagrange polynomial of each."""
-    nodes, scale = range(-(degree // 2), degree - degree // 2 + 1), math.factorial(degree)
-    powers = [[Fraction(node) ** power for power in range(degree + 1)] for node in nodes]
-    return {node: [int(scale * value) for value in solved(powers, [Fraction(node == one) for one in nodes])] for node in nodes}
-
-
 def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[int, ...]:
-    """The polynomial of that degree through the values of ``function`` at integers about 0, as :func:`primitive` makes it."""
-    basis = _interpolation(degree)
-    values = [function(Fraction(node)) for node in basis]
+    """The polynomial of that degree through the values of ``function`` at integers about 0, as :func:`primitive` makes it.
+
+    By Newton's differences, times degree! and the common denominator of the values, so that nothing but integers is added up.
+    """
+    nodes = range(-(degree // 2), degree - degree // 2 + 1)
+    values = [function(Fraction(node)) for node in nodes]
     common = math.lcm(*(value.denominator for value in values))
-    integers = [int(value * common) for value in values]  # nothing but integers is added up
-    columns = zip(*basis.values(), strict=True)
-    return primitive([sum(one * other for one, other in zip(integers, column, strict=True)) for column in columns])
+    differences, leading = [int(value * common) for value in values], list[int]()
+    for order in range(degree + 1):
+        leading.append(differences[0] * math.perm(degree, degree - order))
+        differences = [after - before for before, after in itertools.pairwise(differences)]
+    found = list[int]()
+    for node, value in zip(reversed(nodes), reversed(leading), strict=True):  # Horner's rule, with t less each node
+        found = [lower - node * one for lower, one in zip([0, *found], [*found, 0], strict=True)]
+        found[0] += value
+    return primitive(found)
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -17,7 +17,7 @@ import numpy as np
 
 from ..models.parameters import NAMES, FloatArray
 from ..numerics import balls, bernstein
-from ..numerics.affine import Rounded, cosine_and_sine
+from ..numerics.affine import Rounded, as_number, cosine_and_sine
 from ..numerics.arithmetic import Polynomial
 from ..numerics.balls import Ball, as_floats, ends
 from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array
@@ -62,17 +62,17 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     return _kept(roots, value, (*here, *_rows(angle, roots.row)), others, -roots.rising, upper)
 
 
-def friction_sextic(given: Mapping[str, FloatArray]) -> list[Rounded]:
+def friction_sextic(given: Mapping[str, FloatArray]) -> Sequence[Any]:
     """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface f = 0 rises with θ."""
     return _eliminated("mu0", given)[-1]
 
 
-def _eliminated(vary: str, given: Mapping[str, FloatArray]) -> tuple[Any, Any, Any, Any, list[Rounded]]:
+def _eliminated(vary: str, given: Mapping[str, FloatArray]) -> tuple[Any, Any, Any, Any, Sequence[Any]]:
     """The others with 0 for one, cos θ₀ and sin θ₀, a, b, d, m of f and of f_v there, and f′ f_v − f f_v′ by powers of t."""
     values = [Rounded(given[name] if name != vary else np.float64(0.0)) for name in NAMES[1:]]
     angle = cosine_and_sine(given["theta0"])
     without, change = kernel.f_along(vary, *angle, *values)
-    return values, angle, without, change, _rounded(kernel.fold_sextic(*without, *_rounded(change)))
+    return values, angle, without, change, kernel.fold_sextic(*without, *change)
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
@@ -80,7 +80,7 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     values = [Rounded(given[name]) for name in NAMES[1:]]
     polynomial, free = _circle(values), np.broadcast_to(given["alpha"] == 0, size)
     if free.any():
-        relation = math.prod([Polynomial([1, 0, 1])] * 3, start=Polynomial(_rounded(kernel.fold_cubics(*values)[1])))
+        relation = math.prod([Polynomial([1, 0, 1])] * 3, start=Polynomial(kernel.fold_cubics(*values)[1]))
         polynomial = [_where(free, one, other) for one, other in zip(relation.coefficients, polynomial, strict=True)]
     roots = bernstein.positive_roots(polynomial, size)
     twice = np.flatnonzero(free[roots.row])
@@ -108,7 +108,7 @@ def _circle(values: list[Rounded]) -> list[Rounded]:
     _, _, alpha, sigma, beta = values
     width = alpha * (beta + 1 + sigma)
     scale = (alpha + sigma) * (beta + 1) * width
-    powers, others = ((one * one).coefficients for one in map(Polynomial, map(_rounded, kernel.fold_cubics(*values))))
+    powers, others = ((one * one).coefficients for one in map(Polynomial, kernel.fold_cubics(*values)))
     result = [width * width * one + other for one, other in zip(powers, others, strict=True)]
     for half, binomial in enumerate((1, 6, 15, 20, 15, 6, 1)):
         result[2 * half] = result[2 * half] - scale * scale * binomial
@@ -135,15 +135,12 @@ def _kept(
     return every.rows(np.flatnonzero(~out & ~undecided[roots.row]))
 
 
-def _rounded(parts: Iterable[Any]) -> list[Rounded]:
-    return [part if isinstance(part, Rounded) else Rounded(np.float64(part)) for part in parts]
-
-
 def _rows(parts: Iterable[Any], index: IndexArray) -> list[Any]:
     return [part.rows(index) if isinstance(part, Rounded) else part for part in parts]
 
 
-def _where(which: BoolArray, one: Rounded, other: Rounded) -> Rounded:
+def _where(which: BoolArray, *numbers: Any) -> Rounded:
+    one, other = map(as_number, numbers)
     return Rounded(*(np.where(which, getattr(one, part), getattr(other, part)) for part in ("value", "error")))
 
 

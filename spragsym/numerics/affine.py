@@ -65,7 +65,7 @@ class Rounded(Arithmetic):
         return (_spread(self) + self.error) * _SLACK
 
     def __add__(self, other: Any) -> Any:
-        other = _as_number(other)
+        other = as_number(other)
         return _rounded(self.value + other.value, self.terms + other.terms, self.error + other.error)
 
     def __neg__(self) -> Any:
@@ -84,7 +84,7 @@ class Rounded(Arithmetic):
         return _number(value, terms, (carried + rounding) * _SLACK + _TINY)
 
     def __truediv__(self, other: Any) -> Any:
-        other = _as_number(other)
+        other = as_number(other)
         value = self.value / other.value
         size, reach, quotient = abs(other.value), other.radius(), abs(value)
         least = size - reach
@@ -169,7 +169,8 @@ def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
     return found
 
 
-def _as_number(value: Any) -> Rounded:
+def as_number(value: Any) -> Rounded:
+    """A number itself, and an int or float as one that is exact."""
     return value if isinstance(value, Rounded) else Rounded(value)
 
 

@@ -7,11 +7,13 @@ polynomial is given back as undecided where that bound leaves open a sign that i
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from .affine import UNIT, Rounded
+from .affine import UNIT, Rounded, as_number
 from .columns import ByColumn
 from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array
 
@@ -44,7 +46,7 @@ class Roots:
     undecided: BoolArray
 
 
-def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
+def positive_roots(coefficients: Sequence[Any], size: int) -> Roots:
     """Every positive root of ``size`` polynomials, lowest power first: of rows that are decided all, simple, in no order."""
     pending = _beginning(coefficients, size)
     undecided = np.asarray(~np.isfinite(pending.value + pending.error).all(axis=0))
@@ -77,7 +79,7 @@ class Signs:
     positive: BoolArray
 
 
-def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray, off: FloatArray) -> Signs:
+def signs_between(coefficients: Sequence[Any], low: FloatArray, high: FloatArray, off: FloatArray) -> Signs:
     """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``), which are known to ``off``."""
     size = low.size
     whole = _beginning(coefficients, size)
@@ -114,11 +116,11 @@ def _cut(value: FloatArray, place: FloatArray | float = 0.5) -> tuple[FloatArray
     return lower, upper
 
 
-def _beginning(coefficients: list[Rounded], size: int) -> Parts:
+def _beginning(coefficients: Sequence[Any], size: int) -> Parts:
     degree = len(coefficients) - 1
     value, error = np.empty((degree + 1, size)), np.empty((degree + 1, size))
     for power, coefficient in enumerate(coefficients):
-        scaled = coefficient * (SCALE**power / math.comb(degree, power))
+        scaled = as_number(coefficient) * (SCALE**power / math.comb(degree, power))
         value[power], error[power] = scaled.value, scaled.error
         error[power] += 2 * degree * UNIT * np.abs(value[power])  # the factor is rounded itself
     largest = np.abs(value).max(axis=0)

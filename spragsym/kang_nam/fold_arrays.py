@@ -136,7 +136,7 @@ def _kept(
 
 
 def _rows(parts: Iterable[Any], index: IndexArray) -> list[Any]:
-    return [part.rows(index) if isinstance(part, Rounded) else part for part in parts]
+    return [as_number(part).rows(index) for part in parts]
 
 
 def _where(which: BoolArray, *numbers: Any) -> Rounded:

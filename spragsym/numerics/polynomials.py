@@ -263,11 +263,9 @@ def _common(low: Fraction, high: Fraction) -> tuple[int, int, int]:
 def _between_0_and_1(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> list[Any]:
     """Coefficients of a positive multiple of the polynomial in u."""
     common, start, scale = _common(low, high)
-    values: list[Any] = []
-    for power, coefficient in enumerate(reversed(polynomial)):  # Horner's rule with polynomials in u, times common^power
-        values = [start * one + scale * other for one, other in zip([*values, 0], [0, *values], strict=True)]
-        values[0] += coefficient * common**power
-    return values
+    degree = len(polynomial) - 1
+    about = shifted([value * common ** (degree - power) for power, value in enumerate(polynomial)], start)
+    return [value * scale**power for power, value in enumerate(about)]
 
 
 def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:

@@ -19,7 +19,7 @@ from ..design.certificates import Claim, Held, corner_values
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..models.quantities import Unit, checked_units
-from ..numerics.affine import Affine, cosine_and_sine, sides
+from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray
 from ..questions import NotInClosedForm
@@ -283,17 +283,15 @@ class Ground(NamedTuple):
     s: Affine
     c0: Affine
     s0: Affine
-    parameters: dict[str, Affine]
+    parameters: dict[str, Rounded]
 
-    def others(self) -> list[Affine]:
+    def others(self) -> list[Rounded]:
         """The parameters but θ₀, in order."""
         return [self.parameters[name] for name in NAMES[1:]]
 
     def with_friction(self, mu0: FloatArray | float) -> Ground:
         """The same with another friction, or one for each box."""
-        none = 0.0 * self.parameters["kappa"].terms
-        friction = Affine(none[0] + mu0, none, none[0])
-        return self._replace(parameters=self.parameters | {"mu0": friction})
+        return self._replace(parameters=self.parameters | {"mu0": Rounded(mu0)})
 
     def balance(self) -> tuple[Affine, Affine, Affine, Affine]:
         """f, f′, f_μ₀ and f_μ₀′."""

@@ -8,7 +8,7 @@ bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is repo
 import itertools
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from ...errors import ConvergenceError
 from ...models.parameters import NAMES, Parameters
@@ -27,19 +27,11 @@ FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
 
 def precise_equilibria(_p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int) -> PreciseEquilibria:
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
-    found = equilibria(*(exact[name] for name in NAMES), contact=contact, digits=digits)
-    return PreciseEquilibria(found.states, True, {})
+    return equilibria(*(exact[name] for name in NAMES), contact=contact, digits=digits)
 
 
-class Settled(NamedTuple):
-    """All equilibria of one point, ascending in θ, and whether it is a fold to the last digit tried."""
-
-    states: tuple[PreciseEquilibrium, ...]
-    fold: bool
-
-
-def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> Settled:
-    """All equilibria of one point, to ``digits`` digits.
+def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEquilibria:
+    """All equilibria of one point, ascending in θ, to ``digits`` digits.
 
     Parameters, θ₀, μ₀, κ, α, σ and β, are anything that :class:`fractions.Fraction` takes exactly: float, int, str, Fraction;
     θ₀ may be a function of the arithmetic that returns an interval.
@@ -71,7 +63,7 @@ def _spread(theta0: Any, rational: list[Fraction]) -> int:
     return max(powers) - min(powers)
 
 
-def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool) -> Settled:
+def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool) -> PreciseEquilibria:
     angle = theta0() if callable(theta0) else balls.exact(Fraction(theta0))
     values = (*balls.cos_sin(angle), *map(balls.exact, rational), int(contact))
     trig = kernel.f_coefficients(*values)
@@ -88,7 +80,7 @@ def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, b
     states = [state for root in roots for state in _state(root, trig, values, digits, fold, shrunk)]
     if contact and len(states) % 2 == 0:
         raise Undecided("an even number of equilibria in contact")
-    return Settled(tuple(sorted(states, key=lambda state: state.theta)), fold)
+    return PreciseEquilibria(tuple(sorted(states, key=lambda state: state.theta)), True, {})
 
 
 # ------------------------------------------------------------------------------------------------------- roots

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +21,6 @@ from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
 from . import block, compiled
 from .block import COLUMNS, Slots
-
-if TYPE_CHECKING:
-    from .adaptive_precision import Settled
 
 T = TypeVar("T")
 
@@ -193,9 +190,9 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple
             except ConvergenceError as reason:
                 reasons[int(rows[row])] = str(reason)
                 continue
-            folds += [int(rows[row])] * found.fold
-            if found.states:
-                out.put(rows[row : row + 1], len(found.states), columns)
+            folds += [int(rows[row])] * any(state.fold for state in found)
+            if found:
+                out.put(rows[row : row + 1], len(found), columns)
     return np.array(folds, dtype=np.int64), reasons
 
 
@@ -213,17 +210,17 @@ def _solve_widely(
     return np.concatenate(left)
 
 
-def _columns(found: Settled, point: str) -> dict[str, NDArray[Any]]:
+def _columns(found: Sequence[Any], point: str) -> dict[str, NDArray[Any]]:
     """States rounded to float64, by at most half a unit in the last place, which the error includes; of shape (states, 1)."""
     from mpmath import log10  # numbers of any size
 
-    for state in found.states:
+    for state in found:
         if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
             raise ConvergenceError(
                 f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of {point} is beyond float64; "
                 "spragsym.precise carries it"
             )
-    columns = {name: np.array([[float(getattr(state, name))] for state in found.states]) for name in COLUMNS}
+    columns = {name: np.array([[float(getattr(state, name))] for state in found]) for name in COLUMNS}
     return columns | {"error": columns["error"] + 1.2e-16}
 
 

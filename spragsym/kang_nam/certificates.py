@@ -297,7 +297,7 @@ class Ground(NamedTuple):
         """f, f′, f_μ₀ and f_μ₀′."""
         return kernel.f_in_differences(*self[:4], *self.others())
 
-    def pressed(self) -> Affine:
+    def pressed(self) -> Rounded:
         """κ − σ (sin θ₀ − sin θ), which is positive where the state of a direction has y < 0."""
         return self.parameters["kappa"] - self.parameters["sigma"] * (self.s0 - self.s)
 

@@ -190,10 +190,6 @@ class Onset(Point):
     count: int
     side: int
 
-    @property
-    def theta0(self) -> Interval:
-        return self.parameters[0]
-
 
 class Elimination:
     """Exact parameters μ₀ > 0, κ, α, σ, β and what is left of the conditions for an onset."""

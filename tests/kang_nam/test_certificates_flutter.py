@@ -62,7 +62,7 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
         p = random_fluttering(rng)
         values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
         for onset in exact_onsets(*values):
-            states = adaptive_precision.equilibria(Fraction(middle_of(onset.theta0)), *values).states
+            states = adaptive_precision.equilibria(Fraction(middle_of(onset.parameters[0])), *values).states
             nearest = int(np.argmin([abs(float(state.theta) - middle_of(onset.theta)) for state in states]))
             assert (onset.branch, onset.count) == (nearest, len(states))
             assert balls.sign(onset.y) < 0

@@ -74,10 +74,9 @@ class Branch(Named):
 
 def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
     """Label axes that have no label yet."""
-    if not ax.get_xlabel():
-        ax.set_xlabel(with_unit(model, vary))
-    if not ax.get_ylabel():
-        ax.set_ylabel(with_unit(model, quantity))
+    for axis, name in ((ax.xaxis, vary), (ax.yaxis, quantity)):
+        if not axis.get_label_text():
+            axis.set_label_text(with_unit(model, name))
 
 
 def branches(

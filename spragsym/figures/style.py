@@ -313,15 +313,13 @@ FORMATS: dict[str, dict[str, Any]] = {
 }
 
 
+@styled
 def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
     """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …; returns the paths.
 
     Parts that are not drawn as lines have 300 dots per inch.
     """
-    files: dict[str, bytes | str] = {}
-    with house_style():
-        for kind in formats:
-            files[f"{stem}.{kind}"] = picture(figure, kind)
+    files: dict[str, bytes | str] = {f"{stem}.{kind}": picture(figure, kind) for kind in formats}
     files[f"{stem}.txt"] = textwrap.fill(figure.caption, 100) + "\n"
     files |= {f"{stem}_{panel}.csv": _table(table) for panel, table in figure.tables.items()}
     for name, content in files.items():

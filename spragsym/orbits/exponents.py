@@ -226,7 +226,7 @@ class Rates:
             return "the motion is at rest, or all but"
         open_ = np.flatnonzero(np.abs(across) <= PROVED * error)
         if len(open_):
-            worst = open_[int(np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300)))]
+            worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             longer = "a longer motion narrows that as the root of its time; on a torus it stays"
             hope = longer if error[worst] > FLOOR else "errors of integration may be as large"
             return f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: {hope}"

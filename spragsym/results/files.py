@@ -169,9 +169,10 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
             return model(value).field
         case "parameters":
             return set_of(*value)
-        case "enum":
-            return _class(*value[:2])(value[2])
-    made, parts = _class(*value[:2]), value[2]
+    *place, parts = value
+    made = _class(*place)
+    if kind == "enum":
+        return made(parts)
     if hasattr(made, "_fields"):
         return made(**parts)
     out = object.__new__(made)

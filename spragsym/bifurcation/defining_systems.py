@@ -26,10 +26,10 @@ from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
-from ..statics.balance import AWAY, Balance, StateSystem
+from ..statics.balance import AWAY, ENDLESS, Balance, StateSystem
 from ..statics.forces import State, Values
 from ..statics.namespaces import XP
-from ..statics.precise_balance import boxes_of, settled_by_digits
+from ..statics.precise_balance import settled_by_digits
 from ..statics.regions import by_hand
 
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
@@ -42,8 +42,6 @@ MANY = 400
 CLUSTERS = 12
 #: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more covers what rounding leaves.
 ARC, ARCS = np.pi / 16, 33
-#: Lengths of which nothing is left in K.
-ENDLESS = Intervals.between(np.array([1e290]), np.array([1e308]))
 
 
 @dataclass(frozen=True)
@@ -146,11 +144,11 @@ class Condition:
 
 
 #: det K = 0.
-FOLD = Condition(lambda at: (determinant(at.slopes()),), singular=True)
+FOLD = Condition(lambda at: (determinant(at.slopes),), singular=True)
 #: The gap of the contact is 0.
 TOUCH = Condition(lambda at: (at.gap(),), touching=True)
 #: det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact.
-FOLD_ON_BORDER = Condition(lambda at: (determinant(at.slopes()), at.gap()), touching=True, singular=True)
+FOLD_ON_BORDER = Condition(lambda at: (determinant(at.slopes), at.gap()), touching=True, singular=True)
 
 
 def cusp(column: int = 0) -> Condition:
@@ -161,7 +159,7 @@ def cusp(column: int = 0) -> Condition:
     """
 
     def equations(at: State) -> Sequence[Any]:
-        K = at.slopes()
+        K = at.slopes
         return determinant(K), change(K, column)
 
     return Condition(equations, order=1, singular=True)
@@ -172,7 +170,7 @@ def _turns(at: State) -> Sequence[Any]:
 
     A row of the adjugate stands for w: points where that row is 0 are roots as well.
     """
-    K, rows = at.slopes(), at.forces()
+    K, rows = at.slopes, at.forces()
     pushed = [slope(row, len(K)) * cofactor(K, i, 0) for i, row in enumerate(rows)]
     return determinant(K), sum(pushed)
 
@@ -319,7 +317,7 @@ class Augmented(OfFamily):
         n = self.balance.n
         rows = [
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
-            for row, force in zip(at.slopes(), at.forces(), strict=True)
+            for row, force in zip(at.slopes, at.forces(), strict=True)
         ]
         return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], at.shape)
 
@@ -343,7 +341,7 @@ class Augmented(OfFamily):
 
 def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
-    if not boxes_of(found)[1].size or system.condition.order or found.left.shape[2] > MANY:
+    if system.condition.order or found.left.shape[2] > MANY:
         return found
     with np.errstate(all="ignore"):
         if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
@@ -374,10 +372,10 @@ def _regular(at: State, spring: int) -> BoolArray:
 
     def slopes(length: Any) -> list[Any]:
         fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
-        return [list(row) for row in replace(at, fixed=fixed).slopes()]
+        return [list(row) for row in replace(at, fixed=fixed).slopes]
 
-    K = slopes(ENDLESS[np.zeros_like(possible)])
-    R = slopes(Jet.variable(Intervals.point(np.ones(possible.shape)), 0, 1))
+    K = slopes(ENDLESS)
+    R = slopes(Jet.variable(Intervals.point([1.0]), 0, 1))
     pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K)))
     pushed, whole = stacked([pushed, determinant(K)], possible.shape)
     singular = (pushed + whole * at.directions[place + 2]).holds_zero()

@@ -172,7 +172,7 @@ def _cusp(
     n = system.balance.n
     root = _narrowed(system, box, alone)
     at = system.state(root)
-    column = [XP.taken(cofactor(at.slopes(), number, i)) for i in range(n)]
+    column = [XP.taken(cofactor(at.slopes, number, i)) for i in range(n)]
     if not any(map(balls.sign, column)):
         raise Undecided("a direction that may be 0")
     if not _on_its_side(at):

@@ -183,7 +183,7 @@ class _Plane(Family):
         """Points at which curves end or change; conditions on curves, what oscillates there, and ends; what is not searched."""
         balance = self.balance
         if not damping:
-            points = arranged(self, nothing(self), np.empty(0, dtype=np.str_))
+            points = arranged(self, nothing(self), "")
             ends = np.empty((balance.n + 2, 0))
             return points, [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)], ()
         only = only_damped(balance, self.over) if balance.n > 1 else None

@@ -154,10 +154,10 @@ class _Point:
         mode = self.motion.mode_at_rest(floats, self.motion.constants(given.tolist()))
         self.mode = self.motion.exact(mode)
 
-    def field(self, u: Sequence[Any], parameter: Any, mode: Sequence[Any] | None = None) -> list[Any]:
+    def field(self, u: Sequence[Any], parameter: Any) -> list[Any]:
         """F: the rates, then the accelerations, with the law of friction shifted to that of the equilibrium."""
         values = self._values(parameter)
-        accelerations = self.motion.acceleration(u, self._constants(values), mode or self.mode, XP)
+        accelerations = self.motion.acceleration(u, self._constants(values), self.mode, XP)
         return [*u[self.n :], *(a + s for a, s in zip(accelerations, self._shift(u[: self.n], values), strict=True))]
 
     def reach(self, path: Sequence[Jet]) -> float:
@@ -195,7 +195,7 @@ class _Point:
     def _asks_for_the_side(self) -> bool:
         """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra with it is then an error."""
         try:
-            self.field(self.state, self.parameter, (self.mode[0], _Side(), *self.mode[2:]))
+            self.motion.acceleration(self.state, self._constants(self.values), (self.mode[0], _Side(), *self.mode[2:]), XP)
         except TypeError:
             return True
         return False

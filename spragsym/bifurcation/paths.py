@@ -31,7 +31,8 @@ from ..statics.states import as_decided, one_each, with_state
 from .branches import HALVINGS, clearly_nearest, linked
 from .defining_systems import TOUCH, Family, given_column
 from .folds import folds
-from .points import INFINITY, OVER_BORDER, escapes, isolated, what_ends
+from .points import INFINITY, OVER_BORDER, escapes, isolated
+from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import turned
 
@@ -246,7 +247,7 @@ class _Way:
         first, *others = ends
         names = self.balance.coordinates if others else first.columns
         values = {name: every(name) for name in names} | {self.vary: at}
-        found = replace(first, kind=every("kind"), error=error, _values=values, _ended=what_ends if others else first._ended)
+        found = replace(first, kind=every("kind"), error=error, _values=values, _ended=ended if others else first._ended)
         return found.select((at >= along.min()) & (at <= along.max()))
 
     def _stops(self, along: FloatArray) -> FloatArray:

@@ -27,7 +27,7 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interval
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..progress import doing
 from ..remarks import At, Remark
-from ..results.points import Ended, Points
+from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance
 from ..statics.forces import TURN, State, Values, as_intervals
@@ -73,7 +73,7 @@ def isolated(family: Family, condition: Condition, kind: str) -> Points:
     """Points of one condition along one parameter or in the plane of two."""
     with doing("points of the kind {} over {}", kind, " and ".join(family.vary)):
         found = search(family, condition)
-    return arranged(family, found, np.full(found.roots.point.size, kind))
+    return arranged(family, found, kind)
 
 
 def search(family: Family, condition: Condition, budget: int | None = None) -> Found:
@@ -147,10 +147,10 @@ def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
 
 
 def arranged(
-    family: Family, found: Found, kind: NDArray[np.str_], more: Mapping[str, FloatArray] | None = None,
+    family: Family, found: Found, kind: str | NDArray[np.str_], more: Mapping[str, FloatArray] | None = None,
     remarks: tuple[str, ...] = (),
 ) -> Points:  # fmt: skip
-    """The points as a result, sorted by the parameters that vary."""
+    """The points, all of one kind or each of its own, as a result, sorted by the parameters that vary."""
     balance, vary = family.balance, family.vary
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
@@ -160,8 +160,8 @@ def arranged(
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, vary, box[n:])
     return Points(
-        family.p, vary, kind[order], found.roots.error[order], box, bool(found.whole.all()), family.endless, boxes_left, remarks,
-        values, what_ends,
+        family.p, vary, np.broadcast_to(kind, order.shape)[order], found.roots.error[order], box, bool(found.whole.all()),
+        family.endless, boxes_left, remarks, values,
     )  # fmt: skip
 
 
@@ -192,13 +192,6 @@ def of_ends(family: Family, found: Found, known: Callable[[float, FloatArray], s
             text = f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
             remarks.append(Remark(text, At(family.vary[0], (end,), "g")))
     return tuple(remarks)
-
-
-def what_ends(points: Points) -> Ended:
-    """What ends at folds among points that a search found."""
-    from .singularities import ended  # many who ask for points never ask for this
-
-    return ended(points)
 
 
 def shared(system: Augmented, left: FloatArray) -> BoolArray:

@@ -44,10 +44,9 @@ from ..statics.forces import State, Values
 from ..statics.namespaces import XP, follows
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
-from ..statics.regions import region
 from ..statics.stability import with_a_zero
 from .defining_systems import FOLD, Augmented, Condition, Family, OfFamily, change, cusp
-from .points import Found, arranged, of_ends, search, vanishes, with_sides
+from .points import Found, arranged, of_ends, search, vanishes
 
 #: Undecided boxes beyond which they lie around no points.
 MANY = 500
@@ -65,7 +64,7 @@ def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -
     """All folds and pitchforks along one parameter; arguments as of :func:`spragsym.folds`."""
     family = Family.of(p, (vary,), between, within)
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
-    kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
+    kind = np.repeat(["fold", "pitchfork"], [found.roots.point.size - pitchforks, pitchforks])
 
     def singular(end: float, left: FloatArray) -> str | None:
         if not vanishes(Augmented(family, FOLD), end, left).any():
@@ -73,16 +72,16 @@ def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -
         why = "det K is 0 in every state: equilibria there form curves, or there are none"
         return f", and {why}; for folds beside it give between with another end for {vary}"
 
-    if vary in family.balance.balanced:
-        return arranged(family, found, kind, remarks=of_ends(family, found, singular))
-    return arranged(replace(family, endless=()), found, kind, remarks=(f"{vary} moves no equilibrium",))
+    moves = vary in family.balance.balanced
+    remarks = of_ends(family, found, singular) if moves else (f"{vary} moves no equilibrium",)
+    family = family if moves else replace(family, endless=())
+    return replace(arranged(family, found, kind, remarks=remarks), _ended=ended)
 
 
 def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges | None) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
     family = Family.of(p, vary, between, within)
-    found = isolated(family)
-    return arranged(family, found, np.full(found.roots.point.size, "cusp"))
+    return arranged(family, isolated(family), "cusp")
 
 
 @dataclass(frozen=True)
@@ -104,7 +103,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         left = found.roots.left
         if not left.shape[2]:
             break
-        known = pitchforks(family, mirror)
+        known = certified_roots.search(_OnMirror(family, mirror), found.region, family.begin, family.begin)
         inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
         open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
         for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
@@ -141,13 +140,6 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
         return False
 
 
-def pitchforks(family: Family, mirror: _Mirror) -> Roots:
-    """All pitchforks on the mirror along one parameter: boxes of coordinates and parameter."""
-    around, _ = region(family.balance, family.over)
-    fixed = family.begin
-    return certified_roots.search(_OnMirror(family, mirror), with_sides(around, family.spans), fixed, fixed)
-
-
 class _OnMirror(OfFamily):
     """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
 
@@ -167,7 +159,7 @@ class _OnMirror(OfFamily):
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Even rows of the balance, the odd coordinates less those on the mirror, and the determinant of the turned block."""
-        K, odd = at.slopes(), self.mirror.odd
+        K, odd = at.slopes, self.mirror.odd
         rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(at.forces())]
         return [*rows, determinant([[K[i][j] for j in odd] for i in odd])]
 
@@ -208,28 +200,22 @@ def _with_signs(odd: Sequence[int], q: Sequence[Any], _: Values) -> list[Any]:
 def isolated(family: Family) -> Found:
     """A box for each cusp, and what is left."""
     balance, found = family.balance, search(family, cusp_off_mirrors(family))
-    roots = _cusps(family, found, 0)
+    roots = told_apart(family, found, 0)
     for column in range(1, balance.n):
         # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it, and regular with another one.
         hulls = clusters(roots.left, roots.left_point)[0] if roots.left_point.size <= MANY else roots.left[:, :, :0]
         for hull in np.moveaxis(hulls, 2, 0):
             spans = np.stack([-hull[0], hull[1]], axis=-1)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
-            more = _cusps(near, search(near, cusp_off_mirrors(near, column)), column)
+            more = told_apart(near, search(near, cusp_off_mirrors(near, column)), column)
             if not more.left_point.size:
                 open_ = ~contractors.within(roots.left, hull[:, :, None])
                 roots = different(concatenated([roots.kept(left=open_), more], roots.ends.shape[1]), found.region)
     return replace(found, roots=roots)
 
 
-def _cusps(family: Family, found: Found, column: int) -> Roots:
-    """The roots that are cusps, and those of which that is not known among what is left."""
-    proved, unclear = told_apart(family, found, column)
-    return found.roots.kept(proved).besides(found.roots.ends[:, :, unclear], found.roots.point[unclear])
-
-
-def told_apart(family: Family, found: Found, column: int) -> tuple[BoolArray, BoolArray]:
-    """Which roots are cusps, and of which that is not known.
+def told_apart(family: Family, found: Found, column: int) -> Roots:
+    """The roots that are cusps, and those of which that is not known among what is left.
 
     A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.
     """
@@ -237,10 +223,10 @@ def told_apart(family: Family, found: Found, column: int) -> tuple[BoolArray, Bo
     shape = ends.shape[2:]
     system = Augmented(family, cusp(column))
     with np.errstate(all="ignore"):
-        K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes()
+        K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes
         asked = [cofactor(K, column, i) for i in range(n)], [change(K, other) for other in range(n) if other != column]
     nonzero, none = (~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero()) for some in asked)
-    return nonzero & ~none, ~nonzero & ~none
+    return found.roots.opened(nonzero & ~none, ~nonzero & ~none)
 
 
 def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
@@ -251,7 +237,7 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         return [stacked(mirror.image(at.q, at.values), at.shape) for mirror in mirrors]
 
     def changes(at: State, q: Iterable[Any], order: int) -> list[Any]:
-        K = replace(at, q=variables(list(q), order)).slopes()
+        K = replace(at, q=variables(list(q), order)).slopes
         return [change(K, number) for number in range(n)]
 
     def hopeless(at: State) -> BoolArray:
@@ -320,24 +306,21 @@ def _sign(value: Any) -> int:
 
 
 def _afterwards(points: Points) -> dict[str, FloatArray]:
-    """Column ``after``, a search at each fold at which a stable state ends."""
-    found = nowhere(points)
+    """Column ``after``, a search at each fold at which a stable state ends.
+
+    It is the nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain.
+    """
+    found, vary = nowhere(points), points.vary[0]
+    allowed = points.parameters.ranges[vary]
     for row in np.flatnonzero(np.isin(points.ends, ("lower", "upper"))):
-        for name, value in _after(points, int(row), 1 if points.when[row] == "up" else -1).items():
-            found[name][row] = value
+        value, forward = float(getattr(points, vary)[row]), 1 if points.when[row] == "up" else -1
+        beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
+        beyond = beyond if allowed.low < beyond < allowed.high else value
+        here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
+        stable = here.stability == Stability.STABLE
+        if here.decided and stable.any():
+            before = {name: float(getattr(points, name)[row]) for name in points.parameters.model.coordinates}
+            slot = nearest_state(here, before, stable, here.error + points.error[row])
+            for name, column in found.items():
+                column[row] = getattr(here, name)[slot]
     return found
-
-
-def _after(points: Points, row: int, forward: int) -> dict[str, float]:
-    """The nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain."""
-    vary = points.vary[0]
-    value, allowed = float(getattr(points, vary)[row]), points.parameters.ranges[vary]
-    beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
-    beyond = beyond if allowed.low < beyond < allowed.high else value
-    here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
-    stable = here.stability == Stability.STABLE
-    if not (here.decided and stable.any()):
-        return {}
-    before = {name: float(getattr(points, name)[row]) for name in points.parameters.model.coordinates}
-    slot = nearest_state(here, before, stable, here.error + points.error[row])
-    return {name: float(getattr(here, name)[slot]) for name in points.columns}

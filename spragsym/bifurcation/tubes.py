@@ -27,9 +27,8 @@ from ..numerics.arithmetic import Matrix
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
 from ..statics.balance import Balance
-from ..statics.forces import State
+from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
-from ..statics.stability import filled
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400

@@ -21,8 +21,8 @@ from ..questions import Method, model_of, question
 from ..results.result import Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
+from ..statics.forces import filled
 from ..statics.reference_state import reference_state
-from ..statics.stability import filled
 
 #: Points at a time.
 BLOCK = 4096

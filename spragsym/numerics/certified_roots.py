@@ -58,6 +58,10 @@ class Roots:
         more = np.concatenate([self.left, left], axis=2)
         return replace(self, left=more, left_point=np.concatenate([self.left_point, point]))
 
+    def opened(self, roots: Any, open_: Any) -> Roots:
+        """Some of the roots, and others of them among the boxes that are left."""
+        return self.kept(roots).besides(self.ends[:, :, open_], self.point[open_])
+
     @property
     def every(self) -> tuple[FloatArray, IntArray]:
         """Boxes of roots and then those that are left, and the points of both."""
@@ -116,15 +120,13 @@ def different(found: Roots, regions: FloatArray) -> Roots:
     found = distinct(found)
     around = regions[:, :, found.point]
     border = ~contractors.within(found.ends, around)
-    open_ = np.flatnonzero(border & ~contractors.apart(found.ends, around))
-    return found.kept(~border).besides(found.ends[:, :, open_], found.point[open_])
+    return found.opened(~border, border & ~contractors.apart(found.ends, around))
 
 
 def distinct(found: Roots) -> Roots:
     """Roots, each once, by point and lower end; what can't be told from another is left."""
     found = found.kept(np.lexsort((-found.alone[0, 0], found.point)))
-    keep, unclear = once(found.ends, found.alone, found.point)
-    return found.kept(keep).besides(found.ends[:, :, unclear], found.point[unclear])
+    return found.opened(*once(found.ends, found.alone, found.point))
 
 
 def _refined(system: System, ends: FloatArray, parameters: Intervals, point: IntArray) -> tuple[FloatArray, BoolArray]:

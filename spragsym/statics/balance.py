@@ -21,7 +21,7 @@ from ..numerics.balls import ball
 from ..numerics.boxes import POLE, System
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
 from ..numerics.precise_roots import Digits
-from .forces import Forces, State, Values
+from .forces import Forces, State, Values, filled
 from .namespaces import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
@@ -30,6 +30,8 @@ AWAY = 1.0
 GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
+#: Lengths of which nothing is left in K.
+ENDLESS = Intervals.between([1e290], [1e308])
 
 #: The argument by which a length among the unknowns is measured, where there is one.
 SCALE = "l/scale"
@@ -103,9 +105,6 @@ class Balance(Forces, StateSystem):
     generated functions, once for each node of the tree of points.
     """
 
-    #: Whether forces contain a length, once that was asked.
-    _lengths: bool | None = None
-
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""
         return at.forces()
@@ -121,13 +120,13 @@ class Balance(Forces, StateSystem):
         q = middles
         for _ in range(GUESSES):
             at = self.at(list(q), values, xp=np)
-            J = contractors.inverse(np.array([[entry + 0.0 * q[0] for entry in row] for row in at.slopes()]))
-            q = q - (J * np.array([force + 0.0 * q[0] for force in at.forces()])[None]).sum(axis=1)
+            slopes, forces = filled(at.slopes, middles.shape[1:]), filled([at.forces()], middles.shape[1:])
+            q = q - (contractors.inverse(slopes) * forces).sum(axis=1)
         return q
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Stiffness over boxes, shape (n, n, N)."""
-        return matrix(self.state(unknowns, parameters).slopes(), unknowns.shape[1:])
+        return matrix(self.state(unknowns, parameters).slopes, unknowns.shape[1:])
 
     def nothing_at(self, at: State) -> BoolArray:
         """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
@@ -146,7 +145,7 @@ class Balance(Forces, StateSystem):
     def at_poles(self, at: State, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole."""
         out = np.zeros(at.shape, dtype=np.bool_)
-        for dx, dy in at.anchors if self._lengths else ():
+        for dx, dy in at.anchors if self.torsions else ():
             out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
         return out
 
@@ -159,7 +158,7 @@ class Balance(Forces, StateSystem):
     def with_directions(self, at: State) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
         unknowns = stacked(at.q, at.shape)
-        step = contractors.newton(*self._linear(at, unknowns.middle, State.forces, State.slopes))
+        step = contractors.newton(*self._linear(at, unknowns.middle, State.forces, lambda at: at.slopes))
         return np.fmin(step.ends, unknowns.ends)
 
     def by_rows(self, at: State) -> FloatArray:
@@ -170,21 +169,13 @@ class Balance(Forces, StateSystem):
 
     def _linear(self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]) -> Linear:
         """:meth:`linear` by the generated slopes, where no length counts and no wave is a free unknown."""
-        if at.xp is FREE or self._lengths_matter(at):
+        if at.xp is FREE or self.torsions:  # forces of torsion springs contain a length
             return linear(at, near, forces)
         # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
         # for a derivative that its stiffness has in a sharper form.
-        endless = Intervals.between(np.full(at.shape, 1e290), np.full(at.shape, 1e308))
-        return _from(at, near, forces, matrix(slopes(_with_lengths(at, endless)), at.shape))
-
-    def _lengths_matter(self, at: State) -> bool:
-        """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""
-        if self._lengths is None and at.shape[0]:
-            one = np.zeros(1, dtype=np.int64)
-            here = replace(at.some(one), fixed=[part[one] for part in at.directions])
-            forces = _with_lengths(here, Intervals(np.full((2, 1), np.nan))).forces()
-            self._lengths = bool(np.isnan(stacked(forces, (1,)).ends).all(axis=(0, 2)).any())
-        return bool(self._lengths)
+        lengths = range(2, 3 * self.springs, 3)
+        fixed = [ENDLESS if place in lengths else part for place, part in enumerate(at.directions)]
+        return _from(at, near, forces, matrix(slopes(replace(at, fixed=fixed)), at.shape))
 
 
 def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
@@ -199,12 +190,6 @@ def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
 def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linear:
     there = replace(at, q=list(Intervals.point(near)), fixed=at.directions)
     return stacked(forces(there), at.shape), slopes, near, contractors.distance(stacked(at.q, at.shape).ends, near)
-
-
-def _with_lengths(at: State, length: Intervals) -> State:
-    """The state with one length for all springs."""
-    lengths = range(2, 3 * at.balance.springs, 3)
-    return replace(at, fixed=[length if place in lengths else part for place, part in enumerate(at.directions)])
 
 
 def _no_direction(at: State, spring: int) -> BoolArray:
@@ -240,7 +225,7 @@ class PreciseBalance(Digits):
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """Slopes of it: of forces alone the stiffness, as it is generated."""
-        return self.state(unknowns).slopes() if self.system is self.balance else super().slopes(unknowns)
+        return self.state(unknowns).slopes if self.system is self.balance else super().slopes(unknowns)
 
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at unknowns."""

@@ -100,19 +100,18 @@ class Forces:
         """Arguments as floats, shape (parameters, N)."""
         return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
-    def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """By name; ``changed`` are parameters that are unknowns, of any number type.
+    def arguments(self, prepared: Intervals) -> dict[str, Any]:
+        """By name.
 
         A parameter that is 0 everywhere, and may be, is the number 0: products with it and exponentials of it are exact.
         """
         values: dict[str, Any] = dict(zip(self.codes, prepared, strict=False))
-        values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
-        return values | self.with_angles(changed or {}, XP)
+        return values | {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
 
-    def over(self, bounds: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    def over(self, bounds: Intervals) -> dict[str, Any]:
         """:meth:`arguments` from parameters of shape (P, N)."""
         with np.errstate(all="ignore"):
-            return self.arguments(self.prepared(bounds), changed)
+            return self.arguments(self.prepared(bounds))
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
@@ -229,17 +228,14 @@ class State:
         """Rows of the balance."""
         return self.rows(self.balance.sums.get("forces", "forces"))
 
+    @cached_property
     def slopes(self) -> Matrix:
         """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
-        return self._slopes
-
-    @cached_property
-    def _slopes(self) -> Matrix:
         return self.rows(self.balance.sums.get("forces_jacobian", "forces_jacobian"))
 
     def stiffness(self) -> Matrix:
         """The stiffness matrix K."""
-        return self.rows("forces_jacobian") if self.balance.sums else self._slopes
+        return self.rows("forces_jacobian") if self.balance.sums else self.slopes
 
     def contact_force(self, pushing: Any) -> Any:
         """The normal force of the contact."""
@@ -352,3 +348,8 @@ def _turn(dx: Any, dy: Any, c: Intervals, s: Intervals, L: Intervals, order: int
 
 def as_intervals(value: Any, shape: Shape) -> Intervals:
     return stacked([value], shape)[0]
+
+
+def filled(rows: Matrix, shape: Shape) -> FloatArray:
+    """A matrix of numbers and arrays as an array, each entry of one shape."""
+    return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])

@@ -142,7 +142,7 @@ class Polar(StateSystem):
 
     def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation over boxes."""
-        return self.at(list(unknowns), self.balance.arguments(parameters, {SCALE: parameters[-1]}), parameters.shape[1:])
+        return self.at(list(unknowns), self.balance.arguments(parameters) | {SCALE: parameters[-1]}, parameters.shape[1:])
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces of their directions."""
@@ -280,8 +280,7 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         found = found if system.turns else once_around([0], found)
         prepared = system.prepared(Intervals.point(given))
         possible, sure = _are_equilibria(system, found.ends)
-        open_ = possible & ~sure
-        found = found.kept(sure, _are_equilibria(system, found.left)[0]).besides(found.ends[:, :, open_], found.point[open_])
+        found = found.kept(left=_are_equilibria(system, found.left)[0]).opened(sure, possible & ~sure)
         balance, point, left_point = system.balance, found.point, found.left_point
         roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
         # On which side of the border a root lies that floats can't tell from it, digits do.
@@ -311,5 +310,5 @@ def _apart(found: Roots, around: FloatArray) -> Roots:
     for first, second in certified_roots.neighbours(roots, point):
         meet = ~contractors.apart(roots[:, :, first], roots[:, :, second])
         clear[first[meet]] = clear[second[meet]] = False
-    found = found.kept(clear).besides(roots[:, :, ~clear], point[~clear])
+    found = found.opened(clear, ~clear)
     return found.kept(left=~contractors.apart(found.left, around[:, :, found.left_point]))

@@ -37,15 +37,6 @@ AROUND = 2.0**-13
 END = BEGIN + TURN
 
 
-def renewed(found: Roots, around: FloatArray, points: IntArray, parts: Sequence[Roots]) -> Roots:
-    """Roots and boxes of all points, of the given ones those that are known well or are in the parts, each once."""
-    mine, n = found.of(points), around.shape[1]
-    again = different(concatenated([mine.kept(mine.error <= TOLERANCE, slice(0)), *parts], n), around)
-    # Clusters are looked at in boxes that are wider than they are.
-    inside = ~contractors.apart(again.left, around[:, :, again.left_point])
-    return concatenated([found.of(points, others=True), again.kept(left=inside)], n)
-
-
 def refined(system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False) -> Roots:
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
@@ -72,7 +63,13 @@ def settled_by_digits(
         for k, point in enumerate(owner.tolist())
         if few[which[k]]
     ]
-    return renewed(found, around, points[few], parts) if parts else found
+    if not parts:
+        return found
+    mine, n = found.of(points[few]), around.shape[1]
+    again = different(concatenated([mine.kept(mine.error <= TOLERANCE, slice(0)), *parts], n), around)
+    # Clusters are looked at in boxes that are wider than they are.
+    inside = ~contractors.apart(again.left, around[:, :, again.left_point])
+    return concatenated([found.of(points[few], others=True), again.kept(left=inside)], n)
 
 
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
@@ -153,8 +150,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
             gap = None if root is None else digits.state(root).gap()
             if isinstance(gap, Ball):
                 inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(as_intervals([gap])[0])
-    open_ = ~(inside | beyond)
-    found = found.kept(inside).besides(found.ends[:, :, open_], found.point[open_])
+    found = found.opened(inside, ~(inside | beyond))
     return found.kept(left=~beside_border(found.left, found.left_point)[1])
 
 
@@ -173,8 +169,7 @@ def once_around(around: Sequence[int], found: Roots) -> Roots:
         return found
     beyond, across = _parted(found.ends, around)
     hidden, _ = _parted(found.left, around)
-    open_ = across & ~beyond
-    return found.kept(~beyond & ~across, ~hidden).besides(found.ends[:, :, open_], found.point[open_])
+    return found.kept(left=~hidden).opened(~beyond & ~across, across & ~beyond)
 
 
 def _parted(ends: FloatArray, around: Sequence[int]) -> tuple[BoolArray, BoolArray]:

@@ -12,8 +12,8 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import undecorated
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals
-from ..numerics.jets import variables
+from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, stacked
+from ..numerics.jets import gradient, variables
 from ..results.equilibria import Equilibria, Stability
 from .equilibria import equilibria
 from .namespaces import XP
@@ -75,25 +75,19 @@ def chosen_state(
         name: getattr(point, name) for name in model.parameters if getattr(p, name) is None
     }  # of the motion: not felt here
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
-    energy, origin = undecorated(model.algebra.strain_energy), Intervals.point(np.zeros((*p.shape, 1)))
-    every = range(len(q))
-
-    def derivative(*numbers: int) -> FloatArray:
-        found = series.derivative(*numbers)
-        return np.broadcast_to(found.middle if isinstance(found, Intervals) else found, (*p.shape, 1))[..., 0]
-
+    energy, every, shape = undecorated(model.algebra.strain_energy), range(len(q)), (*p.shape, 1)
     with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
-        strain = energy(*q, *given, 1, xp=np)
-        series = energy(*variables([origin] * len(q), 2), *map(Intervals.point, given), 1, xp=XP)
-        at_origin = np.nan_to_num(np.abs(derivative()))[..., None]
-        slope = np.stack([derivative(i) for i in every], axis=-1)
-        stiffness = np.stack([np.stack([derivative(i, j) for j in every], axis=-1) for i in every], axis=-2)
-    place = np.stack(q, axis=-1)
-    second = np.einsum("...i,...si->...s", slope, place) + 0.5 * np.einsum("...si,...ij,...sj->...s", place, stiffness, place)
-    convex = np.isfinite(stiffness).all(axis=(-2, -1))
-    roots = np.linalg.eigvalsh(np.where(np.expand_dims(convex, (-2, -1)), stiffness, 0.0))
+        strain, place = energy(*q, *given, 1, xp=np), np.array(q)
+        origin = variables([Intervals.point(np.zeros(shape))] * len(q), 2)
+        series = energy(*origin, *map(Intervals.point, given), 1, xp=XP)
+        at_origin = np.nan_to_num(np.abs(stacked([series.value], shape).middle[0]))
+        slope = stacked(gradient(series, len(q)), shape).middle
+        stiffness = matrix([[series.derivative(i, j) for j in every] for i in every], shape).middle
+        second = (slope * place).sum(axis=0) + 0.5 * (place[:, None] * stiffness * place).sum(axis=(0, 1))
+    convex = np.isfinite(stiffness).all(axis=(0, 1))
+    roots = np.linalg.eigvalsh(np.moveaxis(np.where(convex, stiffness, 0.0), (0, 1), (-2, -1)))
     convex &= roots[..., 0] > POSITIVE * np.abs(roots).max(axis=-1)
-    strain = np.where(np.expand_dims(convex, -1), second, strain)
+    strain = np.where(convex, second, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.where(np.isfinite(strain), np.abs(strain), 0.0).max(axis=-1, keepdims=True, initial=0.0)
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding

@@ -20,6 +20,7 @@ from ..results.equilibria import Equilibria, Undecided
 from . import stability
 from .balance import NOTHING, Balance
 from .forces import as_intervals
+from .namespaces import XP
 from .polar import around_anchors, stiff_points, turned_points
 from .precise_balance import on_its_side, once_around, refined, settled_by_digits
 from .reference_state import in_order
@@ -194,7 +195,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     if not count:
         return []
     with np.errstate(all="ignore"):
-        values = balance.over(Intervals.point(np.nan_to_num(given)), varied)
+        values = balance.over(Intervals.point(np.nan_to_num(given))) | balance.with_angles(varied or {}, XP)
         at = balance.at(list(Intervals(left[:, :n])), values, (count,))
         pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)
         for dx, dy in at.anchors:

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz, is_zero
 from ..numerics.balls import Undecided, ball
-from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Intervals, Shape, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Intervals, matrix, stacked
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results.equilibria import Equilibria, Stability
 from .balance import NOTHING, Balance, PreciseBalance
-from .forces import State, as_intervals
+from .forces import State, as_intervals, filled
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
@@ -149,11 +149,6 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
         return int(Stability.FLUTTER)
     return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
-
-
-def filled(rows: Matrix, shape: Shape) -> FloatArray:
-    """A matrix of numbers and arrays as an array, each entry of one shape."""
-    return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])
 
 
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:

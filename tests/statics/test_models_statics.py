@@ -148,9 +148,10 @@ def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
     family = Family.of(model("kang_nam").Parameters(), ("theta0", "mu0"), {"theta0": (0.0, np.pi), "mu0": (0.0, 2.0)})
     found = points.search(family, cusp(column=1))
     assert found.roots.point.size == 2
-    proved, unclear = singularities.told_apart(family, found, column=1)
-    assert np.allclose(found.roots.middle[-1, proved], 0.200931781805090, atol=1e-12)
-    assert not unclear.any()
+    cusps = singularities.told_apart(family, found, column=1)
+    assert np.allclose(cusps.middle[-1], 0.200931781805090, atol=1e-12)
+    assert cusps.point.size
+    assert not cusps.left_point.size
 
 
 def test_hopf_points_with_dampers_are_where_a_pair_crosses():

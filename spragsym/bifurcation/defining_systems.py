@@ -26,7 +26,7 @@ from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
-from ..statics.balance import AWAY, ENDLESS, Balance, StateSystem
+from ..statics.balance import ENDLESS, Balance, StateSystem, at_anchors
 from ..statics.forces import State, Values
 from ..statics.namespaces import XP
 from ..statics.precise_balance import settled_by_digits
@@ -151,7 +151,7 @@ TOUCH = Condition(lambda at: (at.gap(),), touching=True)
 FOLD_ON_BORDER = Condition(lambda at: (determinant(at.slopes), at.gap()), touching=True, singular=True)
 
 
-def cusp(column: int = 0) -> Condition:
+def cusp(column: int) -> Condition:
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 
     Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of them is taken: points where that
@@ -276,8 +276,7 @@ class OfFamily(StateSystem):
 
     def fixed(self, count: int) -> Intervals:
         """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
-        with np.errstate(all="ignore"):
-            return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
+        return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
 
     def parted(self, unknowns: Sequence[Any], fixed: Values, xp: Any) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""
@@ -325,7 +324,7 @@ class Augmented(OfFamily):
         """Boxes where no state is, or without what the condition asks for."""
         out: BoolArray = self.balance.nothing_at(at)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
-        return out | regular_at_anchors(at, ~out) if self.condition.singular else out
+        return out | at_anchors(at, ~out, _regular) if self.condition.singular and not self.balance.torsions else out
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
@@ -349,20 +348,8 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     return settled_by_digits(system, system.family.begin, region, found, most=CLUSTERS)
 
 
-def regular_at_anchors(at: State, among: BoolArray) -> BoolArray:
-    """Boxes at an anchor in which det K is not 0, whatever the direction of the spring is."""
-    out = np.zeros(among.shape, dtype=np.bool_)
-    if at.balance.torsions:
-        return out
-    for spring, (dx, dy) in enumerate(at.anchors):
-        near = np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)
-        rows = np.flatnonzero(among & ~out & near)
-        if rows.size:
-            out[rows] = _regular(at.some(rows), spring)
-    return out
-
-
 def _regular(at: State, spring: int) -> BoolArray:
+    """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is."""
     count, place = at.shape[0], 3 * spring
     every, turn = np.tile(np.arange(count), ARCS), np.repeat(ARC * np.arange(ARCS + 1), count)
     arc, known = Intervals.between(turn[:-count], turn[count:]), stacked(at.directions[place : place + 2], (count,))

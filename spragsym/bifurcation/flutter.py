@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from itertools import chain
+from itertools import chain, pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -190,19 +190,22 @@ def _squares(M: FloatArray, K: FloatArray) -> ComplexArray:
     return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
 
 
+def _omega(square: Any) -> list[float]:
+    """ω of a root κ, unless it is negative."""
+    return [float(np.sqrt(square.real))] if square.real > 0 else []
+
+
 def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
     squares = _squares(M, K)
-    one = _nearest(squares, squares)
-    return [float(np.sqrt(one.real))] if one.real > 0 else []
+    return _omega(_nearest(squares, squares))
 
 
 def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
     others = [i for i in range(len(K)) if i != along]
     squares = _squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
-    one = squares[np.abs(squares[:, None] - _squares(M, K)[None]).min(axis=1).argmin()]
-    return [float(np.sqrt(one.real))] if one.real > 0 else []
+    return _omega(squares[np.abs(squares[:, None] - _squares(M, K)[None]).min(axis=1).argmin()])
 
 
 def every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
@@ -311,7 +314,7 @@ def _bisected(
     state = _state(system, 0.5 * (low[0] + high[0]))
     (roots,) = _signals(system, state[:, None])
     middle = state, roots
-    halves = [(one, other) for one, other in ((low, middle), (middle, high)) if _crossing_pairs(one[1], other[1]).size]
+    halves = [(one, other) for one, other in pairwise((low, middle, high)) if _crossing_pairs(one[1], other[1]).size]
     if halvings and halves:
         # Where more than one onset lies between, the halvings are shared.
         share = (halvings - 1) // len(halves)

@@ -175,7 +175,7 @@ class _Way:
     """
 
     def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
-        self.p, self.model, self.vary, self.balance = p, p.model, vary, Balance(p.model, contact=True)
+        self.p, self.vary, self.balance = p, vary, Balance(p.model, contact=True)
         p.model.require_parameter(vary)
         try:
             ends = self._ends(along, BESIDE)
@@ -278,7 +278,7 @@ class _Way:
             firm = [~number for number in met if self._stability_met(number) == Stability.STABLE]
             stable = [*firm, *stable] or [~number for number in met]
         if not stable:
-            allowed, first = self.model.Parameters.ranges[self.vary], float(self.stops[0])
+            allowed, first = self.p.ranges[self.vary], float(self.stops[0])
             at_end = first == allowed.reached(allowed.low)
             at = f"the lower end of {self.vary}" if at_end else f"the first value, {self.vary} = {first!r},"
             raise ParameterError(f"{at} has no equilibrium in contact; begin where there is one: at folds they begin and end")
@@ -288,7 +288,7 @@ class _Way:
             return stable[int(least_slot(-np.abs(states[0]), states, error))]
         here = self.p.replace(**{self.vary: float(self.stops[0])})
         every = np.isfinite(states[0])
-        return stable[int(chosen_state(self.model, here, list(states), error, every, self.p.followed))]
+        return stable[int(chosen_state(here, list(states), error, every, self.p.followed))]
 
     def _met(self, stop: int) -> list[int]:
         """Numbers of the folds and borders that a stop is equal to."""
@@ -363,7 +363,7 @@ class _Way:
         if here.size == 1:
             return int(here[0])
         for number in here[self.kinds[here] == "border"].tolist():
-            tubes, start = self._standing(Balance(self.model, contact=True, room=OVER_BORDER), stop - 1, place)
+            tubes, start = self._standing(Balance(self.p.model, contact=True, room=OVER_BORDER), stop - 1, place)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():

@@ -301,8 +301,7 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
 
 def _sign(value: Any) -> int:
     """1 or −1 where it is known, else 0."""
-    number = stacked([value], (1,))[0]
-    return int(number.low[0] > 0) - int(number.high[0] < 0)
+    return int(stacked([value], (1,)).signs[0, 0])
 
 
 def _afterwards(points: Points) -> dict[str, FloatArray]:

@@ -192,8 +192,7 @@ class Tubes(ByColumn):
     def _bounds(self, v: Intervals) -> Intervals:
         ends = np.stack([-self.fixed, self.fixed])
         ends[:, self.moving] = np.concatenate([self._span().ends, v.ends[:, None]], axis=1)
-        with np.errstate(all="ignore"):
-            return self.balance.prepared(Intervals(ends))
+        return self.balance.prepared(Intervals(ends))
 
     def _span(self) -> Intervals:
         wide = np.where(self.half > 0, self.half * UP + np.spacing(np.abs(self.centre)), 0.0)

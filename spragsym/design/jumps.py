@@ -265,7 +265,7 @@ class Followed:
     def _start(self, rows: Any) -> tuple[Tubes, Place, FloatArray]:
         """Some points, the reference states from which they are followed, where these are known, and up to where."""
         eq = equilibria(self._points(rows))
-        slot = reference_state(self.model, eq, self.near)
+        slot = reference_state(eq, self.near)
         states = [eq.coordinates[name][np.arange(rows.size), slot] for name in self.balance.coordinates]
         z = np.array([*states, self.begin[rows]])
         known = eq.decided & np.isfinite(z).all(axis=0)

@@ -61,12 +61,12 @@ class Splitting(Claim):
     def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
         model = low.model
         self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
-        self.balance = BalanceInUnits(model, True, units or {})
+        self.balance = BalanceInUnits(model, units or {})
         names, ends = self.balance.parameters, corner_values(model.parameters, low, high, self.balance.units)
         least = ends[0][names.index(vary), 0]
         if begin > least:
             raise ParameterError(f"begin = {begin:g} is above low.{vary} = {least:g}; begin where {vary} is lower")
-        matter = {*self.balance.balanced, *self.balance.matter} - {vary}
+        matter = {*self.balance.balanced, *self.balance.scaling} - {vary}
         self.free = tuple(name for name, *end in zip(names, *ends, strict=True) if name in matter and end[0] != end[1])
         self.sides = (*self.free, vary)
         self.tubes = Tubes.of_points(self.balance, vary, ends[0], self.free)

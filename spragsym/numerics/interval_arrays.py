@@ -125,6 +125,11 @@ class Intervals(Arithmetic):
         """The float in each that is nearest to 0."""
         return np.clip(0.0, self.low, self.high)
 
+    @property
+    def signs(self) -> Int8Array:
+        """1 or −1 where the sign of each is known, else 0."""
+        return (self.ends[0] < 0).astype(np.int8) - (self.ends[1] < 0)
+
     def holds_zero(self) -> BoolArray:
         """Whether each holds 0, or bounds nothing."""
         return ~((self.ends[0] < 0) | (self.ends[1] < 0))

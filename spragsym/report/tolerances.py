@@ -294,7 +294,7 @@ class _Law:
         taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
         low, high, units = parameter_ends(study.with_quantities(taken))
         self.low, self.high = corner_values(low.model.parameters, low, high, units)
-        self.balance = BalanceInUnits(low.model, True, units, study.law)
+        self.balance = BalanceInUnits(low.model, units, study.law)
 
     def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
         """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""

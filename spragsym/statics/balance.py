@@ -131,12 +131,7 @@ class Balance(Forces, StateSystem):
     def nothing_at(self, at: State) -> BoolArray:
         """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
         out = super().nothing_at(at)
-        for spring, (dx, dy) in enumerate(at.anchors):
-            # Farther from the anchor the direction is known so well that the forces themselves tell.
-            rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
-            if rows.size:
-                out[rows] = _no_direction(at.some(rows), spring)
-        return out
+        return out | at_anchors(at, ~out, _no_direction)
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
@@ -192,6 +187,19 @@ def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linea
     return stacked(forces(there), at.shape), slopes, near, contractors.distance(stacked(at.q, at.shape).ends, near)
 
 
+def at_anchors(at: State, among: BoolArray, told: Callable[[State, int], BoolArray]) -> BoolArray:
+    """Boxes of which something is told of all directions of a spring, among those at its anchor.
+
+    Farther from there the direction is known so well that the equations themselves tell.
+    """
+    out = np.zeros(at.shape, dtype=np.bool_)
+    for spring, (dx, dy) in enumerate(at.anchors):
+        rows = np.flatnonzero(among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
+        if rows.size:
+            out[rows] = told(at.some(rows), spring)
+    return out
+
+
 def _no_direction(at: State, spring: int) -> BoolArray:
     """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
     place, cover = 3 * spring, Intervals(np.ones((2, *at.shape)))
@@ -240,12 +248,12 @@ class BalanceInUnits(Balance):
     its own.
     """
 
-    def __init__(self, model: Model, contact: bool, units: Mapping[str, Unit], law: str = "friction_at_rest") -> None:
-        super().__init__(model, contact, law)
+    def __init__(self, model: Model, units: Mapping[str, Unit], law: str = "friction_at_rest") -> None:
+        super().__init__(model, True, law)
         self.units = units
+        powers = {unit: [name for name in self.balanced if name in one.powers] for unit, one in units.items()}
         #: Parameters of the balance that depend on each unit; a unit on which none does matters to the motion alone.
-        self.scaling = {unit: [name for name in self.balanced if name in one.powers] for unit, one in units.items()}
-        self.matter = [unit for unit, names in self.scaling.items() if names]
+        self.scaling = {unit: names for unit, names in powers.items() if names}
         #: p/P as arguments of their own, by parameter.
         self.factors = {name: f"{name}/P" for name in self.parameters if any(name in unit.powers for unit in units.values())}
         self.parameters += units

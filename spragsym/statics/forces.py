@@ -51,12 +51,8 @@ class Forces:
             for entry in about["parameters"]
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
-        #: Angles that the functions take by themselves too, beside their cosines and sines.
-        self.alone = [name for name in self.angles if name in about["arguments"]["motion"]]
-        self.codes: list[str] = []
-        for name in self.parameters:
-            self.codes += self.angles.get(name, ())
-            self.codes += [name] if name in self.alone or name not in self.angles else []
+        #: Arguments of the functions: cosines and sines of angles, and these too where they stand by themselves.
+        self.codes: list[str] = list(about["arguments"]["motion"])
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
@@ -82,7 +78,8 @@ class Forces:
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P, N)."""
-        values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
+        with np.errstate(all="ignore"):
+            values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
         return stacked([values[code] for code in self.codes], bounds.shape[1:])
 
     def with_angles(self, values: Values, xp: Any) -> dict[str, Any]:
@@ -110,8 +107,7 @@ class Forces:
 
     def over(self, bounds: Intervals) -> dict[str, Any]:
         """:meth:`arguments` from parameters of shape (P, N)."""
-        with np.errstate(all="ignore"):
-            return self.arguments(self.prepared(bounds))
+        return self.arguments(self.prepared(bounds))
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at coordinates, which functions of parameters alone do not need."""

@@ -233,9 +233,8 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
     """Roots and undecided boxes of some points, by their numbers."""
     given, around = given[:, points], around[:, :, points]
     parts: list[Roots] = []
-    if points.size:
-        with np.errstate(all="ignore"):
-            sides, scale, narrow = _sides(system, given, around)
+    with np.errstate(all="ignore"):
+        sides, scale, narrow = _sides(system, given, around)
         for tight in (False, True):
             some = np.flatnonzero(narrow == tight)
             if some.size:
@@ -256,7 +255,7 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
     length = raised(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
     whole = replace(nowhere, q=list(Intervals(around)))
-    directions = system.turned(whole.directions[: 3 * balance.springs], Intervals.point(np.zeros(shape)))
+    directions = system.turned(whole.directions[: 3 * balance.springs], 0)
     forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
     most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
@@ -273,20 +272,19 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
 
 def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:
     """All roots of points, as boxes of coordinates."""
-    with np.errstate(all="ignore"):
-        found = certified_roots.search(system, sides, given, given)
-        found = refined(system, given, found)
-        found = settled_by_digits(system, given, sides, found)
-        found = found if system.turns else once_around([0], found)
-        prepared = system.prepared(Intervals.point(given))
-        possible, sure = _are_equilibria(system, found.ends)
-        found = found.kept(left=_are_equilibria(system, found.left)[0]).opened(sure, possible & ~sure)
-        balance, point, left_point = system.balance, found.point, found.left_point
-        roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
-        # On which side of the border a root lies that floats can't tell from it, digits do.
-        on_border = ~contractors.within(roots.ends, around[:, :, point])
-        roots = refined(balance, given[:-1], roots, on_border)
-        left = system.cartesian(found.left, prepared[:, left_point])
+    found = certified_roots.search(system, sides, given, given)
+    found = refined(system, given, found)
+    found = settled_by_digits(system, given, sides, found)
+    found = found if system.turns else once_around([0], found)
+    prepared = system.prepared(Intervals.point(given))
+    possible, sure = _are_equilibria(system, found.ends)
+    found = found.kept(left=_are_equilibria(system, found.left)[0]).opened(sure, possible & ~sure)
+    balance, point, left_point = system.balance, found.point, found.left_point
+    roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
+    # On which side of the border a root lies that floats can't tell from it, digits do.
+    on_border = ~contractors.within(roots.ends, around[:, :, point])
+    roots = refined(balance, given[:-1], roots, on_border)
+    left = system.cartesian(found.left, prepared[:, left_point])
     return _apart(roots.besides(left, left_point), around)
 
 

@@ -7,7 +7,7 @@ proved at the root itself: over the box in which it is known to floats, and wher
 What digits do not tell from a root on the border is among the boxes that are left.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -47,17 +47,14 @@ def refined(system: StateSystem, given: FloatArray, found: Roots, among: BoolArr
     return replace(found, ends=ends)
 
 
-def settled_by_digits(
-    system: StateSystem, given: FloatArray, around: FloatArray, found: Roots,
-    *, without: Collection[int] = (), most: int = CLUSTERS,
-) -> Roots:  # fmt: skip
+def settled_by_digits(system: StateSystem, given: FloatArray, around: FloatArray, found: Roots, *, most: int = CLUSTERS) -> Roots:
     """What a search has left or knows to few digits, with many digits, one cluster after the other.
 
-    Not of the points ``without``, nor of those with more clusters than ``most``.
+    Not of points with more clusters than ``most``.
     """
     hulls, owner = clusters(*boxes_of(found))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
-    few = (count <= most) & ~np.isin(points, list(without))
+    few = count <= most
     parts = [
         _or_known(found.of(np.array([point])), hulls[:, :, k], reduced(system, given[:, point], hulls[:, :, k], point))
         for k, point in enumerate(owner.tolist())
@@ -139,8 +136,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
     """
 
     def beside_border(ends: FloatArray, point: IntArray) -> tuple[BoolArray, BoolArray]:
-        with np.errstate(all="ignore"):
-            return on_side(system, system.prepared(Intervals.point(given[:, point])), ends)
+        return on_side(system, system.prepared(Intervals.point(given[:, point])), ends)
 
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():

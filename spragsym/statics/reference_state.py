@@ -28,7 +28,7 @@ ALIKE = 8.0
 EQUAL = 1e-12
 
 
-def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
+def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
     """The slot of the stable equilibrium of least strain energy, for each point; where none is stable, of any of least strain.
 
     ``eq`` is in contact, of any shape, slots are the last axis; ``near`` are coordinates to which it is the nearest, instead.
@@ -37,10 +37,10 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
     truss which snapped, counts as deformed though it may be relaxed again. Of equal energies, as those of mirror images, the
     state of smaller first coordinate is taken, by size, then the one of larger coordinates.
     """
-    q = [getattr(eq, name) for name in model.coordinates]
+    q = list(eq.coordinates.values())
     stable = eq.stability == Stability.STABLE
     among = np.where(stable.any(axis=-1, keepdims=True), stable, ~np.isnan(q[0]))
-    return chosen_state(model, eq.parameters, q, eq.error, among, near)
+    return chosen_state(eq.parameters, q, eq.error, among, near)
 
 
 def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> FloatArray:
@@ -48,7 +48,7 @@ def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> F
     eq = equilibria(p)
     if not eq.decided or not (eq.stability == Stability.STABLE).any():
         raise ConvergenceError(f"no state {where}")
-    slot = reference_state(p.model, eq, near)
+    slot = reference_state(eq, near)
     return np.array([eq.coordinates[name][slot] for name in p.model.coordinates])
 
 
@@ -65,9 +65,10 @@ def _nearest(q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, amo
 
 
 def chosen_state(
-    model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: BoolArray, near: Mapping[str, float] | None
+    p: Any, q: Sequence[FloatArray], error: FloatArray, among: BoolArray, near: Mapping[str, float] | None
 ) -> IndexArray:
     """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
+    model = p.model
     if near is not None:
         return _nearest(q, [q[model.coordinates.index(name)] - value for name, value in near.items()], error, among)
     (_, point), *_ = model.cases()

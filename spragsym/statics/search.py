@@ -80,9 +80,9 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     off = apart(found.middle.T, states[:, point].T, balance.around)
     away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
-    for row in np.argsort(-away, kind="stable"):  # the nearest last
-        if away[row] <= SETTLED:
-            index[point[row]] = slot[row]
+    nearest_last = np.argsort(-away, kind="stable")
+    near = nearest_last[away[nearest_last] <= SETTLED]
+    index[point[near]] = slot[near]
     out[rows] = index
     return out
 
@@ -92,7 +92,7 @@ def columns(p: Any, names: list[str]) -> FloatArray:
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
 
 
-def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> Roots:
+def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots:
     """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
     around, _ = region(balance, Intervals.point(given), asked)
     return certified_roots.search(balance, around, given, given, budget=SEEN_BUDGET)
@@ -121,13 +121,11 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
         return Roots.none(balance.n)
     found = certified_roots.search(balance, around, given, given, narrow=NARROW)
     along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
-    parts = [found.of(along, others=True)]
+    parts = [settled_by_digits(balance, given, around, found.of(along, others=True))]
     for point in along.tolist():
         own = found.of(np.array([point]))
         parts.append(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
-    found = certified_roots.concatenated(parts, balance.n)
-    found = settled_by_digits(balance, given, around, found, without=along.tolist())
-    return around_anchors(balance, given, around, found)
+    return around_anchors(balance, given, around, certified_roots.concatenated(parts, balance.n))
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray) -> Equilibria:
@@ -139,7 +137,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
     given = columns(p, balance.parameters)
-    codes, proved, eigenvalues = stability.classified(balance, states, given[:, point], found.ends, found.alone)
+    codes, proved, eigenvalues = stability.classified(balance, states, given[:, point], found.ends)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
@@ -164,7 +162,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     }  # fmt: skip
     remarks = (*summed(reasons), *of_region(balance, around, whole))
     counts, known = count.reshape(shape), decided.reshape(shape)
-    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, (found.ends, found.alone)))
+    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, found.ends))
 
 
 ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"

@@ -63,8 +63,8 @@ class Linearized:
         return np.select([neutral, self.growth < 0, self.growth > 0], ["neutral", "decays", "grows"], "")
 
 
-def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
-    """The full linearization at some states, by their indices; ``around`` are boxes around all states, and around each alone.
+def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray | None) -> Linearized:
+    """The full linearization at some states, by their indices; ``around`` are boxes around all states, each alone in its own.
 
     Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see :func:`decay`.
     """
@@ -75,44 +75,44 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: tuple[Float
     if around is None:
         off = eq.error[states] * np.maximum(1.0, np.abs(q))
         with np.errstate(all="ignore"):
-            ends = alone = np.nextafter(np.stack([off - q, q + off]), np.inf)
+            ends = np.nextafter(np.stack([off - q, q + off]), np.inf)
     else:
         place = np.full(eq.stability.shape, -1)
         place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
-        ends, alone = (boxes[:, :, place[states]] for boxes in around)
+        ends = around[:, :, place[states]]
     sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     parts = [
-        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
+        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, undamped)))
         for begin in range(0, max(1, undamped.size), TOGETHER)
     ]
     return Linearized(*map(np.concatenate, zip(*parts, strict=True)))
 
 
 def _linearized(
-    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array
+    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, undamped: Int8Array
 ) -> tuple[FloatArray, Int8Array, ComplexArray]:
     """The fields of :class:`Linearized` for some of the states."""
     every = roots(*linearization(balance, q, given))
     every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     fastest = every[:, 0].real
-    sign = -decay(balance, given, ends, alone, undamped, fastest)
+    sign = -decay(balance, given, ends, undamped, fastest)
     # What rounding leaves is on the side that is proved.
     return np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest)), sign, every
 
 
 def classified(
-    balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray
+    balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray
 ) -> tuple[Int8Array, BoolArray, ComplexArray]:
     """Codes of :class:`spragsym.Stability`, whether each is proved; and the 2 n roots without damping, floats.
 
-    States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each, the only one in that of ``alone``,
-    (2, n, N). A sign that is not known counts as that of 0.
+    States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each (2, n, N). A sign that is not known
+    counts as that of 0.
     """
     with np.errstate(all="ignore"):
         elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
     codes, proved = _told(elementary, minors, conservative)
-    for row, (elementary, minors) in _with_digits(balance, given, ends, alone, ~proved, lambda _: _types):
+    for row, (elementary, minors) in _with_digits(balance, given, ends, ~proved, lambda _: _types):
         codes[row], proved[row] = _told(elementary, minors, conservative[row])
     M, _, K = linearization(balance, states, given)
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
@@ -167,16 +167,17 @@ def _over(balance: Balance, parameters: Intervals, ends: FloatArray) -> tuple[In
 def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric, or one number."""
     shape = parameters.shape[1:]
-    friction = as_intervals(balance.at((), balance.arguments(parameters), shape).friction, shape).magnitude
-    # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
-    symmetric = balance.model.about["symmetric"]
-    frictionless = (friction <= NOTHING) | (balance.opens and not balance.contact)
-    return np.asarray((symmetric & frictionless) | (balance.n == 1))
+    friction = as_intervals(balance.at((), balance.arguments(parameters), shape).friction, shape)
+    return _all_real(balance, friction.magnitude <= NOTHING)
 
 
-def decay(
-    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: Int8Array, growth: FloatArray
-) -> Int8Array:
+def _all_real(balance: Balance, frictionless: BoolArray) -> BoolArray:
+    """:func:`without_flutter`: without friction K is symmetric if the page's other forces have a potential."""
+    lifted_off = balance.opens and not balance.contact
+    return (balance.model.about["symmetric"] & (frictionless | lifted_off)) | (balance.n == 1)
+
+
+def decay(balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray) -> Int8Array:
     """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
@@ -195,7 +196,7 @@ def decay(
         half = np.where(growth > 0, 0.5 * growth, 0.0)
         told = _told_to_decay(_signs_over(at, asked(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
-    for row, signs in _with_digits(balance, given, ends, alone, found == 0, lambda row: asked(ball(float(half[row]), BITS))):
+    for row, signs in _with_digits(balance, given, ends, found == 0, lambda row: asked(ball(float(half[row]), BITS))):
         found[row] = _told_to_decay(signs)
     return found
 
@@ -243,8 +244,7 @@ def invariants(K: Matrix, M: Matrix) -> Matrix:
 def _signs_over(at: State, ask: Ask) -> list[Int8Array]:
     """Signs of what is asked over boxes."""
     parts = ask(at, lambda part: [list(row) for row in matrix(part, at.shape)])
-    known = (stacked(part, at.shape) for part in parts)
-    return [(part.low > 0).astype(np.int8) - (part.high < 0).astype(np.int8) for part in known]
+    return [stacked(part, at.shape).signs for part in parts]
 
 
 def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> tuple[Int8Array, BoolArray]:
@@ -257,12 +257,12 @@ def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> 
 
 
 def _with_digits(
-    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, among: BoolArray, ask: Callable[[int], Ask]
+    balance: Balance, given: FloatArray, ends: FloatArray, among: BoolArray, ask: Callable[[int], Ask]
 ) -> Iterator[tuple[slice, list[Int8Array]]]:  # fmt: skip
     """Signs by many digits for states ``among`` all, by row; none where the box of a state can't be made smaller."""
     for row in np.flatnonzero(among).tolist():
         precise = PreciseBalance(balance, given[:, row], BITS)
-        q = narrowed(precise, ends[:, :, row], alone[:, :, row])
+        q = narrowed(precise, ends[:, :, row], ends[:, :, row])
         with suppress(Undecided, ZeroDivisionError):
             if q is not None:
                 yield slice(row, row + 1), _signs_at(precise, q, ask(row))
@@ -272,8 +272,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     """The type of a state of balls; :class:`Undecided` where a sign that it takes is not decided."""
     balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
     low, high = balls.ends(as_balls([[precise.state(q).friction]], precise.bits)[0][0])
-    without = (low == 0 == high) | (balance.opens and not balance.contact)
-    code, proved = _told(elementary, minors, np.array([balance.model.about["symmetric"] and bool(without)]))
+    code, proved = _told(elementary, minors, _all_real(balance, np.array([low == 0 == high])))
     if not proved[0]:
         raise Undecided("a state on the border of its type")
     return Stability(int(code[0]))

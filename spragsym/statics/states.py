@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 class Linearizing:
     """A source of equilibria whose full linearization is made when it is asked for."""
 
-    #: Boxes around each state, and around each alone, shape (2, n, states), where ``error`` does not say as much.
-    around: tuple[FloatArray, FloatArray] | None = None
+    #: Boxes around each state alone, shape (2, n, states), where ``error`` does not say as much.
+    around: FloatArray | None = None
 
     def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Linearized:
         """The linearization of some states, by their indices into the columns."""
@@ -39,7 +39,7 @@ class Held(Linearizing):
     """Columns that are there already."""
 
     columns: Mapping[str, NDArray[Any]]
-    around: tuple[FloatArray, FloatArray] | None = None
+    around: FloatArray | None = None
 
     def column(self, name: str) -> NDArray[Any] | None:
         """A column; None if it is not known here."""
@@ -67,8 +67,7 @@ def with_state(eq: Equilibria, point: int, state: Mapping[str, float], stability
     def placed(name: str) -> NDArray[Any]:
         old = getattr(eq, name)
         out = np.concatenate([old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1)
-        out[point, slot + 1 :] = out[point, slot:-1]
-        out[point, slot] = new[name]
+        out[point] = np.insert(old[point], slot, new[name])
         return out
 
     more = (np.arange(eq.count.size) == point).astype(eq.count.dtype)

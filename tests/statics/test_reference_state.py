@@ -42,7 +42,7 @@ def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float
     }  # fmt: skip
     p = ss.Parameters(mu0=friction, **given)
     eq = ss.equilibria(p)
-    slot = reference_state(p.model, eq)
+    slot = reference_state(eq)
     stable = eq.stability == ss.Stability.STABLE
     several = stable.sum(axis=1) > 1
     smallest = np.where(stable, np.abs(eq.x), np.inf).argmin(axis=1)

@@ -23,6 +23,7 @@ from ..files.text import shipped_text
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
+from ..orbits.events import SLIDING
 from ..orbits.fates import Kind
 from .curves import branches, first_fold, table_of
 from .style import (
@@ -172,7 +173,7 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     ):
         draw_cycles(ax, branch, (unit, size), heights, height_of, BLUE)
         ax.set(xlabel=along, ylabel=up)
-        for kind, marker in {**MARKERS, "grazing": "|"}.items():
+        for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
             for event in branch.of(kind):
                 place = unit * event.value, size * height_of(event.cycle)
                 ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")

@@ -83,6 +83,8 @@ class Border:
     slopes : callable or None
         ``slopes(state, constants, mode)``: derivatives of the level by the 2 n numbers of the state and the P parameters, where
         derivatives of a motion are carried across a jump.
+    stays : callable or None
+        ``stays(state, constants, mode)``: not negative where a motion that comes to the border stays on it.
     """
 
     name: str
@@ -95,11 +97,7 @@ class Border:
     scale: float = 1e-3
     jumps: Callable[..., bool] | None = None
     slopes: Callable[..., Any] | None = None
-
-    @property
-    def rides(self) -> bool:
-        """Whether a motion may stay on the border."""
-        return "stick" in self.crossings
+    stays: Callable[..., float] | None = None
 
 
 def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
@@ -253,7 +251,7 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
-    if any(border.rides for border in model.field.borders):
+    if any(border.stays for border in model.field.borders):
         raise ParameterError("friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks")
     if model.about.get("waves"):
         raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
@@ -321,6 +319,10 @@ class _Motion:
         sticks = mode[0] and min(ahead, behind) >= 0 < max(ahead, behind)
         return mode[0], 0 if sticks else 1 if ahead < behind else -1, *mode[2:]
 
+    def grips(self, state: Any, constants: Any, mode: Mode) -> float:
+        """How far the force of friction that would hold the mass is from its limits."""
+        return float(min(self.in_mode("grip")(state, constants, mode, FLOATS)))
+
     def slips(self, row: int) -> Callable[..., Any]:
         """Derivatives of the sliding speed, or of how far its force is from a limit."""
         slopes = self.in_mode("grip_slopes")
@@ -386,7 +388,7 @@ class _Motion:
     def _held(self, name: str, levels: tuple[Any, Any], crossings: tuple[str, str]) -> Iterator[Border]:
         """Borders of dry friction: the sliding speed comes to 0, or the force that holds it there comes to a limit."""
         begins = (*crossings, "stick")
-        yield Border(name, *levels, lambda mode: mode[1], self.held, True, begins, jumps=always, slopes=self.slips(0))
+        yield Border(name, *levels, lambda mode: mode[1], self.held, True, begins, 1e-3, always, self.slips(0), self.grips)
         for row, way in enumerate(("with", "against")):
             slopes = self.slips(1 + row)
 

@@ -372,7 +372,7 @@ class Trajectory(Named):
     def _stuck(self) -> BoolArray:
         """Where the mass sticks."""
         field, constants = self.model.field, self._arguments()
-        ridden = [border for border in field.borders if border.rides]
+        ridden = [border for border in field.borders if border.stays]
         modes = [field.initial_mode(state, constants) for state in self.state.T.tolist() if ridden]
         return np.array([not ridden[0].sign(mode) for mode in modes] or [False] * len(self.t))
 

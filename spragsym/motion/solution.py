@@ -68,7 +68,7 @@ def leap(
 def landed(problem: Problem, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None) -> Mode:
     """The mode in which a motion begins; one that begins sticking has no derivatives across the border on which it sticks."""
     mode = problem.field.initial_mode(state.tolist(), problem.constants)
-    for border in (border for border in problem.field.borders if border.rides and not border.sign(mode)):
+    for border in (border for border in problem.field.borders if border.stays and not border.sign(mode)):
         near = (other for other in problem.field.modes if sum(a != b for a, b in zip(mode, other, strict=True)) == 1)
         ways = [other for other in near if border.sign(other)]
         leap(problem, border, (max(ways, key=lambda way: pushed(problem, border, way, state)), mode), state, directions, columns)
@@ -160,7 +160,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
     least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * GAP)
     for row, border in enumerate(problem.field.borders):
         own = [crossing for crossing in solution.crossings if crossing.border == row]
-        if not own or not border.crossings[0] or border.rides:
+        if not own or not border.crossings[0] or border.stays:
             continue
         level = np.asarray(border.level(states, problem.constants, problem.field.modes[0]))
         stretches = [0, *np.searchsorted(t, [crossing.t for crossing in own])]

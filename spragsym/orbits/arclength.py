@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS
+from ..models.field import FLOATS, Mode
 from ..models.parameters import FloatArray
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
@@ -126,24 +126,25 @@ class Point:
         loop, tangent = self.loop, self.tangent
         size, along, found = loop.field.size, tangent[loop.states.size + 1 :], list[Touch]()
         for turn in loop.turns():
-            if turn.border >= 0:
+            mode = loop.field.initial_mode(turn.state.tolist(), loop.constants)
+            if turn.border >= 0 and loop.field.borders[turn.border].sign(mode):
                 change = turn.by_state @ tangent[:size] + turn.by_parameters[:, : len(along)] @ along
                 way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)
                 step = 1e-6 / max(1.0, float(np.abs(change).max()))
                 back, level, ahead = (
-                    float(level_and_rate(loop, turn.border, at + share * step * way)[0]) for share in (-1, 0, 1)
+                    float(level_and_rate(loop, turn.border, mode, at + share * step * way)[0]) for share in (-1, 0, 1)
                 )
                 found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
         return found
 
 
-def level_and_rate(loop: Loop, border: int, place: FloatArray) -> FloatArray:
-    """Level and rate of a border at a state, followed by the free parameters, as they are for a loop."""
+def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> FloatArray:
+    """Level and rate of a border in a mode at a state, followed by the free parameters, as they are for a loop."""
     field, guess, size = loop.field, loop.guess, loop.field.size
     for index, value in zip(guess.free, place[size:].tolist(), strict=True):
         guess = guess.at(index, value)
     constants, state = field.constants(guess.values), place[:size].tolist()
-    mode, that = field.initial_mode(state, constants), field.borders[border]
+    that = field.borders[border]
     accelerations = field.acceleration(state, constants, mode, FLOATS)
     return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
 

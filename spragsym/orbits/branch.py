@@ -61,6 +61,8 @@ class CycleEvent(Result):
     Attributes
     ----------
     kind : {"fold", "period_doubling", "torus", "grazing", "homoclinic", "end"}
+        Of cycles that stick also "grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding": the orbit touches
+        x′ = V; comes to x′ = V at the edge of what sticks there, and leaves it or comes back; touches the limit of what holds it.
     value : float
         Of the parameter.
     cycle : Cycle

@@ -26,6 +26,7 @@ from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, cycle, cycle_branch
 from .arclength import Point, between, placed, steps, turning, within, zero_of
+from .events import SLIDING
 from .finding import cycle_near
 from .orbit import same_cycle
 from .system import Rest, System
@@ -51,6 +52,7 @@ LOST = 1e-11
 #: A label for each kind of event: as AUTO and MatCont have them.
 LABELS = {
     "fold": "LPC", "period_doubling": "PD", "torus": "NS", "grazing": "GR", "homoclinic": "HC", "crossing": "BPC",
+    **dict(zip(SLIDING, ("GS", "CS", "SS", "AS"), strict=True)),
 }  # fmt: skip
 
 
@@ -77,7 +79,8 @@ class EquilibriumBranch(Result):
 
 @dataclass(frozen=True, eq=False)
 class Label(Result):
-    """A point of a diagram: LP fold, H Hopf point (of equilibria); LPC fold, PD doubling, NS torus, BPC crossing, GR grazing, HC.
+    """A point of a diagram: LP fold, H Hopf point (of equilibria); LPC fold, PD doubling, NS torus, BPC crossing, GR grazing, HC;
+    GS, CS, SS, AS grazing-, crossing-, switching- and adding-sliding.
 
     ``height`` is the first coordinate there, the largest one of a cycle; ``branch`` the number of the branch among its kind.
     """

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from ..motion.shooting import Conditions, Loop, recut, solved
 from .arclength import (
     LOCATED,
     Point,
+    Setting,
     Touch,
     between,
     corrected,
@@ -28,6 +30,9 @@ from .arclength import (
 
 #: What test functions tell, a grazing apart.
 KINDS = (*CRITERIA, "crossing")
+
+#: Sliding bifurcations of cycles: M. di Bernardo, C. Budd, A. Champneys, P. Kowalczyk 2008.
+SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding")
 
 #: Halvings of a step that looks as if something were hidden in it.
 DEEPEST = 9
@@ -118,6 +123,11 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
             return
     for touch, after in through:
         yield from _grazing(one, other, touch, after, length)
+    for share, border, stays in arrivals(one.loop):
+        with suppress(ConvergenceError):
+            if (stays < 0) == (arrived(share, border, other).stays < 0):
+                continue
+        yield from _switching(one, other, share, border, length)
     for kind in changed:
         yield from _located(kind, one, other, length)
 
@@ -156,13 +166,61 @@ def _grazing(one: Point, other: Point, touch: Touch, after: Touch, length: float
             continue
         off = 10 * loop.missed + 1e-12
         if _lies_between(one, other, loop.guess.varied[0], length, off):
-            yield Finding("grazing", loop, off, border, how=name)
+            yield Finding(_kind(loop, border), loop, off, border, how=name)
             return
     if length > FINEST:
         raise ConvergenceError("a grazing was not located")
     if not unlike(one, other):
         return  # two different turns were taken for one: the orbit crosses as often as before
-    yield Finding("grazing", nearest[0][0].loop, abs(other.value - one.value), border, how=name)
+    yield Finding(_kind(nearest[0][0].loop, border), nearest[0][0].loop, abs(other.value - one.value), border, how=name)
+
+
+def _kind(loop: Loop, border: int) -> str:
+    """What it is called that an orbit touches a border in its first state: sliding begins, or is interrupted, at some."""
+    that, at = loop.field.borders[border], (loop.states[0].tolist(), loop.constants)
+    if that.stays:
+        return "grazing-sliding" if that.stays(*at, loop.field.initial_mode(*at)) > 0 else "grazing"
+    return "adding-sliding" if that.crossings[2:] else "grazing"
+
+
+class Arrival(NamedTuple):
+    """Where an orbit comes to a border: when, in shares of the period, to which, and what is negative if it does not stay."""
+
+    share: float
+    border: int
+    stays: float
+
+
+def arrivals(loop: Loop) -> list[Arrival]:
+    """All of one round."""
+    found = []
+    for crossing in loop.crossings():
+        if stays := loop.field.borders[crossing.border].stays:
+            at = crossing.state.tolist(), loop.constants
+            found.append(Arrival(crossing.t / loop.period, crossing.border, stays(*at, loop.field.initial_mode(*at))))
+    return found
+
+
+def arrived(share: float, border: int, point: Point) -> Arrival:
+    """The arrival of a point's orbit at a border that is nearest to a share of the period."""
+    alike = [each for each in arrivals(point.loop) if each.border == border]
+    if not alike:
+        raise ConvergenceError("the orbit does not come to the border")
+    return min(alike, key=lambda each: abs((each.share - share + 0.5) % 1 - 0.5))
+
+
+def _switching(one: Point, other: Point, share: float, border: int, length: float) -> Iterator[Finding]:
+    """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or goes on into them."""
+    try:
+        point = zero_of(lambda each: arrived(share, border, each).stays, one, other, length)
+    except (ConvergenceError, ValueError) as error:
+        if length > FINEST:
+            raise ConvergenceError("a change of sliding was not located") from error
+        return
+    passing, staying = sorted((one, other), key=lambda each: arrived(share, border, each).stays)
+    returns = len(arrivals(passing.loop)) > len(arrivals(staying.loop))
+    kind = "switching-sliding" if returns else "crossing-sliding"
+    yield Finding(kind, point.loop, uncertainty(point), border, how=point.loop.field.borders[border].name)
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
@@ -264,17 +322,18 @@ def grazing(near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
     flow, known = near.setting.flow, near.loop.guess
     guess = recut(near.loop, len(known.states), touch.turn.t)
-    loop = solved(flow, guess, touching(touch.turn.border), reach=0.5)
+    loop = solved(flow, guess, touching(touch.turn.border, near.setting, near.loop, touch.turn.state), reach=0.5)
     if abs(loop.period / known.period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop
 
 
-def touching(border: int, *_: object) -> Conditions:
-    """Level and rate of a border are zero at the first state."""
+def touching(border: int, _: Setting, near: Loop, target: FloatArray) -> Conditions:
+    """Level and rate of a border are zero at the first state, in the mode of a target near there."""
+    mode = near.field.initial_mode(target[: near.field.size].tolist(), near.constants)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        both, begin, size = partial(level_and_rate, loop, border), loop.states.size + 1, loop.field.size
+        both, begin, size = partial(level_and_rate, loop, border, mode), loop.states.size + 1, loop.field.size
         place = np.append(loop.states[0], loop.guess.varied)
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]

@@ -31,7 +31,7 @@ from ..motion.shooting import (
 )
 from ..motion.simulation import motion_of
 from ..motion.solution import Events, events_of
-from ..numerics.interval_arrays import ComplexArray
+from ..numerics.interval_arrays import ComplexArray, IndexArray
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.
@@ -127,6 +127,16 @@ class Cycle(Result):
         """One period by the polynomials through its samples."""
         return self.loop.samples()
 
+    @cached_property
+    def phases(self) -> Phases:
+        """The modes that one period passes through."""
+        t = np.array([0.0, *self.events.t, self.period])
+        modes = [
+            self.field.initial_mode(self.samples(np.array([middle]))[:, 0].tolist(), self.loop.constants)[:2]
+            for middle in ((t[1:] + t[:-1]) / 2).tolist()
+        ]
+        return Phases(t[:-1], np.diff(t), *np.array(modes, dtype=np.int8).T)
+
     @property
     def spring_force(self) -> tuple[float, float]:
         """Least and largest tension of the inclined spring, over k_c L_0."""
@@ -210,6 +220,26 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
 def distance(cycle: Cycle, state: FloatArray) -> float:
     """How far a state is from the nearest sample of a cycle, but for whole turns."""
     return float(np.abs(apart(cycle.samples.states.T, state, cycle.field.around)).max(axis=1).min())
+
+
+@dataclass(frozen=True, eq=False)
+class Phases(Result):
+    """The modes of one period, in order of time.
+
+    Attributes
+    ----------
+    t, duration : ndarray, shape (k,)
+        When each begins, from the state of the cycle on, and how long it lasts.
+    contact : ndarray of int, shape (k,)
+        1 in contact, 0 in lift-off.
+    side : ndarray of int, shape (k,)
+        1 where the belt is ahead, −1 where the mass is, 0 where it sticks.
+    """
+
+    t: FloatArray
+    duration: FloatArray
+    contact: IndexArray
+    side: IndexArray
 
 
 @dataclass(frozen=True, eq=False)

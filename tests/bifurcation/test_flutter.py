@@ -95,7 +95,7 @@ def test_an_onset_at_90_degrees_of_the_spring() -> None:
     """cos θ₀ = 4/5, sin θ₀ = 3/5, θ = π/2: K₁₁ = K₂₂, α cos θ₀ + μ₀ (sin θ₀ − L) = 0 and F_y = 0 give L, μ₀ and κ by hand."""
     onsets = exact_onsets(Fraction(8, 7), Fraction(17, 5), 2, 2, 0)
     (onset,) = (onset for onset in onsets if middle_of(onset.theta) == math.pi / 2)
-    assert middle_of(onset.theta0) == pytest.approx(math.atan2(3, 4), abs=1e-15)
+    assert middle_of(onset.parameters[0]) == pytest.approx(math.atan2(3, 4), abs=1e-15)
     assert middle_of(onset.L) == 2.0
     assert onset.side in (-1, 1)
 
@@ -118,7 +118,7 @@ def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fractio
 def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
     """cos θ = −12/13, L = 25/9 and sin θ₀ = 1, found by a search over rationals; θ₀ and π − θ₀ have the same states."""
     values = Fraction(33800, 5277), Fraction(464648, 1852227), 0, Fraction(4225, 15831), 0
-    at_90 = [onset for onset in exact_onsets(*values) if abs(middle_of(onset.theta0) - math.pi / 2) < 1e-9]
+    at_90 = [onset for onset in exact_onsets(*values) if abs(middle_of(onset.parameters[0]) - math.pi / 2) < 1e-9]
     assert len(at_90) == 1
     assert middle_of(at_90[0].theta0) == math.pi / 2
     assert middle_of(at_90[0].theta) == pytest.approx(math.atan2(5, -12), abs=1e-15)

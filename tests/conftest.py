@@ -3,6 +3,7 @@
 import ctypes
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -45,7 +46,8 @@ LONGEST = (
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """The order of files, within each of which it stays; and the marks of parameters that take long."""
     for item in items:
-        if (mark := item.get_closest_marker("by_hand")) and item.callspec.id.split("-")[0] in mark.args:  # type: ignore[attr-defined]
+        mark = item.get_closest_marker("by_hand")
+        if mark and re.match(rf"({'|'.join(map(re.escape, mark.args))})\b", item.callspec.id):  # type: ignore[attr-defined]
             item.add_marker("validate")
     items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
 

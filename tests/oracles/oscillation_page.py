@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "oscillation.md"
 
 #: What finds one cycle, or less, and what takes minutes all the same.
-QUICK, SLOW = ("spragsym cycles", "ss.", "abs("), ("--vary", "t_end=", "fate")
+QUICK, SLOW = ("spragsym cycles", "ss.", "[ss.", "abs("), ("--vary", "t_end=", "fate")
 
 #: Of the text: a sign or a size that defines something, the share of intervals that hold, and names.
 DEFINED, NAMES = {"0", "1", "95"}, r"Figure \d\w?|AUTO-07p|\]\([^)]*\)|https?://\S+"
@@ -104,7 +104,7 @@ def told(row: Row, folder: Path) -> list[float]:
     """The numbers that the command of a row gives, angles of Python in degrees as well."""
     if row.command.startswith("spragsym cycles"):
         return list(numbers_of(json.loads(printed(f"{row.command} --json"))))
-    if not row.command.startswith(("ss.", "abs(")):
+    if not row.command.startswith(("ss.", "[ss.", "abs(")):
         return [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", printed(row.command, folder))]
     found = list(numbers_of(eval(row.command, {"ss": ss, "np": np})))  # noqa: S307  # the page is ours
     return [*found, *np.degrees(found).tolist()]

@@ -120,7 +120,7 @@ def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
     values = Fraction(33800, 5277), Fraction(464648, 1852227), 0, Fraction(4225, 15831), 0
     at_90 = [onset for onset in exact_onsets(*values) if abs(middle_of(onset.parameters[0]) - math.pi / 2) < 1e-9]
     assert len(at_90) == 1
-    assert middle_of(at_90[0].theta0) == math.pi / 2
+    assert middle_of(at_90[0].parameters[0]) == math.pi / 2
     assert middle_of(at_90[0].theta) == pytest.approx(math.atan2(5, -12), abs=1e-15)
     assert at_90[0].side == 0
     # Next to it two onsets, or none.

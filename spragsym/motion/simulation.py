@@ -16,7 +16,7 @@ from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
-from ..numerics.interval_arrays import BoolArray, IndexArray
+from ..numerics.interval_arrays import IndexArray
 from ..questions import model_of
 from ..results.result import Named
 from ..statics.search import rest_index
@@ -291,15 +291,24 @@ class Trajectory(Named):
 
     @property
     def friction(self) -> FloatArray:
-        """The force of friction at the samples, positive in the belt's direction; while it sticks, what holds the mass."""
-        _, slip = self._levels()
-        side, felt = np.where(self._stuck(), 0, np.where(slip >= 0, 1, -1)), [1] * self.model.about["layers"]
-        return self.model.algebra.friction_force(*self.state, *self._arguments(), self._pushing(), side, *felt)
+        """The force of friction at the samples, positive in the belt's direction; while it sticks, what holds the mass.
+
+        Where it jumps, between both sides: so that integrals over the steps before and after are right.
+        """
+        sides, felt, pushing, gaps = self._sides(), [1] * self.model.about["layers"], self._pushing(), np.diff(self.t)
+        before = np.concatenate([sides[:1], sides[:-1]])
+        own, last = (
+            self.model.algebra.friction_force(*self.state, *self._arguments(), pushing, np.where(pushing, side, 1), *felt)
+            for side in (sides, before)
+        )
+        share = np.divide(gaps[:-1], gaps[:-1] + gaps[1:])
+        own[1:-1] += np.where(sides != before, last - own, 0.0)[1:-1] * share
+        return own
 
     @property
     def sticking(self) -> float:
         """The share of time in which the mass sticks to the belt: 0 where friction does not hold (see ``page.friction``)."""
-        return float(np.diff(self.t)[self._stuck()[:-1]].sum() / (self.t[-1] - self.t[0]))
+        return float(np.diff(self.t)[self._sides()[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
@@ -369,12 +378,12 @@ class Trajectory(Named):
         gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
         return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
 
-    def _stuck(self) -> BoolArray:
-        """Where the mass sticks."""
+    def _sides(self) -> IndexArray:
+        """The sign of the sliding speed at the samples, 0 where the mass sticks."""
         field, constants = self.model.field, self._arguments()
-        ridden = [border for border in field.borders if border.stays]
-        modes = [field.initial_mode(state, constants) for state in self.state.T.tolist() if ridden]
-        return np.array([not ridden[0].sign(mode) for mode in modes] or [False] * len(self.t))
+        if not any(border.stays for border in field.borders):
+            return np.where(self._levels()[1] >= 0, 1, -1)
+        return np.array([field.initial_mode(state, constants)[1] for state in self.state.T.tolist()])
 
     def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)

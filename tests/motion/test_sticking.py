@@ -51,6 +51,16 @@ def test_force_and_share_of_a_motion() -> None:
     assert ss.simulate(ss.load("stick_slip").Parameters(), t_end=5.0).sticking == 0.0
 
 
+def test_the_energy_changes_by_the_work_of_friction() -> None:
+    """Over jumps of the force: sticking, slipping, overtaking and lift-off."""
+    tr = ss.simulate(ss.load("coulomb").Parameters(theta0=math.radians(42)), x0=0.3, y0=0.1, t_end=300.0, rtol=1e-12)
+    energy, power = tr.energy(), tr.friction_power()
+    assert tr.sticking > 0
+    assert {ss.Event(kind).name for kind in tr.events.which} == {kind.name for kind in ss.Event}
+    assert tr.integral(power) == pytest.approx(energy[-1] - energy[0], abs=1e-9)
+    assert tr.integral(np.abs(power)) > 0.1
+
+
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_cycle_with_sticking_has_the_zero_multiplier_that_sticking_brings(backend: str) -> None:
     if backend == "heyoka":

@@ -13,8 +13,8 @@ from .model import acceleration_of
 
 Row = tuple[sp.Expr, ...]
 
-#: 1 while friction holds the mass to the belt, 0 while it slips; the coefficient that holds it; what that is by what it has to stop.
-STUCK, HELD, GRIP = sp.symbols("_stuck _held _grip", real=True)
+#: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that holds.
+STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
 
 
 @dataclass(frozen=True)
@@ -25,9 +25,8 @@ class Motion:
 
     @cached_property
     def friction(self) -> sp.Expr:
-        """μ on either SIDE; where SIDE is 0, what keeps the sliding speed at 0."""
-        slipping = laws.smooth_friction(self.model)
-        return (1 - STUCK) * slipping + HELD if self.holds else slipping
+        """μ on either SIDE."""
+        return laws.smooth_friction(self.model)
 
     @property
     def holds(self) -> bool:
@@ -43,16 +42,19 @@ class Motion:
     def stopped(self) -> tuple[sp.Expr, sp.Expr]:
         """How the sliding speed changes without friction, and how a unit of friction slows it: F is the one over the other."""
         compliance = sum((a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)), sp.S.Zero)
-        return self.rate(self.borders[1], self.accelerations).subs(MU, 0), compliance
+        return self.rate(self.borders[1], self.accelerations).subs(FRICTION, 0), compliance
 
     @cached_property
     def gripped(self) -> dict[sp.Symbol, sp.Expr]:
-        """What HELD and GRIP are, sticking or not; nothing of a friction that does not hold."""
+        """What STUCK and FRICTION are; nothing of a friction that does not hold.
+
+        Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0 where the contact is lost.
+        """
         if not self.holds:
             return {}
         change, compliance = self.stopped
-        grip = STUCK / (STUCK * self.model.normal * compliance + 1 - STUCK)
-        return {**self.inverted, STUCK: 1 - SIDE**2, GRIP: grip, HELD: GRIP * change}
+        force = (1 - STUCK) * MU * self.model.normal + STUCK * change / compliance
+        return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
 
     @cached_property
     def limits(self) -> Row:
@@ -91,8 +93,15 @@ class Motion:
 
     @cached_property
     def accelerations(self) -> Row:
-        """q″ in MU, and in the entries of the inverse of M where these are no quotients of parameters."""
-        return self.accelerated(self.pull)
+        """q″ in MU, or in the FRICTION that holds, and in the entries of the inverse of M where these are no quotients of parameters."""
+        return self.accelerated(self.forces)
+
+    @cached_property
+    def forces(self) -> Row:
+        """M q″, in MU or in the FRICTION that holds."""
+        if not self.holds:
+            return self.pull
+        return tuple(row.subs(MU, 0) + FRICTION * share for row, share in zip(self.pull, self.along, strict=True))
 
     def accelerated(self, forces: Row) -> Row:
         """M⁻¹ times forces."""
@@ -137,28 +146,28 @@ class Motion:
         }
 
     def slopes(self, symbol: sp.Symbol, turn: sp.Expr | None = None) -> Row:
-        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂pull − ∂M q″; ``turn`` is that of μ."""
+        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces − ∂M q″; ``turn`` is friction's."""
         turn = self.turn(symbol) if turn is None else turn
         if not self.is_coupled:
             return tuple(self.derivative(row, symbol, turn) for row in self.accelerations)
         it = self.model
         changes = it.mass.applyfunc(lambda entry: it.tidy(it.derivative(entry, symbol))) * sp.Matrix(self.named)
-        pulls = sp.Matrix([self.derivative(row, symbol, turn) for row in self.pull])
+        pulls = sp.Matrix([self.derivative(row, symbol, turn) for row in self.forces])
         return tuple(self.inverse * (pulls - changes))
 
     def turn(self, symbol: sp.Symbol) -> sp.Expr:
-        """The derivative of μ; that of what holds keeps the sliding speed from changing."""
-        slipping = self.model.derivative(self.friction, symbol)
+        """The derivative of μ; or that of a force that holds, which keeps the sliding speed from changing."""
         if not self.holds:
-            return slipping
+            return self.model.derivative(self.friction, symbol)
+        slipping = self.model.derivative(self.friction * self.model.normal, symbol)
         changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
         change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(a * b for a, b in changes)
-        return slipping + GRIP * change
+        return (1 - STUCK) * slipping + STUCK * change / self.stopped[1]
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turn: sp.Expr) -> sp.Expr:
-        """By a coordinate, a rate or a parameter, with ``turn`` for that of MU."""
+        """By a coordinate, a rate or a parameter, with ``turn`` for that of MU, or of FRICTION."""
         it = self.model
-        return it.tidy(it.derivative(expression, symbol) + sp.diff(expression, MU) * turn)
+        return it.tidy(it.derivative(expression, symbol) + sp.diff(expression, FRICTION if self.holds else MU) * turn)
 
     # ------------------------------------------------------------------------------------------------ energy
 
@@ -259,9 +268,12 @@ def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
     return tuple(tuple(column[row] for column in columns) for row in range(len(motion.accelerations)))
 
 
-def _slopes(motion: Motion, rows: Row, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
-    """Derivatives of what holds no MU."""
-    return tuple(tuple(motion.derivative(row, symbol, sp.S.Zero) for symbol in symbols) for row in rows)
+def _slopes(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
+    """Derivatives of the sliding speed and, while it sticks, of the limits."""
+    ahead, behind = (most * motion.model.normal for most in laws.most(motion.model))
+    rows = motion.borders[1], ahead - FRICTION, behind + FRICTION
+    turns = {symbol: motion.turn(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
+    return tuple(tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items()) for row in rows)
 
 
 def directions(model: Mechanics) -> dict[sp.Symbol, sp.Expr]:
@@ -282,7 +294,7 @@ def module(model: Mechanics) -> Module:
     felt = laws.near(len(laws.layers(model)))
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {**directions(model), DEPTH: model.depth, **motion.gripped, MU: motion.friction, **motion.solved}
+    shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.gripped, **motion.solved}
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
 
@@ -302,7 +314,7 @@ def module(model: Mechanics) -> Module:
         DEPTH: overlap / 2 if model.unilateral else model.depth,
         **dict.fromkeys(felt, sp.S.One),
     }
-    kinked = {**directions(model), **everywhere, **motion.gripped, MU: motion.friction, **motion.solved}
+    kinked = {**directions(model), **everywhere, MU: motion.friction, **motion.gripped, **motion.solved}
     jacobian = _rows(motion, place)
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     turnings = tuple(torsion.border for torsion in model.torsions)
@@ -315,8 +327,8 @@ def module(model: Mechanics) -> Module:
     grips = () if not motion.holds else (
         smooth("grip", "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
                "it sticks.", motion.limits, "(ahead, behind)"),
-        smooth("grip_slopes", "Derivatives of the sliding speed and of these by coordinates, rates and all parameters.",
-               _slopes(motion, (borders[1], *motion.limits), (*place, *map(number, model.parameters))),
+        smooth("grip_slopes", "Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters.",
+               _slopes(motion, (*place, *map(number, model.parameters))),
                "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)"),
     )  # fmt: skip
     return Module(
@@ -346,7 +358,8 @@ def module(model: Mechanics) -> Module:
                      "energy"),
             function("strain_energy", "Energy stored in springs, contact and potentials, without the applied forces.",
                      (*model.coordinates, *model.arguments, PUSHING), motion.strain_energy, "energy"),
-            function("friction_force", "The force of friction, along what it opposes.", regime, motion.friction_force, "force"),
+            function("friction_force", "The force of friction, along what it opposes.", regime,
+                     FRICTION if motion.holds else motion.friction_force, "force"),
             function("damper_power", "Rate at which dampers change it, never positive.", moving, motion.damper_power, "power"),
             function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,
                      "power"),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from tests.oracles.user_pages import derived
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
 BACKENDS = ("heyoka", "scipy")
@@ -100,3 +101,59 @@ def test_starts_at_which_a_rule_decides(
     assert len(tr.events) < 10
     if end is not None:
         assert tr.state[:, -1] == pytest.approx(end, abs=1e-9)
+
+
+COUPLED = '''"""Two masses that slide on each other."""
+from spragsym.derive.model import Page, cos, sgn
+page = Page("Two masses that slide on each other, with a mass matrix that depends on the place.")
+m, k, l = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("l", "m", "length")
+mu_s = page.parameter("mu_s", "1", "static friction", ">= 0", 0.5)
+r = page.parameter("r", "1", "ratio of masses", "> 0", 0.4)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
+x, y = page.coordinate("x", "m", "along the belt"), page.coordinate("y", "m", "beside it")
+page.kinetic(m * (page.rate(x) ** 2 + r * page.rate(y) ** 2) / 2 + m * r * page.rate(x) * page.rate(y) * cos(y / l) / 4)
+page.spring(k, along=x)
+page.spring(k, along=y)
+page.normal_force(k * l * (1 + y**2 / l**2 / 8))
+page.friction(x - y, V, slip=lambda v: mu_s * sgn(v) / 2, holds=mu_s)
+'''
+
+
+@pytest.mark.parametrize("name", ["coulomb", "coupled"])
+def test_derivatives_of_the_modes_against_differences(name: str) -> None:
+    """Of the accelerations on either side and sticking, and of the limits; sticking, the sliding speed does not change."""
+    model = ss.load("coulomb" if name == "coulomb" else derived(COUPLED, "coupled"))
+    p = model.Parameters(theta0=0.8) if name == "coulomb" else model.Parameters()
+    field, algebra, n = model.field, model.algebra, len(model.coordinates)
+    values = np.array(p.scalars(*model.parameters))
+    state = np.array([0.11, -0.07, 0.13, 0.05])
+    for side in (1, -1, 0):
+        mode = (1, side)
+
+        def at(z: np.ndarray, mode: tuple[int, int] = mode) -> np.ndarray:
+            taken = field.constants(z[2 * n :].tolist())
+            here = z[: 2 * n].tolist()
+            slip = algebra.borders(*here, *taken)[1]
+            return np.array([*field.acceleration(here, taken, mode, np), slip, *algebra.grip(*here, *taken, *mode)], dtype=float)
+
+        z, h = np.concatenate([state, values]), 1e-6
+        numeric = np.array([(at(z + h * way) - at(z - h * way)) / (2 * h) for way in np.eye(len(z))]).T
+        taken = field.constants(values.tolist())
+        ours = np.hstack([field.jacobian(state, taken, mode, np), field.by_parameters(state, taken, mode, np)]).astype(float)
+        assert ours == pytest.approx(numeric[:n], abs=1e-8)
+        slopes = np.array(algebra.grip_slopes(*state, *taken, *mode), dtype=float)
+        kinked = [model.parameters.index("ratio")] if name == "coulomb" else []  # a ratio of 1 is where its limit has a kink
+        smooth = np.delete(np.arange(len(z)), [2 * n + place for place in kinked])
+        assert slopes[0] == pytest.approx(numeric[n], abs=1e-8)
+        if side == 0:
+            assert slopes[:, smooth] == pytest.approx(numeric[n:][:, smooth], abs=1e-8)
+            held = field.acceleration(state.tolist(), taken, mode, np)
+            assert algebra.border_rates(*state, *held, *taken)[1] == pytest.approx(0.0, abs=1e-15)
+
+
+def test_a_standing_belt_holds_while_the_normal_force_swings() -> None:
+    """The normal force of the bouncing mass passes through 0, and both integrators hold it as long."""
+    p = ss.load("coulomb").Parameters(theta0=0.7, V=0.0)
+    shares = [ss.simulate(p, x0=0.3, y0=0.1, t_end=200.0, rtol=1e-12, backend=backend).sticking for backend in BACKENDS]
+    assert shares[0] == pytest.approx(shares[1], abs=1e-7)
+    assert shares[0] > 0.05

@@ -80,103 +80,84 @@ def friction_slope_by_sizes(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 45."""
+    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 42."""
+    side = xp.sign(V - vx)
+    _stuck = 1 - (side*side)
     w1 = cos0 - x
     w5 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w5*w5)
     w0 = 1/l1
     c1 = w0*w1
-    side = xp.sign(V - vx)
-    _stuck = 1 - (side*side)
+    mu = mu0*ratio*side
     _below = 1 - xp.sign(y)
     pushing = _below/2
-    w2 = pushing*y
-    w3 = _stuck - 1
-    _grip = _stuck/(-_stuck*w2 - w3)
-    w4 = c1*sigma - cos0*sigma + x*(alpha + sigma)
-    _held = _grip*w4
-    mu = _held - mu0*ratio*side*w3
+    w2 = c1*sigma
+    w3 = cos0*sigma
+    w4 = x*(alpha + sigma)
+    _friction = _stuck*(w2 - w3 + w4) - mu*pushing*y*(1 - _stuck)
     s1 = w0*w5
-    return (-mu*w2 - w4, -kappa - s1*sigma + sigma*sin0 - y*(beta + pushing + sigma))
+    return (_friction - w2 + w3 - w4, -kappa - s1*sigma + sigma*sin0 - y*(beta + pushing + sigma))
 
 
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
-    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 40."""
+    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 37."""
+    _stuck = 1 - (side*side)
     w1 = cos0 - x
     w5 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w5*w5)
     w0 = 1/l1
     c1 = w0*w1
-    _stuck = 1 - (side*side)
-    w2 = pushing*y
-    w3 = _stuck - 1
-    _grip = _stuck/(-_stuck*w2 - w3)
-    w4 = c1*sigma - cos0*sigma + x*(alpha + sigma)
-    _held = _grip*w4
-    mu = _held - mu0*ratio*side*w3
+    mu = mu0*ratio*side
+    w2 = c1*sigma
+    w3 = cos0*sigma
+    w4 = x*(alpha + sigma)
+    _friction = _stuck*(w2 - w3 + w4) - mu*pushing*y*(1 - _stuck)
     s1 = w0*w5
-    return (-mu*w2 - w4, -kappa - s1*sigma + sigma*sin0 - y*(beta + pushing + sigma))
+    return (_friction - w2 + w3 - w4, -kappa - s1*sigma + sigma*sin0 - y*(beta + pushing + sigma))
 
 
 def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
-    page. Operations: 63."""
+    page. Operations: 40."""
     _stuck = 1 - (side*side)
-    w0 = pushing*y
-    w1 = _stuck - 1
-    _grip = _stuck/(-_stuck*w0 - w1)
-    w3 = sin0 - y
-    w4 = cos0 - x
-    l1 = xp.sqrt(w3*w3 + w4*w4)
-    w2 = 1/l1
-    s1 = w2*w3
-    c1 = w2*w4
-    w5 = c1*sigma
-    _held = _grip*(-cos0*sigma + w5 + x*(alpha + sigma))
-    mu = _held - mu0*ratio*side*w1
-    s1_2 = s1*s1
-    w6 = _grip*w0
-    w7 = w6 + 1
-    w8 = s1*w2
-    w9 = c1*w8
+    w1 = sin0 - y
+    w2 = cos0 - x
+    l1 = xp.sqrt(w1*w1 + w2*w2)
+    w0 = 1/l1
+    s1 = w0*w1
+    c1 = w0*w2
+    w3 = _stuck - 1
+    w4 = (s1*s1)*w0
+    w5 = pushing*ratio*side
+    w6 = c1*s1*w0
     return (
-        (
-            (-alpha*w7 + sigma*(_grip*pushing*s1_2*w2*y + s1_2*w2 - w7), -_grip*mu*(pushing*pushing)*y - mu*pushing -
-            sigma*(w6*w9 + w9), 0, 0)
-        ),
-        (-w5*w8, -beta - pushing + sigma*((c1*c1)*w2 - 1), 0, 0),
+        (alpha*w3 + sigma*(-_stuck*w4 + w3 + w4), mu0*(_stuck*w5 - w5) + sigma*(_stuck*w6 - w6), 0, 0),
+        (-sigma*w6, -beta - pushing + sigma*((c1*c1)*w0 - 1), 0, 0),
     )
 
 
 def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 65."""
+    Operations: 57."""
     _stuck = 1 - (side*side)
-    w0 = pushing*y
-    w1 = _stuck - 1
-    _grip = _stuck/(-_stuck*w0 - w1)
-    w3 = cos0 - x
-    w4 = -y
-    w5 = sin0 + w4
-    l1 = xp.sqrt(w3*w3 + w5*w5)
-    w2 = 1/l1
-    c1 = w2*w3
-    s1 = w2*w5
-    w10 = cos0*w2
-    w11 = c1*s1
-    w12 = w10*w11
-    w6 = -sin0
-    w7 = sin0*w2
-    w8 = (s1*s1)*w7
-    w9 = _grip*w0
-    w13 = side*w0*w1
-    w14 = -cos0
+    w1 = cos0 - x
+    w2 = -y
+    w3 = sin0 + w2
+    l1 = xp.sqrt(w1*w1 + w3*w3)
+    w0 = 1/l1
+    c1 = w0*w1
+    s1 = w0*w3
+    s1_2 = s1*s1
+    w4 = _stuck*c1
+    w5 = cos0*w0
+    w6 = _stuck - 1
+    w7 = pushing*side*w6*y
     return (
         (
-            (sigma*(-sin0*w9 + w12*w9 + w12 + w6 + w8*w9 + w8), ratio*w13, mu0*w13, 0, -x*(w9 + 1), _grip*cos0*pushing*y -
-            c1*w9 - c1 - w14 - w9*x - x, 0, 0)
+            (sigma*(-_stuck*s1_2*sin0*w0 + _stuck*sin0 + c1*cos0*s1*w0 - s1*w4*w5 + s1_2*sin0*w0 - sin0), ratio*w7, mu0*w7, 0,
+            w6*x, -_stuck*cos0 + _stuck*x - c1 + w1 + w4, 0, 0)
         ),
-        (sigma*(-(c1*c1)*w10 - w11*w7 - w14), 0, 0, -1, 0, -s1 - w6 - y, w4, 0),
+        (sigma*(-c1*s1*sin0*w0 - (c1*c1)*w5 + cos0), 0, 0, -1, 0, -s1 + sin0 - y, w2, 0),
     )
 
 
@@ -218,8 +199,8 @@ def grip(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pus
 
 
 def grip_slopes(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
-    """Derivatives of the sliding speed and of these by coordinates, rates and all parameters. Returns ((∂slip/∂q_1, …,
-    ∂slip/∂v_1, …, ∂slip/∂p_1, …), …). Source: the page. Operations: 57."""
+    """Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters. Returns
+    ((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …). Source: the page. Operations: 57."""
     w1 = sin0 - y
     w2 = -x
     w3 = cos0 + w2
@@ -270,18 +251,15 @@ def strain_energy(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pu
 
 
 def friction_force(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
-    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 29."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 24."""
     _stuck = 1 - (side*side)
-    w0 = pushing*y
-    w1 = _stuck - 1
-    _grip = _stuck/(-_stuck*w0 - w1)
     base3 = sin0 - y
-    w2 = cos0 - x
-    l1 = xp.sqrt(base3*base3 + w2*w2)
-    c1 = w2/l1
-    _held = _grip*(c1*sigma - cos0*sigma + x*(alpha + sigma))
-    mu = _held - mu0*ratio*side*w1
-    return -mu*w0
+    w0 = cos0 - x
+    l1 = xp.sqrt(base3*base3 + w0*w0)
+    c1 = w0/l1
+    mu = mu0*ratio*side
+    _friction = _stuck*(c1*sigma - cos0*sigma + x*(alpha + sigma)) - mu*pushing*y*(1 - _stuck)
+    return _friction
 
 
 def damper_power(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):

@@ -118,17 +118,17 @@ def rhs(x, vx, mu_s, mu_k, V, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 10."""
     side = xp.sign(V - vx)
     _stuck = 1 - (side*side)
-    _held = _stuck*x
-    mu = _held + mu_k*side*(1 - _stuck)
-    return (mu - x,)
+    mu = mu_k*side
+    _friction = _stuck*x + mu*(1 - _stuck)
+    return (_friction - x,)
 
 
 def regime_rhs(x, vx, mu_s, mu_k, V, pushing, side):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 8."""
     _stuck = 1 - (side*side)
-    _held = _stuck*x
-    mu = _held + mu_k*side*(1 - _stuck)
-    return (mu - x,)
+    mu = mu_k*side
+    _friction = _stuck*x + mu*(1 - _stuck)
+    return (_friction - x,)
 
 
 def regime_jacobian(x, vx, mu_s, mu_k, V, pushing, side):
@@ -177,8 +177,8 @@ def grip(x, vx, mu_s, mu_k, V, pushing, side):
 
 
 def grip_slopes(x, vx, mu_s, mu_k, V, pushing, side, *, xp=numpy):
-    """Derivatives of the sliding speed and of these by coordinates, rates and all parameters. Returns ((∂slip/∂q_1, …,
-    ∂slip/∂v_1, …, ∂slip/∂p_1, …), …). Source: the page. Operations: 9."""
+    """Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters. Returns
+    ((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …). Source: the page. Operations: 9."""
     w0 = xp.sign(mu_k - mu_s)/2
     w1 = (1 - 2*w0)/2
     w2 = (2*w0 + 1)/2
@@ -199,9 +199,9 @@ def strain_energy(x, mu_s, mu_k, V, pushing):
 def friction_force(x, vx, mu_s, mu_k, V, pushing, side):
     """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 7."""
     _stuck = 1 - (side*side)
-    _held = _stuck*x
-    mu = _held + mu_k*side*(1 - _stuck)
-    return mu
+    mu = mu_k*side
+    _friction = _stuck*x + mu*(1 - _stuck)
+    return _friction
 
 
 def damper_power(x, vx, mu_s, mu_k, V):

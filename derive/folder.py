@@ -36,7 +36,8 @@ from .pages import Model
 #: Text of a function → the model that has it first.
 Shared = dict[str, str]
 
-_WIDTH = 112
+#: ``rhs`` by the functions of regimes.
+_EVERYWHERE = "everywhere(borders, regime_rhs, ({}), xp)"
 
 
 def render(model: Model, header: str, shared: Shared | None = None) -> dict[str, str]:
@@ -76,10 +77,13 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     whole = Module("algebra", model.page.summary, tuple(function for part in parts for function in part.functions))
     sections: list[str] = []
     borrowed: dict[str, list[str]] = {}
+    # Libraries are printed from the text of the first model, no place tells which way a turning is counted, and few lines are whole.
+    by_regimes = bool(shared and model.mechanics.lines and not model.mechanics.torsions)
     for part in parts:
         own = []
         for function in part.functions:
-            text = algebra.definition(function)
+            given = ", ".join(map(str, function.arguments))
+            text = algebra.definition(function, _EVERYWHERE.format(given) if by_regimes and function.name == "rhs" else "")
             home = model.name if shared is None else shared.setdefault(text, model.name)
             if home == model.name:
                 own.append(text)
@@ -88,7 +92,7 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
         if own:
             sections += [f"# {part.summary}\n{own[0]}", *own[1:]]
     beside = "._broadcast" if shared is None else "..._broadcast"
-    imports = [f"from {beside} import broadcasting"]
+    imports = [f"from {beside} import broadcasting{', everywhere' if by_regimes else ''}"]
     imports += [algebra.listed(f"from ..{home}.algebra import (", sorted(names), ")") for home, names in sorted(borrowed.items())]
     return algebra.whole(whole, meanings(model.mechanics), header, imports, sections)
 

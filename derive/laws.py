@@ -113,9 +113,7 @@ def slope_by_sizes(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...
     for term in sp.Add.make_args(sp.expand(slope_at_rest(model))):
         coefficient, power = term.as_independent(sp.exp)
         power = sp.powsimp(power)
-        if not isinstance(power, sp.exp):
-            coefficient, power = term, sp.exp(0)
-        exponent = power.args[0] if isinstance(power, sp.exp) else sp.S.Zero
+        coefficient, exponent = (coefficient, power.args[0]) if isinstance(power, sp.exp) else (term, sp.S.Zero)
         terms[exponent] = terms.get(exponent, sp.S.Zero) + coefficient
     ordered = sorted(terms, key=sp.default_sort_key)
     return tuple(tuple((sp.factor_terms(terms[a]), sp.expand(a - top)) for a in ordered) for top in ordered)

@@ -305,16 +305,9 @@ def module(model: Mechanics) -> Module:
         continued = shorthands | {torsion.phi: torsion.continued for torsion in model.torsions}
         return Function(name, summary, "the page", (*regime, *ways), results, returns, continued)
 
-    below, overlap = sp.symbols("_below _overlap", real=True)
-    everywhere = {
-        below: 1 - sp.sign(borders[0]),
-        overlap: sp.Abs(borders[0]) - borders[0],
-        PUSHING: below / 2 if model.unilateral else sp.S.One,
-        SIDE: sp.sign(borders[1]),
-        DEPTH: overlap / 2 if model.unilateral else model.depth,
-        **dict.fromkeys(felt, sp.S.One),
-    }
-    kinked = {**directions(model), **everywhere, MU: motion.friction, **motion.gripped, **motion.solved}
+    below = sp.Symbol("_below", real=True)
+    signs = {below: 1 - sp.sign(borders[0]), PUSHING: below / 2 if model.unilateral else sp.S.One, SIDE: sp.sign(borders[1])}
+    kinked = {**signs, **dict.fromkeys(felt, sp.S.One), **shorthands}
     jacobian = _rows(motion, place)
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     turnings = tuple(torsion.border for torsion in model.torsions)

@@ -129,12 +129,12 @@ def listed(opening: str, items: Iterable[str], closing: str) -> str:
     return f"{opening}\n{inside},\n{closing}"
 
 
-def definition(function: Function) -> str:
-    """One function: its signature, what it is with its equations and operations, and its body."""
+def definition(function: Function, called: str = "") -> str:
+    """One function: its signature, what it is with its equations and operations, and its body, or a call that gives the same."""
     body = straight_line(function)
-    statements = _statements(function, body)
+    statements = [_wrap(f"    return {called}")] if called else _statements(function, body)
     arguments = [*map(str, function.arguments), *(f"{symbol}=0" for symbol in function.further)]
-    if any("xp." in line for line in statements):
+    if called or any("xp." in line for line in statements):
         arguments += ["*", "xp=numpy"]
     signature = f"def {function.name}({', '.join(arguments)}):"
     if len(signature) > _WIDTH:

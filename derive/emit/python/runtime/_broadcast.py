@@ -7,6 +7,7 @@ An argument is anything with + − × ÷ and integer powers: float, array, Fract
 
 from collections.abc import Callable
 from functools import wraps
+from inspect import unwrap
 from types import FunctionType
 from typing import Any, ParamSpec, TypeVar
 
@@ -21,9 +22,17 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
 
     The algebra alone is ``function.__wrapped__``, for compilers.
     """
-    functions = {name: it for name, it in module.items() if isinstance(it, FunctionType) and it is not broadcasting}
+    functions = {name: it for name, it in module.items() if isinstance(it, FunctionType) and it.__module__ != __name__}
     module |= {name: _shaped(it) for name, it in functions.items() if it.__module__ == module["__name__"]}
     return list(functions)
+
+
+def everywhere(borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any) -> Any:
+    """What a function of regimes gives at a place by the regime there, with all exponentials felt; on a border of two by their mean."""
+    level, smooth = unwrap(borders), unwrap(regime)
+    gap, slip = level(*at, xp=xp) if level.__kwdefaults__ else level(*at)
+    felt = (1,) * (smooth.__code__.co_argcount - len(at) - 2)
+    return smooth(*at, (1 - xp.sign(gap)) / 2, xp.sign(slip), *felt, xp=xp)
 
 
 def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:

@@ -10,6 +10,10 @@ from .check import Row
 from .theorem import Step
 
 
+#: Statuses of rows whose printed form is the derived one.
+_AS_PRINTED = ("confirmed", "definition")
+
+
 @dataclass(frozen=True)
 class Ledger:
     """Rows of the check, the identities that the elimination rests on, and the steps of two theorems."""
@@ -62,11 +66,11 @@ def markdown(ledger: Ledger, header: str) -> str:
         "",
     ]
     for row in ledger.rows:
-        if row.status not in ("confirmed", "definition"):
+        if row.status not in _AS_PRINTED:
             lines += _section(row)
     lines += ["## Rows that stand as printed", "", "Printed and derived:", ""]
     for row in ledger.rows:
-        if row.status in ("confirmed", "definition"):
+        if row.status in _AS_PRINTED:
             lines += _section(row)
     lines += ["## Identities", "", *(f"- {_mark(holds)} {claim}" for claim, holds in ledger.identities.items()), ""]
     lines += [
@@ -101,7 +105,7 @@ def _mark(holds: bool) -> str:
 
 
 def _section(row: Row) -> list[str]:
-    if row.status in ("confirmed", "definition"):
+    if row.status in _AS_PRINTED:
         lines = [f"### {row.id}", "", f"```math\n{row.printed}\n```", ""]
     else:
         lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**.", "", *side_by_side(row.printed, row.derived), ""]

@@ -21,10 +21,10 @@ def render(material: Material) -> dict[str, str]:
     known = material.algebra
     calls = {name for it in material.kernel.routines.values() for name in Kinds(material.kernel).calls(it)}
     used = (calls & known.keys()) | {name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known}
-    statics = [algebra.static(f"algebra_{name}", known[name]) for name in known if name in used]
+    inside = {f"algebra_{name}": function for name, function in known.items() if name in used}
     public = [known[name] for name in material.public]
     parts = {
-        "algebra": "\n".join(item.text for item in statics),
+        "algebra": "\n".join(map(algebra.static, inside, inside.values())),
         "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",
         "kernel": _kernel(material, definitions) if material.kernel.routines else "",
         "declarations": own.get("declarations.h", ""),
@@ -36,7 +36,7 @@ def render(material: Material) -> dict[str, str]:
     header, source = (
         spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n" for name in ("library.h", "library.c")
     )
-    words = {**_words(material), **_costs(header + source, {item.name: item.operations for item in statics})}
+    words = {**_words(material), **_costs(header + source, {name: it.operations for name, it in inside.items()})}
     files = {f"{library}.h": header, f"{library}.c": source}
     if _EXAMPLE in own:
         files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), _EXAMPLE: own[_EXAMPLE]}

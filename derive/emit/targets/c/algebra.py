@@ -3,7 +3,6 @@
 import re
 import textwrap
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from ...definitions import NAMES, SPELLED, Definition, ported
 from ...quantities import Quantity
@@ -31,15 +30,6 @@ def _whole(found: re.Match[str]) -> str:
     return f"{found[1]}.0"
 
 
-@dataclass(frozen=True)
-class Emitted:
-    """A static function of the C source."""
-
-    name: str
-    text: str
-    operations: int
-
-
 def c_name(name: str) -> str:
     """A name of the algebra as C has it."""
     return SPELLED.get(name, name)
@@ -54,7 +44,7 @@ def _signature(start: str, names: Iterable[str], result: str | None) -> str:
     return broken(f"{start}({', '.join(arguments)})")
 
 
-def static(name: str, function: Definition) -> Emitted:
+def static(name: str, function: Definition) -> str:
     """The algebra itself, unchecked: one result is returned, several are written to an array."""
     several = isinstance(function.results, tuple)
     said = comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.")
@@ -62,7 +52,7 @@ def static(name: str, function: Definition) -> Emitted:
     head = f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} {{"
     unused = [f"    (void){c_name(name)};" for name in function.arguments if name not in function.read]
     lines = [*unused, *_statements(function, "result" if several else "return"), ""]
-    return Emitted(name, said + definition(head, "\n".join(lines)), function.operations)
+    return said + definition(head, "\n".join(lines))
 
 
 def _statements(function: Definition, result: str) -> list[str]:

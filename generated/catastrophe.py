@@ -43,7 +43,7 @@ def fold_lines_mu0(cos, sin, cos0, sin0, kappa, alpha, sigma, beta):
     w1 = sigma*sin0
     w2 = alpha*cos0
     cos_2 = cos*cos
-    w3 = (cos*cos_2)*sigma
+    w3 = cos*cos_2*sigma
     w4 = sigma*sin
     return (
         -alpha*kappa - alpha*sigma*sin_3 + beta*sigma*sin_3 - beta*w0 - beta*w1 - kappa*sigma + sigma*sin_3 - w0 - w1,
@@ -61,7 +61,7 @@ def fold_angles(cos, sin, mu0, kappa, alpha, sigma, beta):
     q = B + sigma
     sin_2 = sin*sin
     w0 = B*sigma
-    w1 = (-kappa*p + sigma*sin_2*(-alpha*sin + cos*mu0) + (sin*sin_2)*w0)/(B*p)
+    w1 = (-kappa*p + sigma*sin_2*(-alpha*sin + cos*mu0) + sin*sin_2*w0)/(B*p)
     cos_2 = cos*cos
     cos_3 = cos*cos_2
     w2 = mu0*sigma
@@ -85,7 +85,7 @@ def fold_quartic(cos, sin, kappa, alpha, sigma, beta):
     cos_2 = cos*cos
     w0 = 1/(alpha*q)
     w1 = sigma*w0
-    g0 = (cos*cos_2)*w1*(-B + alpha)
+    g0 = cos*cos_2*w1*(-B + alpha)
     p = alpha + sigma
     sin_2 = sin*sin
     sin_3 = sin*sin_2
@@ -133,20 +133,20 @@ def fold_events(sin, kappa, alpha, sigma, beta):
     middle = 2*e0 + 4*e2
     q = B + sigma
     w3 = 1 - sin_2
-    w4 = (alpha*alpha)*(q*q)
-    ec_2 = (sigma*sigma)*(sin_2*sin_2)*w3*w4
+    w4 = alpha*alpha*(q*q)
+    ec_2 = sigma*sigma*(sin_2*sin_2)*w3*w4
     product = e0*e0 - ec_2
     e1_2 = e1*e1
     middle_2 = middle*middle
     P = -12*e1_2 + middle_2 + 12*product
     Q = -216*e0*e1_2 + 36*e1_2*middle + 72*middle*product - 2*(middle*middle_2)
-    w5 = (B*B)*(p*p)
-    return (4*(P*(P*P)) - (Q*Q), product, (a_f*a_f)*(w3*(w3*w3))*w5 + (w0*w0)*w4 - w4*w5)
+    w5 = B*B*(p*p)
+    return (4*(P*(P*P)) - Q*Q, product, a_f*a_f*(w3*(w3*w3))*w5 + w0*w0*w4 - w4*w5)
 
 
 def fold_events_without_alpha(sin, kappa, sigma, beta):
     """The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where they meet at π/2. Returns meeting,
-    border, middle. Source: f = f′ = 0. Operations: 45."""
+    border, middle. Source: f = f′ = 0. Operations: 44."""
     B = beta + 1
     w0 = B*sigma
     sin_2 = sin*sin
@@ -155,8 +155,7 @@ def fold_events_without_alpha(sin, kappa, sigma, beta):
     e1 = -sigma*(-w0*(sin*sin_2) + kappa*sigma) + w0*w1
     e2 = -B*(sigma*sigma)
     w2 = sin - 1
-    w3 = -w2
-    return (-4*e0*e2 + e1*e1, e0, sigma*(kappa*kappa + w3*(B*kappa*(sin + sin_2 + 1) - kappa*sigma*(-sin_2 - w2) - w0*w3)))
+    return (-4*e0*e2 + e1*e1, e0, sigma*(kappa*kappa - w2*(B*kappa*(sin + sin_2 + 1) - kappa*sigma*(-sin_2 - w2) + w0*w2)))
 
 
 def fold_quadratic(cos, sin, kappa, sigma, beta):
@@ -168,7 +167,7 @@ def fold_quadratic(cos, sin, kappa, sigma, beta):
     sin_2 = sin*sin
     w0 = B*sigma
     w1 = sin*w0
-    return ((B*B)*(cos*cos_2)*sigma_2, -sigma*(B*kappa + cos_2*w1 + kappa*sigma - (sin*sin_2)*w0 + w1), cos*sigma_2*sin_2)
+    return (B*B*(cos*cos_2)*sigma_2, -sigma*(B*kappa + cos_2*w1 + kappa*sigma - sin*sin_2*w0 + w1), cos*sigma_2*sin_2)
 
 
 def f_changes(cos0, sin0, mu0, kappa, alpha, sigma, beta):
@@ -227,13 +226,12 @@ def fold_sextic(a_f, b_f, d_f, m_f, a_v, b_v, d_v, m_v):
 
 def fold_cubics(mu0, kappa, alpha, sigma, beta):
     """Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold through θ at friction μ₀.
-    Returns (S0, …, S6), (C0, …, C6). Source: f = f′ = 0. Operations: 35."""
+    Returns (S0, …, S6), (C0, …, C6). Source: f = f′ = 0. Operations: 36."""
     p = alpha + sigma
     m_f = mu0*sigma
     B = beta + 1
     a_f = sigma*(B - alpha)
     w0 = kappa*p
-    w1 = -w0
     w2 = 4*m_f
     w3 = 3*w0
     w4 = w2 - w3
@@ -246,7 +244,7 @@ def fold_cubics(mu0, kappa, alpha, sigma, beta):
     w11 = 3*a_f
     w12 = 3*w8
     return (
-        (w1, 0, w4, w5, w6, 0, w1),
+        (-w0, 0, w4, w5, w6, 0, -w0),
         (w7 + w9*(-a_f + w8), w10, -m_f*w4 + w9*(w11 + w12), -m_f*w5, -m_f*w6 + w9*(-w11 + w12), w10, w7 + w9*(a_f + w8)),
     )
 
@@ -265,15 +263,15 @@ def cusp_polynomial(kappa, alpha, sigma, beta):
     a_f = sigma*w0
     g4 = 3*r*sigma
     width_2 = w0*w0
-    w1 = (g0*g0)*width_2
+    w1 = g0*g0*width_2
     k_2 = k*k
     r_2 = r*r
     w2 = k_2*r_2
     w3 = 16*r_2
-    w4 = (B*B)*(p*p)
+    w4 = B*B*(p*p)
     w5 = g0*width_2
     w6 = g1*w5
-    w7 = (g1*g1)*width_2
+    w7 = g1*g1*width_2
     w8 = 3*w1
     w9 = r_2*w4
     w10 = a_f*k
@@ -282,7 +280,7 @@ def cusp_polynomial(kappa, alpha, sigma, beta):
     w13 = 2*g4
     w14 = r_2*w10
     w15 = g1*width_2
-    w16 = (a_f*a_f)*r_2
+    w16 = a_f*a_f*r_2
     return (
         w1 + 16*w2 - w3*w4,
         2*w6,
@@ -292,7 +290,7 @@ def cusp_polynomial(kappa, alpha, sigma, beta):
         w13*w15 - 72*w14 + 8*w6,
         -4*g4*w5 - w1 - w11 + w12 + 4*w16 + 21*w7/4,
         108*a_f*k*r_2 - 5*g4*w15 - 3*w6,
-        2*g0*g4*width_2 + (g4*g4)*width_2 + 81*k_2*r_2 - 12*w16 - 9*w7/4 - 81*w9,
+        2*g0*g4*width_2 + g4*g4*width_2 + 81*k_2*r_2 - 12*w16 - 9*w7/4 - 81*w9,
         3*g1*g4*width_2 - 54*w14,
     )
 
@@ -432,7 +430,7 @@ def turning_polynomial(kappa, alpha, sigma, beta):
     w1 = B + sigma
     return (
         kappa*(w0_2*w0_2)*w2*(kappa - sigma)*(kappa + sigma),
-        (w0*w0_2)*w2*w7*(3*w3 - w4 + w6),
+        w0*w0_2*w2*w7*(3*w3 - w4 + w6),
         (
             -kappa*w0_2*(2*B*alpha_2*kappa_2*sigma - B*sigma_4*w11 + B_2*kappa_2*sigma_2 + 20*alpha*kappa_2*sigma_3 +
             15*alpha_2*kappa_2*sigma_2 - alpha_2*sigma_4 + 5*kappa_2*sigma_4 - sigma_4*w10 - 13*w12 - 16*w14 - w15*w16 - w24 -
@@ -474,7 +472,7 @@ def turning_sine(sin, kappa, alpha, sigma, beta):
     a_2 = -v*w0
     w3 = alpha*w2
     w_line = kappa*p + w3
-    w4 = (w_line*w_line)*width
+    w4 = w_line*w_line*width
     c_0 = w3*w3 - w4
     l_1 = -alpha*sin*v
     c_2 = l_1*l_1 + w4

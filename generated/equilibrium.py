@@ -23,12 +23,11 @@ from ._broadcast import broadcasting
 
 
 def contact_matrix(L, mu0, alpha, sigma, beta):
-    """D of the balance in contact. Returns ((D11, D12), (D21, D22)). Source: (17), (18). Operations: 12."""
+    """D of the balance in contact. Returns ((D11, D12), (D21, D22)). Source: (17), (18). Operations: 9."""
     p = alpha + sigma
     B = beta + 1
     q = B + sigma
-    w0 = -sigma
-    return ((-L*p - w0, -L*mu0), (0, -L*q - w0))
+    return ((-L*p + sigma, -L*mu0), (0, -L*q + sigma))
 
 
 def contact_vector(cos0, sin0, mu0, kappa, alpha, beta):
@@ -38,7 +37,7 @@ def contact_vector(cos0, sin0, mu0, kappa, alpha, beta):
 
 def contact_quartic(cos0, sin0, mu0, kappa, alpha, sigma, beta):
     """Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact. Returns c0, c1, c2, c3, c4. Source: (21), (A1)–(A5).
-    Operations: 45."""
+    Operations: 44."""
     b1 = -mu0*sin0 - alpha*cos0
     B = beta + 1
     b2 = -B*sin0 - kappa
@@ -47,8 +46,7 @@ def contact_quartic(cos0, sin0, mu0, kappa, alpha, sigma, beta):
     b1_2 = b1*b1
     sigma_2 = sigma*sigma
     b2_2 = b2*b2
-    w0 = -sigma_2
-    w1 = b2_2 + w0
+    w1 = b2_2 - sigma_2
     w2 = 2*sigma
     base3 = mu0*b2 - b1*q
     p_2 = p*p
@@ -56,7 +54,7 @@ def contact_quartic(cos0, sin0, mu0, kappa, alpha, sigma, beta):
     w3 = p*q
     return (
         sigma_2*(b1_2 + w1),
-        w2*(mu0*b1*b2 - p*w1 - q*(b1_2 + w0)),
+        w2*(mu0*b1*b2 - p*w1 - q*(b1_2 - sigma_2)),
         b2_2*p_2 + base3*base3 - sigma_2*(p_2 + q_2 + 4*w3),
         w2*w3*(p + q),
         -p_2*q_2,
@@ -64,11 +62,10 @@ def contact_quartic(cos0, sin0, mu0, kappa, alpha, sigma, beta):
 
 
 def liftoff_matrix(L, alpha, sigma, beta):
-    """D of the balance in lift-off. Returns ((D11, D12), (D21, D22)). Source: (24). Operations: 9."""
+    """D of the balance in lift-off. Returns ((D11, D12), (D21, D22)). Source: (24). Operations: 6."""
     p = alpha + sigma
     q = beta + sigma
-    w0 = -sigma
-    return ((-L*p - w0, 0), (0, -L*q - w0))
+    return ((-L*p + sigma, 0), (0, -L*q + sigma))
 
 
 def liftoff_vector(cos0, sin0, kappa, alpha, beta):
@@ -78,7 +75,7 @@ def liftoff_vector(cos0, sin0, kappa, alpha, beta):
 
 def liftoff_quartic(cos0, sin0, kappa, alpha, sigma, beta):
     """Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived. Returns d0, d1, d2, d3, d4. Source:
-    (26), (A1) corrected, (A6)–(A9). Operations: 37."""
+    (26), (A1) corrected, (A6)–(A9). Operations: 36."""
     b1 = -alpha*cos0
     b2 = -beta*sin0 - kappa
     p = alpha + sigma
@@ -86,15 +83,14 @@ def liftoff_quartic(cos0, sin0, kappa, alpha, sigma, beta):
     b1_2 = b1*b1
     sigma_2 = sigma*sigma
     b2_2 = b2*b2
-    w0 = -sigma_2
-    w1 = b2_2 + w0
+    w1 = b2_2 - sigma_2
     w2 = 2*sigma
     p_2 = p*p
     q_2 = q*q
     w3 = p*q
     return (
         sigma_2*(b1_2 + w1),
-        w2*(-p*w1 - q*(b1_2 + w0)),
+        w2*(-p*w1 - q*(b1_2 - sigma_2)),
         b1_2*q_2 + b2_2*p_2 - sigma_2*(p_2 + q_2 + 4*w3),
         w2*w3*(p + q),
         -p_2*q_2,
@@ -142,7 +138,7 @@ def f_curvature(cos, sin, a_f, b_f, d_f, m_f):
 def f_third(cos, sin, a_f, b_f, d_f, m_f):
     """d³f/dθ³. Returns f‴. Source: (12), (13) eliminated. Operations: 14."""
     w0 = 4*a_f
-    return b_f*sin - cos*d_f + 8*cos*m_f*sin - (cos*cos)*w0 + (sin*sin)*w0
+    return b_f*sin - cos*d_f + 8*cos*m_f*sin - cos*cos*w0 + sin*sin*w0
 
 
 def t_quartic(a_f, b_f, d_f, m_f):
@@ -154,7 +150,7 @@ def t_quartic(a_f, b_f, d_f, m_f):
 def resolvent(a_f, b_f, d_f, m_f):
     """Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t. Returns r0, r1, r2. Source:
     (12), (13) eliminated. Operations: 15."""
-    return (-b_f*(a_f*d_f + b_f*m_f)/4, -(a_f*a_f)/4 + (b_f*b_f)/4 + (d_f*d_f)/4, -m_f)
+    return (-b_f*(a_f*d_f + b_f*m_f)/4, -a_f*a_f/4 + b_f*b_f/4 + d_f*d_f/4, -m_f)
 
 
 def state(cos, sin, cos0, sin0, kappa, sigma, beta, nbar):

@@ -18,7 +18,7 @@ from ._broadcast import broadcasting
 def displacement(cos0, sin0, mu0, kappa, alpha, sigma, beta):
     """x and y at steady sliding with the spring's angle held at θ₀. Returns x, y. Source: (12), (13) linearized. Operations:
     20."""
-    w0 = (cos0*cos0)*sigma
+    w0 = cos0*cos0*sigma
     w1 = cos0*sigma*sin0
     w2 = alpha + w0
     determinant = alpha*beta + alpha*sigma*(sin0*sin0) + beta*w0 - mu0*w1 + w2
@@ -35,7 +35,7 @@ def pole_quadratic(mu0, alpha, sigma, beta):
 
 def pole_friction(T, alpha, sigma, beta):
     """μ₀ with a pole at T = tan θ₀. Returns mu0. Source: determinant of the linear model. Operations: 13."""
-    return ((T*T)*alpha*(beta + sigma + 1) + alpha*beta + alpha + beta*sigma + sigma)/(T*sigma)
+    return (T*T*alpha*(beta + sigma + 1) + alpha*beta + alpha + beta*sigma + sigma)/(T*sigma)
 
 
 def critical_friction_squared(alpha, sigma, beta):

@@ -36,7 +36,7 @@ def stiffness(cos, sin, L, mu0, alpha, sigma, beta, nbar):
     q = B + sigma
     w0 = sigma/L
     w1 = cos*sin*w0
-    return ((p - (sin*sin)*w0, M + w1), (w1, -(cos*cos)*w0 + q))
+    return ((p - sin*sin*w0, M + w1), (w1, -cos*cos*w0 + q))
 
 
 def invariants(K11, K12, K21, K22):
@@ -75,7 +75,7 @@ def flutter_quadratic(cos, sin, mu0, alpha, sigma, beta):
     (27). Operations: 14."""
     B = beta + 1
     w0 = -B + alpha
-    return (sigma*sigma, 2*sigma*(2*mu0*cos*sin + w0*(cos*cos - (sin*sin))), w0*w0)
+    return (sigma*sigma, 2*sigma*(2*mu0*cos*sin + w0*(cos*cos - sin*sin)), w0*w0)
 
 
 def flutter_elimination(cos, sin, mu0, kappa, alpha, sigma, beta):
@@ -92,42 +92,41 @@ def flutter_elimination(cos, sin, mu0, kappa, alpha, sigma, beta):
     w1 = q*sin*w0
     p = alpha + sigma
     w2 = -mu0*w0*w3 + cos*p
-    e1 = 2*sigma*(2*mu0*cos*sin + w5*(cos*cos - (sin*sin)))
+    e1 = 2*sigma*(2*mu0*cos*sin + w5*(cos*cos - sin*sin))
     alpha_2 = alpha*alpha
     w6 = alpha_2*(w1*w1) + w2*w2
     w7 = alpha_2*(u1*u1 - 1) + u2*u2
     w8 = 2*alpha_2*u1*w1 + 2*u2*w2
-    return ((sigma*sigma)*w6 - (w5*w5)*w7, -e1*w6 + (w5*w5)*w8, -(sigma*sigma)*w8 + e1*w7)
+    return (sigma*sigma*w6 - w5*w5*w7, -e1*w6 + w5*w5*w8, -sigma*sigma*w8 + e1*w7)
 
 
 def flutter_without_alpha(cos, sin, mu0, kappa, sigma, beta):
     """The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2. Returns condition. Source: (27), (14),
     (15). Operations: 32."""
     B = beta + 1
-    e1 = 2*sigma*(-B*(cos*cos - (sin*sin)) + 2*mu0*cos*sin)
+    e1 = 2*sigma*(-B*(cos*cos - sin*sin) + 2*mu0*cos*sin)
     w0 = 1/B
     w3 = sigma*sin
     u2 = mu0*w0*(kappa + w3) - cos*sigma
     w2 = -mu0*w0*w3 + cos*sigma
-    return (sigma*sigma)*(w2*w2) - e1*u2*w2 + (B*B)*(u2*u2)
+    return sigma*sigma*(w2*w2) - e1*u2*w2 + B*B*(u2*u2)
 
 
 def flutter_crossing(cos, sin, L, cos0, sin0, mu0, alpha, sigma, beta):
     """N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact. Returns N, J. Source: (27),
-    (14), (15). Operations: 60."""
+    (14), (15). Operations: 59."""
     p = alpha + sigma
     w0 = mu0*sin
     a_L = -cos*p - w0
-    w1 = -sigma
-    a_theta = -L*mu0*cos + sin*(L*p + w1)
+    a_theta = -L*mu0*cos + sin*(L*p - sigma)
     a_theta0 = mu0*cos0 - alpha*sin0
     B = beta + 1
     q = B + sigma
     b_L = -q*sin
-    b_theta = -cos*(L*q + w1)
+    b_theta = -cos*(L*q - sigma)
     b_theta0 = B*cos0
     w2 = -B + alpha
-    w3 = cos*cos - (sin*sin)
+    w3 = cos*cos - sin*sin
     d_L = 2*L*(w2*w2) + 2*sigma*(2*cos*w0 + w2*w3)
     d_theta = 4*L*sigma*(mu0*w3 - cos*sin*(-2*B + 2*alpha))
     return (d_L*(a_theta*b_theta0 - a_theta0*b_theta) + d_theta*(-a_L*b_theta0 + a_theta0*b_L), a_L*b_theta - a_theta*b_L)
@@ -147,7 +146,7 @@ def flutter_cubic(cos, sin, kappa, alpha, sigma, beta):
     sigma_2 = sigma*sigma
     cos_2 = cos*cos
     w4 = -B + alpha
-    e1 = 2*sigma*w4*(cos_2 - (sin*sin))
+    e1 = 2*sigma*w4*(cos_2 - sin*sin)
     w5 = 4*cos_2
     m1 = -sigma_2*sin*w5
     p = alpha + sigma
@@ -156,11 +155,11 @@ def flutter_cubic(cos, sin, kappa, alpha, sigma, beta):
     y1 = sigma*w2
     w6 = 4*alpha*cos*w0
     w7 = l0*m2
-    w8 = (w4*w4)*l0
+    w8 = w4*w4*l0
     w9 = sigma_2 + l0*(e1 + w8)
     w10 = l1*(e1 + 2*w8)
     l1_2 = l1*l1
-    w11 = (w4*w4)*l1_2
+    w11 = w4*w4*l1_2
     return (l0*w6, l1*w6, l0*(m1 + w7) + w9*y0, l1*(m1 + 2*w7) + w10*y0 + w9*y1, l1_2*m2 + w10*y1 + w11*y0, w11*y1)
 
 
@@ -168,7 +167,7 @@ def flutter_friction(cos, sin, L, alpha, sigma, beta):
     """μ₀ at a flutter onset with spring length L in direction θ, in contact. Returns mu0. Source: (27). Operations: 21."""
     B = beta + 1
     w0 = -B + alpha
-    return (-2*L*sigma*w0*(cos*cos - (sin*sin)) - (L*L)*(w0*w0) - (sigma*sigma))/(4*L*cos*sigma*sin)
+    return (-2*L*sigma*w0*(cos*cos - sin*sin) - L*L*(w0*w0) - sigma*sigma)/(4*L*cos*sigma*sin)
 
 
 __all__ = broadcasting(globals())

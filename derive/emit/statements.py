@@ -17,17 +17,36 @@ class Body:
 
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: Results
-    operations: int
     powers: frozenset[sp.Symbol] = frozenset()  #: names that stand for a whole power of another
 
     @cached_property
+    def negated(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """Names for minus another, which turn a sign where they stand; not those of which a power is taken."""
+        wholes = (*dict(self.assignments).values(), *flat(self.results))
+        bases = {power.base for whole in wholes for power in whole.atoms(sp.Pow)}
+        return {symbol: value for symbol, value in self.assignments if (-value).is_Symbol and symbol not in bases}
+
+    @cached_property
+    def _computed(self) -> list[sp.Expr]:
+        """What is computed, with signs turned."""
+        values = (value for symbol, value in self.assignments if symbol not in self.negated)
+        return [value.xreplace(self.negated) for value in (*values, *flat(self.results))]
+
+    @cached_property
     def inlined(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """What needs no statement of its own: a power that is used in one place, printed there, and a second name of something."""
-        known = dict(self.assignments)
-        used = Counter(part for whole in (*known.values(), *flat(self.results)) for part in sp.preorder_traversal(whole))
-        return {
-            symbol: value for symbol, value in known.items() if value.is_Symbol or (symbol in self.powers and used[symbol] == 1)
+        """What needs no statement of its own: a power used in one place, printed there, a second name, a name for minus another."""
+        used = Counter(part for whole in self._computed for part in sp.preorder_traversal(whole))
+        kept = {
+            symbol: value
+            for symbol, value in self.assignments
+            if value.is_Symbol or (symbol in self.powers and used[symbol] == 1)
         }
+        return {**kept, **self.negated}
+
+    @property
+    def operations(self) -> int:
+        """How many there are."""
+        return sum(int(sp.count_ops(value)) for value in self._computed)
 
     @property
     def statements(self) -> list[tuple[sp.Symbol, sp.Expr]]:
@@ -69,10 +88,9 @@ def straight_line(function: Function) -> Body:
     ordered: dict[sp.Symbol, sp.Expr] = {}
     for root in [*(symbol for symbol, _ in named), *outputs]:
         _place(root, available, ordered)
-    operations = sum(int(sp.count_ops(expression)) for expression in [*ordered.values(), *outputs])
     of_powers = {second.get(symbol, symbol) for symbol in definitions} | again.definitions.keys()
     whole = {it for it in of_powers & ordered.keys() if ordered[it].is_Mul or (ordered[it].is_Pow and ordered[it].exp == 2)}
-    return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), operations, frozenset(whole))
+    return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), frozenset(whole))
 
 
 def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:

@@ -402,7 +402,7 @@ INLINE void algebra_turning_polynomial(double kappa, double alpha, double sigma,
     const double w46 = B_2 * w5;
     const double w1 = B + sigma;
     result[0] = kappa * square(w0_2) * w2 * (kappa - sigma) * (kappa + sigma);
-    result[1] = (w0 * w0_2) * w2 * w7 * (3.0 * w3 - w4 + w6);
+    result[1] = w0 * w0_2 * w2 * w7 * (3.0 * w3 - w4 + w6);
     result[2] = -kappa * w0_2 *
         (2.0 * B * alpha_2 * kappa_2 * sigma - B * sigma_4 * w11 + B_2 * kappa_2 * sigma_2 + 20.0 * alpha * kappa_2 * sigma_3 + 15.0 * alpha_2 * kappa_2 * sigma_2 - alpha_2 * sigma_4 + 5.0 * kappa_2 * sigma_4 - sigma_4 * w10 - 13.0 * w12 - 16.0 * w14 - w15 * w16 - w24 - w9);
     result[3] = -w0_2 * w7 *
@@ -1325,7 +1325,7 @@ INLINE WideQuartic wide_quartic(Wide a, Wide b, Wide d, Wide m) {
 /* Coefficients of the cubic r0 + r1 l + r2 l^2 + l^3 with the discriminant of the quartic in t. */
 INLINE Wides3 wide_resolvent(Wide a_f, Wide b_f, Wide d_f, Wide m_f) {
     const Wides3 result = {dd_scaled(dd_multiply(dd_negative(b_f), dd_add(dd_multiply(a_f, d_f), dd_multiply(b_f, m_f))), 0.25),
-        dd_add(dd_add(dd_scaled(dd_negative(dd_multiply(a_f, a_f)), 0.25), dd_scaled(dd_multiply(b_f, b_f), 0.25)), dd_scaled(dd_multiply(d_f, d_f), 0.25)),
+        dd_add(dd_add(dd_scaled(dd_multiply(dd_negative(a_f), a_f), 0.25), dd_scaled(dd_multiply(b_f, b_f), 0.25)), dd_scaled(dd_multiply(d_f, d_f), 0.25)),
         dd_negative(m_f)};
     return result;
 }
@@ -1507,7 +1507,7 @@ INLINE Wides4 wide_stiffness(Wide cos_theta, Wide sin_theta, Wide L, Wide mu0, W
     const Wide w0 = dd_divide(sigma, L);
     const Wide w1 = dd_multiply(dd_multiply(cos_theta, sin_theta), w0);
     const Wides4 result = {dd_add(p, dd_negative(dd_multiply(dd_multiply(sin_theta, sin_theta), w0))), dd_add(M, w1), w1,
-        dd_add(dd_multiply(dd_negative(dd_multiply(cos_theta, cos_theta)), w0), q)};
+        dd_add(dd_multiply(dd_multiply(dd_negative(cos_theta), cos_theta), w0), q)};
     return result;
 }
 
@@ -2542,15 +2542,14 @@ spragsym_status spragsym_contact_quartic(double cos0, double sin0, double mu0, d
     const double b1_2 = square(b1);
     const double sigma_2 = square(sigma);
     const double b2_2 = square(b2);
-    const double w0 = -sigma_2;
-    const double w1 = b2_2 + w0;
+    const double w1 = b2_2 - sigma_2;
     const double w2 = 2.0 * sigma;
     const double base3 = mu0 * b2 - b1 * q;
     const double p_2 = square(p);
     const double q_2 = square(q);
     const double w3 = p * q;
     value[0] = sigma_2 * (b1_2 + w1);
-    value[1] = w2 * (mu0 * b1 * b2 - p * w1 - q * (b1_2 + w0));
+    value[1] = w2 * (mu0 * b1 * b2 - p * w1 - q * (b1_2 - sigma_2));
     value[2] = b2_2 * p_2 + square(base3) - sigma_2 * (p_2 + q_2 + 4.0 * w3);
     value[3] = w2 * w3 * (p + q);
     value[4] = -p_2 * q_2;
@@ -2571,14 +2570,13 @@ spragsym_status spragsym_liftoff_quartic(double cos0, double sin0, double kappa,
     const double b1_2 = square(b1);
     const double sigma_2 = square(sigma);
     const double b2_2 = square(b2);
-    const double w0 = -sigma_2;
-    const double w1 = b2_2 + w0;
+    const double w1 = b2_2 - sigma_2;
     const double w2 = 2.0 * sigma;
     const double p_2 = square(p);
     const double q_2 = square(q);
     const double w3 = p * q;
     value[0] = sigma_2 * (b1_2 + w1);
-    value[1] = w2 * (-p * w1 - q * (b1_2 + w0));
+    value[1] = w2 * (-p * w1 - q * (b1_2 - sigma_2));
     value[2] = b1_2 * q_2 + b2_2 * p_2 - sigma_2 * (p_2 + q_2 + 4.0 * w3);
     value[3] = w2 * w3 * (p + q);
     value[4] = -p_2 * q_2;

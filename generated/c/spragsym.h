@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "a66a37bd79f91350"
+#define SPRAGSYM_SOURCE "f85bac51badc1508"
 
 /** What became of a call. */
 typedef enum {
@@ -196,12 +196,12 @@ spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters
  */
 
 /** Coefficients of c0 + c1 L + c2 L^2 + c3 L^3 + c4 L^4 = 0 in contact. Result: c0, c1, c2, c3, c4. Source: (21), (A1)-(A5).
- * Operations: 45. */
+ * Operations: 44. */
 spragsym_status spragsym_contact_quartic(double cos0, double sin0, double mu0, double kappa, double alpha, double sigma,
     double beta, double result[5]);
 
 /** Coefficients of d0 + d1 L + d2 L^2 + d3 L^3 + d4 L^4 = 0 in lift-off, d0 as derived. Result: d0, d1, d2, d3, d4. Source:
- * (26), (A1) corrected, (A6)-(A9). Operations: 37. */
+ * (26), (A1) corrected, (A6)-(A9). Operations: 36. */
 spragsym_status spragsym_liftoff_quartic(double cos0, double sin0, double kappa, double alpha, double sigma, double beta,
     double result[5]);
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
@@ -34,14 +35,15 @@ class AlgebraPrinter(StrPrinter):
 
     #: A name for 1 in the number type of the arguments, of which a fraction that stands by itself is made; without it none may.
     one = ""
-    #: Names for which something else is printed: a power, or another name.
+    #: Names for which something else is printed: a power, another name, or minus one.
     inlined: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
+    negated: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
 
     @classmethod
     def of(cls, body: Body, one: str = "") -> AlgebraPrinter:
         """A printer for the statements of a function."""
         printer = cls({"order": None})
-        printer.inlined, printer.one = body.inlined, one
+        printer.inlined, printer.negated, printer.one = body.inlined, body.negated, one
         return printer
 
     def square(self, base: sp.Expr) -> str:
@@ -49,8 +51,17 @@ class AlgebraPrinter(StrPrinter):
         return f"{self._print(base)}*{self._print(base)}"
 
     def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
+        if item in self.negated:  # a factor, of a product that turns its own sign
+            return str(self._print(-self.negated[item]))
         text = str(super().parenthesize(item, level, strict))
         return f"({text})" if item in self.inlined and "*" in text else text
+
+    def _print_Mul(self, expression: sp.Mul) -> str:
+        # A square that comes first is computed first without brackets.
+        text = re.sub(r"^(-?)\((\w+\*\w+)\)", r"\1\2", super()._print_Mul(expression))
+        if sum(factor in self.negated for factor in expression.args) % 2 == 0:
+            return text
+        return text.removeprefix("-") if text.startswith("-") else f"-{text}"
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
         value = self.inlined.get(expression)

@@ -86,7 +86,7 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, *, x
 
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 37."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     w1 = cos0 - x
     w5 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w5*w5)
@@ -104,7 +104,7 @@ def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, 
 def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 40."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     w1 = sin0 - y
     w2 = cos0 - x
     l1 = xp.sqrt(w1*w1 + w2*w2)
@@ -112,22 +112,21 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, b
     s1 = w0*w1
     c1 = w0*w2
     w3 = _stuck - 1
-    w4 = (s1*s1)*w0
+    w4 = s1*s1*w0
     w5 = pushing*ratio*side
     w6 = c1*s1*w0
     return (
         (alpha*w3 + sigma*(-_stuck*w4 + w3 + w4), mu0*(_stuck*w5 - w5) + sigma*(_stuck*w6 - w6), 0, 0),
-        (-sigma*w6, -beta - pushing + sigma*((c1*c1)*w0 - 1), 0, 0),
+        (-sigma*w6, -beta - pushing + sigma*(c1*c1*w0 - 1), 0, 0),
     )
 
 
 def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
     Operations: 57."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     w1 = cos0 - x
-    w2 = -y
-    w3 = sin0 + w2
+    w3 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w3*w3)
     w0 = 1/l1
     c1 = w0*w1
@@ -142,7 +141,7 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sig
             (sigma*(-_stuck*s1_2*sin0*w0 + _stuck*sin0 + c1*cos0*s1*w0 - s1*w4*w5 + s1_2*sin0*w0 - sin0), ratio*w7, mu0*w7, 0,
             w6*x, -_stuck*cos0 + _stuck*x - c1 + w1 + w4, 0, 0)
         ),
-        (sigma*(-c1*s1*sin0*w0 - (c1*c1)*w5 + cos0), 0, 0, -1, 0, -s1 + sin0 - y, w2, 0),
+        (sigma*(-c1*s1*sin0*w0 - c1*c1*w5 + cos0), 0, 0, -1, 0, -s1 + sin0 - y, -y, 0),
     )
 
 
@@ -187,8 +186,7 @@ def grip_slopes(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta,
     """Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters. Returns
     ((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …). Source: the page. Operations: 57."""
     w1 = sin0 - y
-    w2 = -x
-    w3 = cos0 + w2
+    w3 = cos0 - x
     l1 = xp.sqrt(w1*w1 + w3*w3)
     w0 = 1/l1
     s1 = w0*w1
@@ -209,7 +207,7 @@ def grip_slopes(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta,
     w16 = c1 - cos0 + x
     return (
         (0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, 1),
-        (-alpha - sigma*w4, -mu0*w9 - w6, 0, 0, sigma*w10, w14, w15, 0, w2, -w16, 0, 0),
+        (-alpha - sigma*w4, -mu0*w9 - w6, 0, 0, sigma*w10, w14, w15, 0, -x, -w16, 0, 0),
         (alpha + sigma*w4, -mu0*w9 + w6, 0, 0, -sigma*w10, w14, w15, 0, x, w16, 0, 0),
     )
 
@@ -220,8 +218,8 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, p
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base8 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*w0 + kappa*y + pushing*w0 + (vx*vx)/2 + (vy*vy)/2
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + kappa*y + pushing*w0 + vx*vx/2 + vy*vy/2
 
 
 def strain_energy(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, *, xp=numpy):
@@ -231,13 +229,13 @@ def strain_energy(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pu
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base6 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
 
 
 def friction_force(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 24."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     base3 = sin0 - y
     w0 = cos0 - x
     l1 = xp.sqrt(base3*base3 + w0*w0)

@@ -117,7 +117,7 @@ def friction_slope_by_sizes(mu_s, mu_k, V):
 def rhs(x, vx, mu_s, mu_k, V, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 10."""
     side = xp.sign(V - vx)
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     mu = mu_k*side
     _friction = _stuck*x + mu*(1 - _stuck)
     return (_friction - x,)
@@ -125,7 +125,7 @@ def rhs(x, vx, mu_s, mu_k, V, *, xp=numpy):
 
 def regime_rhs(x, vx, mu_s, mu_k, V, pushing, side):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 8."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     mu = mu_k*side
     _friction = _stuck*x + mu*(1 - _stuck)
     return (_friction - x,)
@@ -134,14 +134,14 @@ def regime_rhs(x, vx, mu_s, mu_k, V, pushing, side):
 def regime_jacobian(x, vx, mu_s, mu_k, V, pushing, side):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 3."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     return ((_stuck - 1, 0),)
 
 
 def regime_by_parameters(x, vx, mu_s, mu_k, V, pushing, side):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
     Operations: 4."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     return ((0, side*(1 - _stuck), 0),)
 
 
@@ -187,18 +187,18 @@ def grip_slopes(x, vx, mu_s, mu_k, V, pushing, side, *, xp=numpy):
 
 def energy(x, vx, mu_s, mu_k, V, pushing):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 5."""
-    return (vx*vx)/2 + (x*x)/2
+    return vx*vx/2 + x*x/2
 
 
 def strain_energy(x, mu_s, mu_k, V, pushing):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 2."""
-    return (x*x)/2
+    return x*x/2
 
 
 def friction_force(x, vx, mu_s, mu_k, V, pushing, side):
     """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 7."""
-    _stuck = 1 - (side*side)
+    _stuck = 1 - side*side
     mu = mu_k*side
     _friction = _stuck*x + mu*(1 - _stuck)
     return _friction

@@ -109,7 +109,7 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gam
     w1 = mu*pushing
     w2 = 3*gamma*(y*y)
     w3 = c1*s1*sigma*w0
-    return ((alpha + sigma*(-(s1*s1)*w0 + 1), w1*w2 + w1 + w3), (w3, beta + pushing*w2 + pushing + sigma*(-(c1*c1)*w0 + 1)))
+    return ((alpha + sigma*(-s1*s1*w0 + 1), w1*w2 + w1 + w3), (w3, beta + pushing*w2 + pushing + sigma*(-c1*c1*w0 + 1)))
 
 
 def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing):
@@ -123,8 +123,8 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
     y_2 = y*y
     w5 = pushing*(y*y_2)
     return (
-        (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, mu*w5, pushing*y*(gamma*y_2 + 1)),
-        (sigma*((c1*c1)*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, w5, 0),
+        (sigma*(-s1*s1*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, mu*w5, pushing*y*(gamma*y_2 + 1)),
+        (sigma*(c1*c1*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, w5, 0),
     )
 
 
@@ -190,8 +190,8 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, ga
     w6 = 3*w5
     w7 = c1*s1*sigma*w0
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1), -w4*w6 - w4 - w7, d*mu0*pushing*w3*y*(w5 + 1), 0),
-        (-w7, -beta - pushing*w6 - pushing + sigma*((c1*c1)*w0 - 1), 0, 0),
+        (-alpha + sigma*(s1*s1*w0 - 1), -w4*w6 - w4 - w7, d*mu0*pushing*w3*y*(w5 + 1), 0),
+        (-w7, -beta - pushing*w6 - pushing + sigma*(c1*c1*w0 - 1), 0, 0),
     )
 
 
@@ -199,11 +199,9 @@ def regime_by_parameters(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 73."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 68."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
@@ -212,20 +210,18 @@ def regime_by_parameters(
     w6 = w5 - 1
     mu = -mu0*side*w6
     w10 = c1*s1
-    w7 = -sin0
     w8 = sin0*w0
     w9 = cos0*w0
     w11 = pushing*y
     y_2 = y*y
-    w12 = -cos0
     w13 = pushing*(y*y_2)
     w14 = mu0*w11*w5
     return (
         (
-            (sigma*((s1*s1)*w8 + w10*w9 + w7), side*w11*(gamma*(w5*y_2 - y_2) + w6), 0, w1, -c1 - w12 - x, 0, -mu*w13,
+            (sigma*(s1*s1*w8 + w10*w9 - sin0), side*w11*(gamma*(w5*y_2 - y_2) + w6), 0, -x, -c1 + cos0 - x, 0, -mu*w13,
             -d*w14*(gamma*y_2 + 1), w14*(-V + gamma*(-V*y_2 + vx*y_2) + vx))
         ),
-        (sigma*(-(c1*c1)*w9 - w10*w8 - w12), 0, -1, 0, -s1 - w7 - y, w3, -w13, 0, 0),
+        (sigma*(-c1*c1*w9 - w10*w8 + cos0), 0, -1, 0, -s1 + sin0 - y, -y, -w13, 0, 0),
     )
 
 
@@ -261,9 +257,7 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d
     base9 = l1 - 1
     y_2 = y*y
     w0 = y_2/2
-    return (
-        alpha*(x*x)/2 + (base9*base9)*sigma/2 + beta*w0 + kappa*y + pushing*(gamma*(y_2*y_2)/4 + w0) + (vx*vx)/2 + (vy*vy)/2
-    )
+    return alpha*(x*x)/2 + base9*base9*sigma/2 + beta*w0 + kappa*y + pushing*(gamma*(y_2*y_2)/4 + w0) + vx*vx/2 + vy*vy/2
 
 
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, *, xp=numpy):
@@ -275,7 +269,7 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d,
     base7 = l1 - 1
     y_2 = y*y
     w0 = y_2/2
-    return alpha*(x*x)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*(gamma*(y_2*y_2)/4 + w0)
+    return alpha*(x*x)/2 + base7*base7*sigma/2 + beta*w0 + pushing*(gamma*(y_2*y_2)/4 + w0)
 
 
 def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy):

@@ -69,7 +69,7 @@ def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     15."""
     w0 = c1*s1*zeta_s
-    return (((c1*c1)*zeta_s - d*mu0*pushing*y*xp.exp(-V*d) + zeta_x, w0), (w0, (s1*s1)*zeta_s + zeta_y))
+    return ((c1*c1*zeta_s - d*mu0*pushing*y*xp.exp(-V*d) + zeta_x, w0), (w0, s1*s1*zeta_s + zeta_y))
 
 
 def friction_slope(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
@@ -108,8 +108,8 @@ def regime_rhs(
     w4 = vy*zeta_s
     w5 = c1*s1
     return (
-        -c1*sigma - (c1*c1)*w3 + cos0*sigma - mu*pushing*y - vx*zeta_x - w4*w5 - x*(alpha + sigma),
-        -kappa - s1*sigma - (s1*s1)*w4 + sigma*sin0 - vy*zeta_y - w3*w5 - y*(beta + pushing + sigma),
+        -c1*sigma - c1*c1*w3 + cos0*sigma - mu*pushing*y - vx*zeta_x - w4*w5 - x*(alpha + sigma),
+        -kappa - s1*sigma - s1*s1*w4 + sigma*sin0 - vy*zeta_y - w3*w5 - y*(beta + pushing + sigma),
     )
 
 
@@ -156,11 +156,9 @@ def regime_by_parameters(
     xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 111."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 106."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
@@ -176,13 +174,10 @@ def regime_by_parameters(
     w6 = sin0*w0
     w15 = vy*w6
     w16 = c1*vx
-    w5 = -sin0
     w7 = s1_2*w6
-    w17 = -vx
-    w18 = V + w17
+    w18 = V - vx
     w19 = near1*xp.exp(-d*side*w18)
     w20 = pushing*y
-    w21 = -cos0
     w22 = w14 + w16
     w23 = mu0*w19*w20
     c1_2 = c1*c1
@@ -191,12 +186,12 @@ def regime_by_parameters(
     w25 = s1*w6
     return (
         (
-            (sigma*(s1*w9 + w5 + w7) + zeta_s*(s1*w12 + 2*s1_2*w10 - w10 - w11*w13 + w13*w15 - w14*w6 + 2*w16*w7),
-            side*w20*(w19 - 1), 0, w1, -c1 - w21 - x, 0, w17, 0, -c1*w22, -d*w23, -w18*w23)
+            (sigma*(s1*w9 - sin0 + w7) + zeta_s*(s1*w12 + 2*s1_2*w10 - w10 - w11*w13 + w13*w15 - w14*w6 + 2*w16*w7),
+            side*w20*(w19 - 1), 0, -x, -c1 + cos0 - x, 0, -vx, 0, -c1*w22, -d*w23, -w18*w23)
         ),
         (
-            (sigma*(-c1*w25 - w21 - w24) + zeta_s*(c1*cos0*vx*w0 - 2*c1*w15 - 2*c1_2*vx*w25 + 2*c1_3*sin0*vy*w0 - c1_3*w12 +
-            s1*sin0*vx*w0 - 2*w14*w24), 0, -1, 0, -s1 - w5 - y, w3, 0, -vy, -s1*w22, 0, 0)
+            (sigma*(-c1*w25 + cos0 - w24) + zeta_s*(c1*cos0*vx*w0 - 2*c1*w15 - 2*c1_2*vx*w25 + 2*c1_3*sin0*vy*w0 - c1_3*w12 +
+            s1*sin0*vx*w0 - 2*w14*w24), 0, -1, 0, -s1 + sin0 - y, -y, 0, -vy, -s1*w22, 0, 0)
         ),
     )
 
@@ -231,8 +226,8 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zet
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base8 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*w0 + kappa*y + pushing*w0 + (vx*vx)/2 + (vy*vy)/2
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + kappa*y + pushing*w0 + vx*vx/2 + vy*vy/2
 
 
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):
@@ -242,8 +237,8 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base6 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
 
 
 def friction_force(
@@ -265,7 +260,7 @@ def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_
     s1 = w0*w2
     vx_2 = vx*vx
     vy_2 = vy*vy
-    return -2*c1*s1*vx*vy*zeta_s - (c1*c1)*vx_2*zeta_s - (s1*s1)*vy_2*zeta_s - vx_2*zeta_x - vy_2*zeta_y
+    return -2*c1*s1*vx*vy*zeta_s - c1*c1*vx_2*zeta_s - s1*s1*vy_2*zeta_s - vx_2*zeta_x - vy_2*zeta_y
 
 
 def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):

@@ -40,7 +40,7 @@ from ..kang_nam.algebra import (
 def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 25."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     root2 = xp.sqrt(_depth)
     w0 = _depth*pushing*root2
     return (c1*sigma - cos0*sigma - mu*w0 + x*(alpha + sigma), kappa + s1*sigma - sigma*sin0 - w0 + y*(beta + sigma))
@@ -49,7 +49,7 @@ def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing,
 def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """The normal force of the contact. Returns N. Source: the page. Operations: 9."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     root2 = xp.sqrt(_depth)
     return _depth*pushing*root2
 
@@ -58,7 +58,7 @@ def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pu
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 15."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     root2 = xp.sqrt(_depth)
     w0 = _depth*pushing*root2
     return (alpha*x - mu*w0, beta*y + kappa - w0)
@@ -68,18 +68,18 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu,
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 27."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     w0 = 1/l1
     w1 = 3*xp.sqrt(_depth)*pushing/2
     w2 = c1*s1*sigma*w0
-    return ((alpha + sigma*(-(s1*s1)*w0 + 1), mu*w1 + w2), (w2, beta + sigma*(-(c1*c1)*w0 + 1) + w1))
+    return ((alpha + sigma*(-s1*s1*w0 + 1), mu*w1 + w2), (w2, beta + sigma*(-c1*c1*w0 + 1) + w1))
 
 
 def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 29."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     w0 = 1/l1
     w1 = sin0*w0
     w2 = cos0*w0
@@ -87,8 +87,8 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
     w4 = 1 - l1
     root3 = xp.sqrt(_depth)
     return (
-        (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, -_depth*pushing*root3),
-        (sigma*((c1*c1)*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, 0),
+        (sigma*(-s1*s1*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, -_depth*pushing*root3),
+        (sigma*(c1*c1*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, 0),
     )
 
 
@@ -97,7 +97,7 @@ def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, 
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     14."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     root2 = xp.sqrt(_depth)
     return ((_depth*d*mu0*pushing*root2*xp.exp(-V*d), 0), (0, 0))
 
@@ -111,7 +111,7 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=nu
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 45."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     w1 = cos0 - x
     w2 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w2*w2)
@@ -135,7 +135,7 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V,
     w0 = 1/l1
     s1 = w0*w1
     base4 = 1 - pushing
-    _depth = (base4*base4)/1099511627776 - pushing*y
+    _depth = base4*base4/1099511627776 - pushing*y
     c1 = w0*w2
     w3 = near1*xp.exp(-d*side*(V - vx))
     mu = mu0*side*(1 - w3)
@@ -143,25 +143,22 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V,
     w5 = 3*pushing*w4/2
     w6 = c1*s1*sigma*w0
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1), -mu*w5 - w6, -_depth*d*mu0*pushing*w3*w4, 0),
-        (-w6, -beta + sigma*((c1*c1)*w0 - 1) - w5, 0, 0),
+        (-alpha + sigma*(s1*s1*w0 - 1), -mu*w5 - w6, -_depth*d*mu0*pushing*w3*w4, 0),
+        (-w6, -beta + sigma*(c1*c1*w0 - 1) - w5, 0, 0),
     )
 
 
 def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 58."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 53."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
     s1 = w0*w4
     base4 = 1 - pushing
-    _depth = (base4*base4)/1099511627776 - pushing*y
-    w5 = -sin0
+    _depth = base4*base4/1099511627776 - pushing*y
     w6 = sin0*w0
     w7 = cos0*w0
     w8 = c1*s1
@@ -169,26 +166,25 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, bet
     w10 = near1*xp.exp(-d*side*w9)
     root7 = xp.sqrt(_depth)
     w11 = _depth*pushing*root7
-    w12 = -cos0
     w13 = mu0*w10*w11
     return (
-        (sigma*((s1*s1)*w6 + w5 + w7*w8), side*w11*(1 - w10), 0, w1, -c1 - w12 - x, 0, d*w13, w13*w9),
-        (sigma*(-(c1*c1)*w7 - w12 - w6*w8), 0, -1, 0, -s1 - w5 - y, w3, 0, 0),
+        (sigma*(s1*s1*w6 - sin0 + w7*w8), side*w11*(1 - w10), 0, -x, -c1 + cos0 - x, 0, d*w13, w13*w9),
+        (sigma*(-c1*c1*w7 + cos0 - w6*w8), 0, -1, 0, -s1 + sin0 - y, -y, 0, 0),
     )
 
 
 def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 40."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     base2 = cos0 - x
     base4 = sin0 - y
     l1 = xp.sqrt(base2*base2 + base4*base4)
     base10 = l1 - 1
     root12 = xp.sqrt(_depth)
     return (
-        2*(_depth*_depth)*pushing*root12/5 + alpha*(x*x)/2 + (base10*base10)*sigma/2 + beta*(y*y)/2 + kappa*y + (vx*vx)/2 +
-        (vy*vy)/2
+        2*(_depth*_depth)*pushing*root12/5 + alpha*(x*x)/2 + base10*base10*sigma/2 + beta*(y*y)/2 + kappa*y + vx*vx/2 +
+        vy*vy/2
     )
 
 
@@ -196,19 +192,19 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 32."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     base2 = cos0 - x
     base4 = sin0 - y
     l1 = xp.sqrt(base2*base2 + base4*base4)
     base8 = l1 - 1
     root10 = xp.sqrt(_depth)
-    return 2*(_depth*_depth)*pushing*root10/5 + alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*(y*y)/2
+    return 2*(_depth*_depth)*pushing*root10/5 + alpha*(x*x)/2 + base8*base8*sigma/2 + beta*(y*y)/2
 
 
 def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 18."""
     base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = base0*base0/1099511627776 - pushing*y
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     root2 = xp.sqrt(_depth)
     return _depth*mu*pushing*root2

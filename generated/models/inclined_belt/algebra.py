@@ -105,7 +105,7 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gam
     Operations: 17."""
     w0 = 1/l1
     w1 = c1*s1*sigma*w0
-    return ((alpha + sigma*(-(s1*s1)*w0 + 1), mu*pushing + w1), (w1, beta + pushing + sigma*(-(c1*c1)*w0 + 1)))
+    return ((alpha + sigma*(-s1*s1*w0 + 1), mu*pushing + w1), (w1, beta + pushing + sigma*(-c1*c1*w0 + 1)))
 
 
 def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi, mu, pushing):
@@ -117,8 +117,8 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
     w3 = c1*s1
     w4 = 1 - l1
     return (
-        (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, sin_psi, cos_psi*gamma_g, pushing*y),
-        (sigma*((c1*c1)*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, cos_psi, -gamma_g*sin_psi, 0),
+        (sigma*(-s1*s1*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, sin_psi, cos_psi*gamma_g, pushing*y),
+        (sigma*(c1*c1*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, cos_psi, -gamma_g*sin_psi, 0),
     )
 
 
@@ -190,8 +190,8 @@ def regime_jacobian(
     mu = mu0*side*(1 - w3)
     w4 = c1*s1*sigma*w0
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1), -mu*pushing - w4, d*mu0*pushing*w3*y, 0),
-        (-w4, -beta - pushing + sigma*((c1*c1)*w0 - 1), 0, 0),
+        (-alpha + sigma*(s1*s1*w0 - 1), -mu*pushing - w4, d*mu0*pushing*w3*y, 0),
+        (-w4, -beta - pushing + sigma*(c1*c1*w0 - 1), 0, 0),
     )
 
 
@@ -200,30 +200,26 @@ def regime_by_parameters(
     xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 57."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 52."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
     s1 = w0*w4
-    w5 = -sin0
     w6 = sin0*w0
     w7 = cos0*w0
     w8 = c1*s1
     w9 = V - vx
     w10 = near1*xp.exp(-d*side*w9)
     w11 = pushing*y
-    w12 = -cos0
     w13 = mu0*w10*w11
     return (
         (
-            (sigma*((s1*s1)*w6 + w5 + w7*w8), side*w11*(w10 - 1), 0, w1, -c1 - w12 - x, 0, -sin_psi, -cos_psi*gamma_g, -d*w13,
-            -w13*w9)
+            (sigma*(s1*s1*w6 - sin0 + w7*w8), side*w11*(w10 - 1), 0, -x, -c1 + cos0 - x, 0, -sin_psi, -cos_psi*gamma_g,
+            -d*w13, -w13*w9)
         ),
-        (sigma*(-(c1*c1)*w7 - w12 - w6*w8), 0, -1, 0, -s1 - w5 - y, w3, -cos_psi, gamma_g*sin_psi, 0, 0),
+        (sigma*(-c1*c1*w7 + cos0 - w6*w8), 0, -1, 0, -s1 + sin0 - y, -y, -cos_psi, gamma_g*sin_psi, 0, 0),
     )
 
 
@@ -257,10 +253,10 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, co
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base8 = l1 - 1
-    w0 = (y*y)/2
+    w0 = y*y/2
     return (
-        alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*w0 + cos_psi*gamma_g*y + gamma_g*sin_psi*x + kappa*y + pushing*w0 +
-        (vx*vx)/2 + (vy*vy)/2
+        alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + cos_psi*gamma_g*y + gamma_g*sin_psi*x + kappa*y + pushing*w0 + vx*vx/2
+        + vy*vy/2
     )
 
 
@@ -271,8 +267,8 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base6 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
 
 
 def friction_force(

@@ -99,7 +99,7 @@ export const algebra = Object.freeze({
   forces_jacobian(x_, y_, c1_, s1_, l1_, cos0_, sin0_, kappa_, alpha_, sigma_, beta_, mu_, pushing_) {
     const w0 = 1/l1_;
     const w1 = c1_*s1_*sigma_*w0;
-    return [[alpha_ + sigma_*(-(s1_*s1_)*w0 + 1), mu_*pushing_ + w1], [w1, beta_ + pushing_ + sigma_*(-(c1_*c1_)*w0 + 1)]];
+    return [[alpha_ + sigma_*(-s1_*s1_*w0 + 1), mu_*pushing_ + w1], [w1, beta_ + pushing_ + sigma_*(-c1_*c1_*w0 + 1)]];
   },
 
   // M of the kinetic energy. Source: the page. Operations: 0.

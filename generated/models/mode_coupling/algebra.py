@@ -91,8 +91,7 @@ def forces_jacobian(x, y, alpha, sigma, beta, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 6."""
     w0 = sigma/2
-    w1 = -w0
-    return ((alpha + w0, mu + w1), (w1, beta + w0 + 1))
+    return ((alpha + w0, mu - w0), (-w0, beta + w0 + 1))
 
 
 def forces_by_parameters(x, y, alpha, sigma, beta, mu, pushing):
@@ -192,7 +191,7 @@ def energy(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing):
     w0 = y_2/2
     w1 = sigma/4
     x_2 = x*x
-    return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + (vx*vx)/2 + (vy*vy)/2 + w0 + w1*x_2 + w1*y_2 + y
+    return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + vx*vx/2 + vy*vy/2 + w0 + w1*x_2 + w1*y_2 + y
 
 
 def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing):

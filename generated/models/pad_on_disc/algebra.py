@@ -117,17 +117,15 @@ def forces_apart(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_
 
 def forces_jacobian(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
-    Operations: 21."""
+    Operations: 23."""
     w0 = 1/l1
     w1 = mu*pushing
     w2 = c1*s1*sigma*w0
-    w3 = -pushing
-    w4 = -sigma_p
     return (
-        (alpha + sigma*(-(s1*s1)*w0 + 1), w1 + w2, -w1, 0),
-        (w2, pushing + sigma*(-(c1*c1)*w0 + 1) + sigma_p, w3, w4),
-        (0, w3, pushing + sigma_w, 0),
-        (0, w4, 0, sigma_p),
+        (alpha + sigma*(-s1*s1*w0 + 1), w1 + w2, -w1, 0),
+        (w2, pushing + sigma*(-c1*c1*w0 + 1) + sigma_p, -pushing, -sigma_p),
+        (0, -pushing, pushing + sigma_w, 0),
+        (0, -sigma_p, 0, sigma_p),
     )
 
 
@@ -141,8 +139,8 @@ def forces_by_parameters(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma
     w4 = 1 - l1
     w5 = y - z
     return (
-        (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, 0, pushing*(-w + y)),
-        (sigma*((c1*c1)*w2 - cos0 + w1*w3), 0, 0, s1*w4, w5, 0, 0),
+        (sigma*(-s1*s1*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, 0, pushing*(-w + y)),
+        (sigma*(c1*c1*w2 - cos0 + w1*w3), 0, 0, s1*w4, w5, 0, 0),
         (0, 0, 0, 0, 0, w, 0),
         (0, 1, 0, 0, -w5, 0, 0),
     )
@@ -179,7 +177,7 @@ def rhs(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *,
     xp=numpy,
 ):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 59."""
+    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 57."""
     return (
         everywhere(borders, regime_rhs, (x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w,
         nu_z, nu_w, zeta_w, V, d), xp)
@@ -212,9 +210,8 @@ def regime_jacobian(
     side, near1, *, xp=numpy,
 ):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
-    page. Operations: 52."""
-    w1 = -y
-    w2 = sin0 + w1
+    page. Operations: 50."""
+    w2 = sin0 - y
     w3 = cos0 - x
     l1 = xp.sqrt(w2*w2 + w3*w3)
     w0 = 1/l1
@@ -227,8 +224,8 @@ def regime_jacobian(
     w7 = 1/nu_w
     w8 = sigma_p/nu_z
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1), -w5 - w6, w5, 0, d*mu0*pushing*w4*(-w - w1), 0, 0, 0),
-        (-w6, -pushing + sigma*((c1*c1)*w0 - 1) - sigma_p, pushing, sigma_p, 0, 0, 0, 0),
+        (-alpha + sigma*(s1*s1*w0 - 1), -w5 - w6, w5, 0, d*mu0*pushing*w4*(-w + y), 0, 0, 0),
+        (-w6, -pushing + sigma*(c1*c1*w0 - 1) - sigma_p, pushing, sigma_p, 0, 0, 0, 0),
         (0, pushing*w7, -w7*(pushing + sigma_w), 0, 0, 0, -w7*zeta_w, 0),
         (0, w8, 0, -w8, 0, 0, 0, 0),
     )
@@ -239,36 +236,31 @@ def regime_by_parameters(
     side, near1, *, xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 84."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 78."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
     s1 = w0*w4
-    w5 = -sin0
     w6 = sin0*w0
     w7 = cos0*w0
     w8 = c1*s1
     w9 = xp.exp(-d*side*(V - vx))
     w10 = near1*w9
-    w11 = -cos0
-    w12 = w + w3
+    w12 = w - y
     w13 = mu0*pushing*w10
     w14 = y - z
-    w15 = -w14
     w16 = 1/nu_w
     w17 = 1/nu_z
     return (
         (
-            (sigma*((s1*s1)*w6 + w5 + w7*w8), pushing*side*(near1*w9*y - w*w10 + w - y), 0, w1, -c1 - w11 - x, 0, 0, 0, 0, 0,
+            (sigma*(s1*s1*w6 - sin0 + w7*w8), pushing*side*(near1*w9*y - w*w10 + w - y), 0, -x, -c1 + cos0 - x, 0, 0, 0, 0, 0,
             d*w12*w13, w13*(V*w12 - vx*w + vx*y))
         ),
-        (sigma*(-(c1*c1)*w7 - w11 - w6*w8), 0, 0, 0, -s1 - w5 - y, w15, 0, 0, 0, 0, 0, 0),
+        (sigma*(-c1*c1*w7 + cos0 - w6*w8), 0, 0, 0, -s1 + sin0 - y, -w14, 0, 0, 0, 0, 0, 0),
         (0, 0, 0, 0, 0, 0, -w*w16, 0, (pushing*w - pushing*y + sigma_w*w + vw*zeta_w)/(nu_w*nu_w), -vw*w16, 0, 0),
-        (0, 0, -w17, 0, 0, w14*w17, 0, (kappa + sigma_p*w15)/(nu_z*nu_z), 0, 0, 0, 0),
+        (0, 0, -w17, 0, 0, w14*w17, 0, (kappa - sigma_p*w14)/(nu_z*nu_z), 0, 0, 0, 0),
     )
 
 
@@ -313,11 +305,11 @@ def energy(
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base11 = l1 - 1
-    w0 = (y*y)/2
-    w1 = (w*w)/2
+    w0 = y*y/2
+    w1 = w*w/2
     return (
-        alpha*(x*x)/2 + (base11*base11)*sigma/2 + kappa*z + nu_w*(vw*vw)/2 + nu_z*(vz*vz)/2 + pushing*(-w*y + w0 + w1) +
-        sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 + sigma_w*w1 + (vx*vx)/2 + (vy*vy)/2
+        alpha*(x*x)/2 + base11*base11*sigma/2 + kappa*z + nu_w*(vw*vw)/2 + nu_z*(vz*vz)/2 + pushing*(-w*y + w0 + w1) +
+        sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 + sigma_w*w1 + vx*vx/2 + vy*vy/2
     )
 
 
@@ -330,10 +322,10 @@ def strain_energy(
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base7 = l1 - 1
-    w0 = (y*y)/2
-    w1 = (w*w)/2
+    w0 = y*y/2
+    w1 = w*w/2
     return (
-        alpha*(x*x)/2 + (base7*base7)*sigma/2 + pushing*(-w*y + w0 + w1) + sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 +
+        alpha*(x*x)/2 + base7*base7*sigma/2 + pushing*(-w*y + w0 + w1) + sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 +
         sigma_w*w1
     )
 
@@ -351,7 +343,7 @@ def damper_power(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d,
 ):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
-    return -(vw*vw)*zeta_w
+    return -vw*vw*zeta_w
 
 
 def applied_power(

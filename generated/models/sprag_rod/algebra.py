@@ -106,7 +106,7 @@ def forces_apart(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu,
     w0 = xp.cos(phi)
     w1 = mu*pushing
     w2 = pushing*xp.sin(phi)
-    return (-cos0*w0*w1 + cos0*w2 - w0*w2 + (w0*w0)*w1,)
+    return (-cos0*w0*w1 + cos0*w2 - w0*w2 + w0*w0*w1,)
 
 
 def forces_jacobian(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
@@ -164,7 +164,7 @@ def damping(phi, c1, s1, l1, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, 
     base0 = xp.cos(phi)
     base0_2 = base0*base0
     w0 = xp.exp(-V*d)
-    return ((mu0*(-base0_2*cos0*d*pushing*w0 + (base0*base0_2)*d*pushing*w0) + zeta,),)
+    return ((mu0*(-base0_2*cos0*d*pushing*w0 + base0*base0_2*d*pushing*w0) + zeta,),)
 
 
 def friction_slope(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
@@ -306,7 +306,7 @@ def border_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 7."""
     w0 = xp.sin(phi)
-    return (vphi*w0, aphi*xp.cos(phi) - (vphi*vphi)*w0)
+    return (vphi*w0, aphi*xp.cos(phi) - vphi*vphi*w0)
 
 
 def layers(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, side, *, xp=numpy):
@@ -319,7 +319,7 @@ def layer_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta,
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     9."""
     w0 = d*side
-    return (aphi*w0*xp.cos(phi) - (vphi*vphi)*w0*xp.sin(phi),)
+    return (aphi*w0*xp.cos(phi) - vphi*vphi*w0*xp.sin(phi),)
 
 
 def turning_borders(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, way1, *, xp=numpy):
@@ -363,7 +363,7 @@ def energy(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, push
     w3 = cos0*cos_psi + sin0*sin_psi
     w4 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
-    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2) + (vphi*vphi)/6
+    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + cos0*cos0/2 + w2_2/2) + vphi*vphi/6
 
 
 def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
@@ -379,7 +379,7 @@ def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pus
     w3 = cos0*cos_psi + sin0*sin_psi
     w4 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
-    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2)
+    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + cos0*cos0/2 + w2_2/2)
 
 
 def friction_force(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, *, xp=numpy):
@@ -391,7 +391,7 @@ def friction_force(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V,
 
 def damper_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
-    return -(vphi*vphi)*zeta
+    return -vphi*vphi*zeta
 
 
 def applied_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):

@@ -108,13 +108,12 @@ def regime_jacobian(x, vx, mu_s, v_s, zeta, V, pushing, side):
 def regime_by_parameters(x, vx, mu_s, v_s, zeta, V, pushing, side):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
     Operations: 29."""
-    w0 = -vx
-    w1 = V + w0
+    w1 = V - vx
     v_s_2 = v_s*v_s
     w2 = 1/(v_s_2 + w1*w1)
     w3 = 2*w2
     w4 = v_s*w3
-    return ((w1*w4, mu_s*w3*(v_s_2*(-V*w3 + 2*vx*w2) + w1), w0, mu_s*w4*(4*V*vx*w2 - (V*V)*w3 - (vx*vx)*w3 + 1)),)
+    return ((w1*w4, mu_s*w3*(v_s_2*(-V*w3 + 2*vx*w2) + w1), -vx, mu_s*w4*(4*V*vx*w2 - V*V*w3 - vx*vx*w3 + 1)),)
 
 
 def borders(x, vx, mu_s, v_s, zeta, V):
@@ -143,13 +142,13 @@ def layer_rates(x, vx, ax, mu_s, v_s, zeta, V, side):
 
 def energy(x, vx, mu_s, v_s, zeta, V, pushing):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 5."""
-    return (vx*vx)/2 + (x*x)/2
+    return vx*vx/2 + x*x/2
 
 
 def strain_energy(x, mu_s, v_s, zeta, V, pushing):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 2."""
-    return (x*x)/2
+    return x*x/2
 
 
 def friction_force(x, vx, mu_s, v_s, zeta, V, pushing, side):
@@ -162,7 +161,7 @@ def friction_force(x, vx, mu_s, v_s, zeta, V, pushing, side):
 
 def damper_power(x, vx, mu_s, v_s, zeta, V):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
-    return -(vx*vx)*zeta
+    return -vx*vx*zeta
 
 
 def applied_power(x, vx, mu_s, v_s, zeta, V):

@@ -50,12 +50,11 @@ def friction_at_speed(cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V,
 
 
 def friction_by_parameters(cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, *, xp=numpy):
-    """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 38."""
+    """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 37."""
     w0 = 1/v_s
     w1 = xp.exp(-V*w0)
     w2 = xp.exp(-V*d)
     w3 = 1 - w2
-    w4 = -w1
     w5 = w1*w2
     w6 = w0*w1
     w7 = d*w5
@@ -67,10 +66,10 @@ def friction_by_parameters(cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_
         0,
         0,
         w1*w3,
-        w3 + w4 + w5,
+        w3 - w1 + w5,
         V*w1*(-mu_k*w3 + mu_s*w3)/(v_s*v_s),
         mu_k*(d*w2 + w6 - w7 - w8) + mu_s*(-w6 + w7 + w8),
-        V*w2*(mu_k*(w4 + 1) + mu_s*w1),
+        V*w2*(mu_k*(-w1 + 1) + mu_s*w1),
     )
 
 
@@ -114,10 +113,9 @@ def friction_slope_by_sizes(cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v
     w2 = w1*(mu_k - mu_s)
     w3 = V*d
     w4 = V*w1
-    w5 = -w4
-    w6 = w3 + w5
+    w6 = w3 - w4
     w7 = d*mu_s - mu_k*w1 + mu_s*w1 - w0
-    return (((w0, 0), (w2, w6), (w7, w5)), ((w0, -w6), (w2, 0), (w7, -w3)), ((w0, w4), (w2, w3), (w7, 0)))
+    return (((w0, 0), (w2, w6), (w7, -w4)), ((w0, -w6), (w2, 0), (w7, -w3)), ((w0, w4), (w2, w3), (w7, 0)))
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
@@ -165,8 +163,8 @@ def regime_jacobian(
     w9 = w6*w7
     w10 = d*w5*w7 + w5*w9 - w9
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1), -mu*pushing - w8, pushing*y*(mu_k*(d*near1*w4 - w10) + mu_s*w10), 0),
-        (-w8, -beta - pushing + sigma*((c1*c1)*w0 - 1), 0, 0),
+        (-alpha + sigma*(s1*s1*w0 - 1), -mu*pushing - w8, pushing*y*(mu_k*(d*near1*w4 - w10) + mu_s*w10), 0),
+        (-w8, -beta - pushing + sigma*(c1*c1*w0 - 1), 0, 0),
     )
 
 
@@ -174,20 +172,16 @@ def regime_by_parameters(
     x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, pushing, side, near1, near2, *, xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 93."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 88."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
     s1 = w0*w4
-    w5 = -sin0
     w6 = sin0*w0
     w7 = cos0*w0
     w8 = c1*s1
-    w9 = -cos0
     w10 = side*(V - vx)
     w11 = xp.exp(-d*w10)
     w12 = near1*w11
@@ -204,11 +198,11 @@ def regime_by_parameters(
     w23 = V*w15 - vx*w15
     return (
         (
-            (sigma*((s1*s1)*w6 + w5 + w7*w8), 0, w1, -c1 - w9 - x, 0, w15*w17*(w12 - 1), w17*(near1*w11 + near2*w14 - w12*w15
-            - 1), w15*w16*(-mu_k*w19 + mu_s*w19)/(v_s*v_s), w16*(mu_k*(-w21 + w22) - mu_s*w22), w12*w16*(mu_k*(w18 + w23) -
-            mu_s*w23))
+            (sigma*(s1*s1*w6 - sin0 + w7*w8), 0, -x, -c1 + cos0 - x, 0, w15*w17*(w12 - 1), w17*(near1*w11 + near2*w14 -
+            w12*w15 - 1), w15*w16*(-mu_k*w19 + mu_s*w19)/(v_s*v_s), w16*(mu_k*(-w21 + w22) - mu_s*w22), w12*w16*(mu_k*(w18 +
+            w23) - mu_s*w23))
         ),
-        (sigma*(-(c1*c1)*w7 - w6*w8 - w9), -1, 0, -s1 - w5 - y, w3, 0, 0, 0, 0, 0),
+        (sigma*(-c1*c1*w7 - w6*w8 + cos0), -1, 0, -s1 + sin0 - y, -y, 0, 0, 0, 0, 0),
     )
 
 
@@ -244,8 +238,8 @@ def energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s,
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base8 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*w0 + kappa*y + pushing*w0 + (vx*vx)/2 + (vy*vy)/2
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + kappa*y + pushing*w0 + vx*vx/2 + vy*vy/2
 
 
 def strain_energy(x, y, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, pushing, *, xp=numpy):
@@ -255,8 +249,8 @@ def strain_energy(x, y, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, 
     base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base6 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
+    w0 = y*y/2
+    return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
 
 
 def friction_force(

@@ -106,29 +106,27 @@ def forces_apart(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, a
 
 def forces_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
-    Operations: 21."""
+    Operations: 22."""
     w0 = 1/l1
-    w1 = -(s1*s1)*w0 + 1
+    w1 = -s1*s1*w0 + 1
     w2 = sigma*w1
     w3 = c1*s1*sigma*w0
     w4 = -sigma*w1
-    w5 = -w3
-    return ((alpha + w2, mu*pushing + w3, w4), (w3, beta + pushing + sigma*(-(c1*c1)*w0 + 1), w5), (w4, w5, alpha_a + w2))
+    return ((alpha + w2, mu*pushing + w3, w4), (w3, beta + pushing + sigma*(-c1*c1*w0 + 1), -w3), (w4, -w3, alpha_a + w2))
 
 
 def forces_by_parameters(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
-    Source: the page. Operations: 24."""
+    Source: the page. Operations: 25."""
     w0 = 1/l1
     w1 = sin0*w0
     w2 = cos0*w0
     w3 = c1*s1
-    w4 = (s1*s1)*w1 - sin0 + w2*w3
+    w4 = s1*s1*w1 - sin0 + w2*w3
     w5 = l1 - 1
-    w6 = -w5
     return (
-        (-sigma*w4, 0, x, c1*w6, 0, 0, pushing*y),
-        (sigma*((c1*c1)*w2 - cos0 + w1*w3), 1, 0, s1*w6, y, 0, 0),
+        (-sigma*w4, 0, x, -c1*w5, 0, 0, pushing*y),
+        (sigma*(c1*c1*w2 - cos0 + w1*w3), 1, 0, -s1*w5, y, 0, 0),
         (sigma*w4, 0, 0, c1*w5, 0, x_a, 0),
     )
 
@@ -149,10 +147,10 @@ def balance_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, bet
     """Their derivatives by the coordinates: the same sums of the rows of K. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 20."""
     w0 = 1/l1
-    w1 = -(s1*s1)*w0 + 1
+    w1 = -s1*s1*w0 + 1
     w2 = mu*pushing
     w3 = c1*s1*sigma*w0
-    return ((alpha + sigma*w1, w2 + w3, -sigma*w1), (w3, beta + pushing + sigma*(-(c1*c1)*w0 + 1), -w3), (alpha, w2, alpha_a))
+    return ((alpha + sigma*w1, w2 + w3, -sigma*w1), (w3, beta + pushing + sigma*(-c1*c1*w0 + 1), -w3), (alpha, w2, alpha_a))
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
@@ -221,14 +219,14 @@ def regime_jacobian(
     c1 = w0*w2
     w3 = near1*xp.exp(-d*side*(V - vx))
     mu = mu0*side*(1 - w3)
-    w4 = -(s1*s1)*w0 + 1
+    w4 = -s1*s1*w0 + 1
     w5 = sigma*w4
     w6 = c1*s1*sigma*w0
     w7 = sigma*w4
     w8 = 1/nu_a
     return (
         (-alpha - w5, -mu*pushing - w6, w7, d*mu0*pushing*w3*y, 0, 0),
-        (-w6, -beta - pushing + sigma*((c1*c1)*w0 - 1), w6, 0, 0, 0),
+        (-w6, -beta - pushing + sigma*(c1*c1*w0 - 1), w6, 0, 0, 0),
         (w7*w8, w6*w8, w8*(-alpha_a - w5), 0, 0, 0),
     )
 
@@ -238,32 +236,27 @@ def regime_by_parameters(
     xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 66."""
-    w1 = -x
-    w2 = cos0 + w1 + x_a
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 62."""
+    w2 = cos0 - x + x_a
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
     s1 = w0*w4
-    w5 = -sin0
     w6 = sin0*w0
     w7 = cos0*w0
     w8 = c1*s1
-    w9 = (s1*s1)*w6 + w5 + w7*w8
+    w9 = s1*s1*w6 - sin0 + w7*w8
     w10 = V - vx
     w11 = near1*xp.exp(-d*side*w10)
     w12 = pushing*y
-    w13 = -cos0
-    w14 = c1 + w13 + x - x_a
-    w15 = -w14
+    w14 = c1 - cos0 + x - x_a
     w16 = mu0*w11*w12
     w17 = 1/nu_a
     return (
-        (sigma*w9, side*w12*(w11 - 1), 0, w1, w15, 0, 0, 0, -d*w16, -w10*w16),
-        (sigma*(-(c1*c1)*w7 - w13 - w6*w8), 0, -1, 0, -s1 - w5 - y, w3, 0, 0, 0, 0),
-        (-sigma*w17*w9, 0, 0, 0, w14*w17, 0, -w17*x_a, (alpha_a*x_a + sigma*w15)/(nu_a*nu_a), 0, 0),
+        (sigma*w9, side*w12*(w11 - 1), 0, -x, -w14, 0, 0, 0, -d*w16, -w10*w16),
+        (sigma*(-c1*c1*w7 + cos0 - w6*w8), 0, -1, 0, -s1 + sin0 - y, -y, 0, 0, 0, 0),
+        (-sigma*w17*w9, 0, 0, 0, w14*w17, 0, -w17*x_a, (alpha_a*x_a - sigma*w14)/(nu_a*nu_a), 0, 0),
     )
 
 
@@ -297,10 +290,10 @@ def energy(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, 
     base2 = cos0 - x + x_a
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base10 = l1 - 1
-    w0 = (y*y)/2
+    w0 = y*y/2
     return (
-        alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + (base10*base10)*sigma/2 + beta*w0 + kappa*y + nu_a*(vx_a*vx_a)/2 + pushing*w0 +
-        (vx*vx)/2 + (vy*vy)/2
+        alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + base10*base10*sigma/2 + beta*w0 + kappa*y + nu_a*(vx_a*vx_a)/2 + pushing*w0 +
+        vx*vx/2 + vy*vy/2
     )
 
 
@@ -311,8 +304,8 @@ def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a
     base2 = cos0 - x + x_a
     l1 = xp.sqrt(base0*base0 + base2*base2)
     base7 = l1 - 1
-    w0 = (y*y)/2
-    return alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*w0
+    w0 = y*y/2
+    return alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + base7*base7*sigma/2 + beta*w0 + pushing*w0
 
 
 def friction_force(

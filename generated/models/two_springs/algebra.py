@@ -41,10 +41,8 @@ from ..._broadcast import broadcasting, everywhere
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
 def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
-    Source: the page. Operations: 8."""
-    w0 = -x
-    w1 = -y
-    return ((cos0 + w0, sin0 + w1, 1), (cos0_2*lambda_2 + w0, lambda_2*sin0_2 + w1, lambda_2))
+    Source: the page. Operations: 6."""
+    return ((cos0 - x, sin0 - y, 1), (cos0_2*lambda_2 - x, lambda_2*sin0_2 - y, lambda_2))
 
 
 def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
@@ -92,14 +90,12 @@ def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sig
 
 
 def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
-    """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 22."""
-    w0 = -x
-    base0 = cos0 + w0
-    w1 = -y
-    base2 = sin0 + w1
+    """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 20."""
+    base0 = cos0 - x
+    base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
-    base4 = cos0_2*lambda_2 + w0
-    base6 = lambda_2*sin0_2 + w1
+    base4 = cos0_2*lambda_2 - x
+    base6 = lambda_2*sin0_2 - y
     l2 = xp.sqrt(base4*base4 + base6*base6)
     return (sigma*(l1 - 1), sigma_2*(l2 - lambda_2))
 
@@ -126,8 +122,8 @@ def forces_jacobian(
     w1 = lambda_2/l2
     w2 = c1*s1*sigma*w0 + c2*s2*sigma_2*w1
     return (
-        (alpha + sigma*(-(s1*s1)*w0 + 1) + sigma_2*(-(s2*s2)*w1 + 1), mu*pushing + w2),
-        (w2, beta + pushing + sigma*(-(c1*c1)*w0 + 1) + sigma_2*(-(c2*c2)*w1 + 1)),
+        (alpha + sigma*(-s1*s1*w0 + 1) + sigma_2*(-s2*s2*w1 + 1), mu*pushing + w2),
+        (w2, beta + pushing + sigma*(-c1*c1*w0 + 1) + sigma_2*(-c2*c2*w1 + 1)),
     )
 
 
@@ -151,11 +147,11 @@ def forces_by_parameters(
     c2_2 = c2*c2
     return (
         (
-            (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, w8*(lambda_2*(-s2_2*sin0_2*w5 - w7) + sin0_2), c2*w9,
+            (sigma*(-s1*s1*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, w8*(lambda_2*(-s2_2*sin0_2*w5 - w7) + sin0_2), c2*w9,
             sigma_2*(c2 - cos0_2 + lambda_2*(cos0_2*s2_2*w5 - w10)), pushing*y)
         ),
         (
-            (sigma*((c1*c1)*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, w8*(-cos0_2 + lambda_2*(c2_2*cos0_2*w5 + w10)), s2*w9,
+            (sigma*(c1*c1*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, w8*(-cos0_2 + lambda_2*(c2_2*cos0_2*w5 + w10)), s2*w9,
             sigma_2*(lambda_2*(c2_2*sin0_2*w5 - w7) + s2 - sin0_2), 0)
         ),
     )
@@ -189,7 +185,7 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 65."""
+    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 63."""
     return (
         everywhere(borders, regime_rhs, (x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2,
         lambda_2, V, d), xp)
@@ -200,16 +196,14 @@ def regime_rhs(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, side, near1,
     *, xp=numpy,
 ):
-    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 61."""
-    w1 = -x
-    w2 = cos0 + w1
-    w5 = -y
-    w6 = sin0 + w5
+    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 59."""
+    w2 = cos0 - x
+    w6 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w6*w6)
     w0 = 1/l1
     c1 = w0*w2
-    w4 = cos0_2*lambda_2 + w1
-    w7 = lambda_2*sin0_2 + w5
+    w4 = cos0_2*lambda_2 - x
+    w7 = lambda_2*sin0_2 - y
     l2 = xp.sqrt(w4*w4 + w7*w7)
     w3 = 1/l2
     c2 = w3*w4
@@ -229,14 +223,12 @@ def regime_jacobian(
     *, xp=numpy,
 ):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
-    page. Operations: 70."""
-    w1 = -y
-    w2 = sin0 + w1
-    w5 = -x
-    w6 = cos0 + w5
+    page. Operations: 68."""
+    w2 = sin0 - y
+    w6 = cos0 - x
     l1 = xp.sqrt(w2*w2 + w6*w6)
-    w4 = lambda_2*sin0_2 + w1
-    w7 = cos0_2*lambda_2 + w5
+    w4 = lambda_2*sin0_2 - y
+    w7 = cos0_2*lambda_2 - x
     l2 = xp.sqrt(w4*w4 + w7*w7)
     w0 = 1/l1
     s1 = w0*w2
@@ -249,8 +241,8 @@ def regime_jacobian(
     w9 = lambda_2*w3
     w10 = c1*s1*sigma*w0 + c2*s2*sigma_2*w9
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1) + sigma_2*(lambda_2*(s2*s2)*w3 - 1), -mu*pushing - w10, d*mu0*pushing*w8*y, 0),
-        (-w10, -beta - pushing + sigma*((c1*c1)*w0 - 1) + sigma_2*((c2*c2)*w9 - 1), 0, 0),
+        (-alpha + sigma*(s1*s1*w0 - 1) + sigma_2*(lambda_2*(s2*s2)*w3 - 1), -mu*pushing - w10, d*mu0*pushing*w8*y, 0),
+        (-w10, -beta - pushing + sigma*(c1*c1*w0 - 1) + sigma_2*(c2*c2*w9 - 1), 0, 0),
     )
 
 
@@ -259,45 +251,40 @@ def regime_by_parameters(
     *, xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 104."""
-    w1 = -x
-    w2 = cos0 + w1
-    w3 = -y
-    w4 = sin0 + w3
+    Operations: 97."""
+    w2 = cos0 - x
+    w4 = sin0 - y
     l1 = xp.sqrt(w2*w2 + w4*w4)
     w0 = 1/l1
     c1 = w0*w2
     s1 = w0*w4
-    w6 = cos0_2*lambda_2 + w1
-    w7 = lambda_2*sin0_2 + w3
+    w6 = cos0_2*lambda_2 - x
+    w7 = lambda_2*sin0_2 - y
     l2 = xp.sqrt(w6*w6 + w7*w7)
     w5 = 1/l2
     c2 = w5*w6
     s2 = w5*w7
     w10 = cos0*w0
     w11 = c1*s1
-    w8 = -sin0
     w9 = sin0*w0
     w12 = V - vx
     w13 = near1*xp.exp(-d*side*w12)
     w14 = pushing*y
-    w15 = -cos0
-    w16 = -sin0_2
-    w17 = (s2*s2)*w5
+    w17 = s2*s2*w5
     w18 = c2*s2*w5
     w19 = cos0_2*w18
     w20 = lambda_2*sigma_2
     w21 = sin0_2*w18
     w22 = mu0*w13*w14
-    w23 = (c2*c2)*w5
+    w23 = c2*c2*w5
     return (
         (
-            (sigma*((s1*s1)*w9 + w10*w11 + w8), side*w14*(w13 - 1), 0, w1, -c1 - w15 - x, 0, w20*(lambda_2*(sin0_2*w17 + w19)
-            + w16), lambda_2*(-c2 + cos0_2) + w1, sigma_2*(-c2 + cos0_2 + lambda_2*(-cos0_2*w17 + w21)), -d*w22, -w12*w22)
+            (sigma*(s1*s1*w9 + w10*w11 - sin0), side*w14*(w13 - 1), 0, -x, -c1 + cos0 - x, 0, w20*(lambda_2*(sin0_2*w17 + w19)
+            - sin0_2), lambda_2*(-c2 + cos0_2) - x, sigma_2*(-c2 + cos0_2 + lambda_2*(-cos0_2*w17 + w21)), -d*w22, -w12*w22)
         ),
         (
-            (sigma*(-(c1*c1)*w10 - w11*w9 - w15), 0, -1, 0, -s1 - w8 - y, w3, w20*(cos0_2 + lambda_2*(-cos0_2*w23 - w21)),
-            lambda_2*(-s2 - w16) + w3, sigma_2*(lambda_2*(-sin0_2*w23 + w19) - s2 + sin0_2), 0, 0)
+            (sigma*(-c1*c1*w10 - w11*w9 + cos0), 0, -1, 0, -s1 + sin0 - y, -y, w20*(cos0_2 + lambda_2*(-cos0_2*w23 - w21)),
+            lambda_2*(-s2 + sin0_2) - y, sigma_2*(lambda_2*(-sin0_2*w23 + w19) - s2 + sin0_2), 0, 0)
         ),
     )
 
@@ -331,21 +318,18 @@ def layer_rates(
 def energy(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
 ):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 45."""
-    w0 = -x
-    base0 = cos0 + w0
-    w1 = -y
-    base2 = sin0 + w1
+    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 43."""
+    base0 = cos0 - x
+    base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
-    base4 = cos0_2*lambda_2 + w0
-    base6 = lambda_2*sin0_2 + w1
+    base4 = cos0_2*lambda_2 - x
+    base6 = lambda_2*sin0_2 - y
     l2 = xp.sqrt(base4*base4 + base6*base6)
     base12 = l2 - lambda_2
     base14 = l1 - 1
-    w2 = (y*y)/2
+    w2 = y*y/2
     return (
-        alpha*(x*x)/2 + (base12*base12)*sigma_2/2 + (base14*base14)*sigma/2 + beta*w2 + kappa*y + pushing*w2 + (vx*vx)/2 +
-        (vy*vy)/2
+        alpha*(x*x)/2 + base12*base12*sigma_2/2 + base14*base14*sigma/2 + beta*w2 + kappa*y + pushing*w2 + vx*vx/2 + vy*vy/2
     )
 
 
@@ -353,19 +337,17 @@ def strain_energy(
     x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
 ):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
-    Operations: 37."""
-    w0 = -x
-    base0 = cos0 + w0
-    w1 = -y
-    base2 = sin0 + w1
+    Operations: 35."""
+    base0 = cos0 - x
+    base2 = sin0 - y
     l1 = xp.sqrt(base0*base0 + base2*base2)
-    base4 = cos0_2*lambda_2 + w0
-    base6 = lambda_2*sin0_2 + w1
+    base4 = cos0_2*lambda_2 - x
+    base6 = lambda_2*sin0_2 - y
     l2 = xp.sqrt(base4*base4 + base6*base6)
     base10 = l2 - lambda_2
     base12 = l1 - 1
-    w2 = (y*y)/2
-    return alpha*(x*x)/2 + (base10*base10)*sigma_2/2 + (base12*base12)*sigma/2 + beta*w2 + pushing*w2
+    w2 = y*y/2
+    return alpha*(x*x)/2 + base10*base10*sigma_2/2 + base12*base12*sigma/2 + beta*w2 + pushing*w2
 
 
 def friction_force(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -33,38 +32,30 @@ class RoundedError(ArithmeticError):
 class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
-    #: A name for 1 in the number type of the arguments, of which a fraction that stands by itself is made; without it none may.
-    one = ""
-    #: Names for which something else is printed: a power, another name, or minus one.
-    inlined: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
-    negated: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
-
-    @classmethod
-    def of(cls, body: Body, one: str = "") -> AlgebraPrinter:
-        """A printer for the statements of a function."""
-        printer = cls({"order": None})
-        printer.inlined, printer.negated, printer.one = body.inlined, body.negated, one
-        return printer
+    def __init__(self, body: Body, one: str = "") -> None:
+        """For the statements of a function; ``one`` names a 1 of its arguments' type, without which no fraction may stand by itself."""
+        super().__init__({"order": None})
+        self.body, self.one = body, one
 
     def square(self, base: sp.Expr) -> str:
         """A square."""
         return f"{self._print(base)}*{self._print(base)}"
 
     def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
-        if item in self.negated:  # a factor, of a product that turns its own sign
-            return str(self._print(-self.negated[item]))
+        if item in self.body.negated:  # a factor, of a product that turns its own sign
+            return str(self._print(-self.body.negated[item]))
         text = str(super().parenthesize(item, level, strict))
-        return f"({text})" if item in self.inlined and "*" in text else text
+        return f"({text})" if item in self.body.inlined and "*" in text else text
 
     def _print_Mul(self, expression: sp.Mul) -> str:
         # A square that comes first is computed first without brackets.
         text = re.sub(r"^(-?)\((\w+\*\w+)\)", r"\1\2", super()._print_Mul(expression))
-        if sum(factor in self.negated for factor in expression.args) % 2 == 0:
+        if sum(factor in self.body.negated for factor in expression.args) % 2 == 0:
             return text
         return text.removeprefix("-") if text.startswith("-") else f"-{text}"
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
-        value = self.inlined.get(expression)
+        value = self.body.inlined.get(expression)
         if value is None:
             return str(expression.name)
         return self.square(value.base) if value.is_Pow else str(self._print(value))
@@ -156,22 +147,22 @@ def definition(function: Function, called: str = "") -> str:
 def _statements(function: Function, body: Body) -> list[str]:
     """Assignments and the return statement; where a fraction stands by itself, after a 1 of the arguments' number type."""
     try:
-        return _printed(body, AlgebraPrinter.of(body))
+        return _printed(AlgebraPrinter(body))
     except RoundedError:
         if not function.accepted:
             raise
-    printer = AlgebraPrinter.of(body, "_one")
+    printer = AlgebraPrinter(body, "_one")
     total = " + ".join(map(str, function.accepted))
-    return [_wrap(f"    {printer.one} = 0*({total}) + 1"), *_printed(body, printer)]
+    return [_wrap(f"    {printer.one} = 0*({total}) + 1"), *_printed(printer)]
 
 
-def _printed(body: Body, printer: AlgebraPrinter) -> list[str]:
+def _printed(printer: AlgebraPrinter) -> list[str]:
     assigned = [
         # A square is always a whole right side.
         _wrap(f"    {symbol} = {printer.square(it.base) if it.is_Pow and it.exp == 2 else printer.doprint(it)}")
-        for symbol, it in body.statements
+        for symbol, it in printer.body.statements
     ]
-    return [*assigned, _return(body.results, printer)]
+    return [*assigned, _return(printer.body.results, printer)]
 
 
 def _return(results: Results, printer: AlgebraPrinter) -> str:

@@ -25,7 +25,7 @@ Data: TypeAlias = Mapping[str, tuple[float, str, float]]
 #: What the explorer's page of a model asks its algebra for: all that ``explorer/src`` calls.
 EXPLORED = frozenset({
     "border_rates", "borders", "contact_force", "contact_gap", "damping", "forces", "forces_jacobian", "friction_at_rest", "geometry",
-    "mass_matrix", "regime_rhs", "spring_forces", "turning_borders", "turnings",
+    "grip", "mass_matrix", "regime_rhs", "spring_forces", "turning_borders", "turnings",
 })  # fmt: skip
 
 
@@ -125,6 +125,7 @@ def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
         step=float(f"{0.1 * time.nominal:.0e}"),
         borders=(
             *(["gap"] if it.unilateral and it.gap is not None else []), *(["slip"] if it.slide is not None else []),
+            *(["ahead", "behind"] if motion.Motion(it).holds else []),
             *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
         ),
         rooted=not it.polynomial,

@@ -9,6 +9,8 @@ import { parsed, typed } from "./numbers.js";
 const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
 /** Pictures between two drawings of the charts, and of the spectrum among them. */
 const [EVERY, SPECTRUM] = [2, 16];
+/** How the mass moves, by the sign of the sliding speed. */
+const PACE = { 1: "slower than the belt", 0: "held by friction", [-1]: "faster than the belt" };
 const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
 
 /**
@@ -34,9 +36,9 @@ export function createPanel(coordinates, units, on) {
 
   function moved(t, state, regime) {
     frames += 1;
-    const [off, ahead] = [!regime.contact, regime.side < 0];
+    const off = !regime.contact;
     on.frame(t, state, regime);
-    $("motion_says").textContent = `${off ? "off the belt" : "on the belt"}, ${ahead ? "faster than the belt" : "slower than the belt"}`;
+    $("motion_says").textContent = `${off ? "off the belt" : "on the belt"}, ${PACE[regime.side]}`;
     if (frames % EVERY === 0) {
       charts.draw(frames % SPECTRUM === 0);
     }

@@ -80,6 +80,14 @@ def words(name: str, degrees: float = 40.0) -> list[str]:
     return ["--model", place(name), *options]
 
 
+def starts(p: Any, usual: list[float]) -> list[list[float]]:
+    """Starts of a motion: the usual one, and where friction holds the mass one that rides with the belt."""
+    if not hasattr(p.model.algebra, "grip"):
+        return [usual]
+    across = len(p.model.coordinates) - 1
+    return [usual, [0.05] + [-0.1] * across + [float(getattr(p, p.model.about["friction"]["belt"]))] + [0.0] * across]
+
+
 def moved(name: str, *first: str) -> tuple[str, float]:
     """A parameter to change, the first of those named that the model has or else its last, and its base value."""
     names = load(name).parameters

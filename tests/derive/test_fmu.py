@@ -17,6 +17,7 @@ from fmpy.validation import validate_fmu
 import spragsym as ss
 from spragsym.cli import main
 from spragsym.models.load import shipped
+from tests.conformance.models import starts
 from tests.shown import DOCS, programs, run
 from tests.support import ROOT, few
 
@@ -59,18 +60,20 @@ def stepped(file: str, values: dict[str, float], names: list[str], t_end: float)
 @pytest.mark.by_hand("cubic", "hertz", "inclined", "kang_nam", "mode", "pad", "stick_slip", "stribeck")
 @pytest.mark.parametrize("name", few(shipped(), "sprag_rod"))
 def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
-    """Lift-off, reversals of the slip and a torsion spring that is counted on among them; Model Exchange as FMPy's solver can."""
+    """Lift-off, reversals of the slip, sticking, a torsion spring that is counted on; Model Exchange as FMPy's solver can."""
     model, file = ss.load(name), exported(tmp_path, "--model", name)
     values = {one: 0.9 for one in model.parameters if one not in model.base}
-    start = dict.fromkeys((*model.coordinates, *model.rates), 0.05)
-    tr = ss.simulate(model.Parameters(**values), start=list(start.values()), t_end=100.0, rtol=1e-13)
-    state, events = stepped(file, values | start, [*start], 100.0)
-    np.testing.assert_allclose(state, tr.state[:, -1], rtol=1e-7, atol=1e-7)
-    assert tr.events is not None
-    np.testing.assert_allclose(events, tr.events.t[tr.events.t > 0], rtol=0, atol=1e-8)
+    p, names = model.Parameters(**values), [*model.coordinates, *model.rates]
     options = {"fmi_type": "ModelExchange", "stop_time": 100.0, "output_interval": 0.1, "relative_tolerance": 1e-12}
-    found = fmpy.simulate_fmu(file, start_values=values | start, **options)
-    np.testing.assert_allclose([found[one][-1] for one in start], tr.state[:, -1], atol=1e-5)
+    for begun in starts(p, [0.05] * len(names)):
+        tr = ss.simulate(p, start=begun, t_end=100.0, rtol=1e-13)
+        start = values | dict(zip(names, begun, strict=True))
+        state, events = stepped(file, start, names, 100.0)
+        np.testing.assert_allclose(state, tr.state[:, -1], rtol=1e-7, atol=1e-7)
+        assert tr.events is not None
+        np.testing.assert_allclose(events, tr.events.t[tr.events.t > 0], rtol=0, atol=1e-8)
+        found = fmpy.simulate_fmu(file, start_values=start, **options)
+        np.testing.assert_allclose([found[one][-1] for one in names], tr.state[:, -1], atol=1e-5)
 
 
 @pytest.fixture(scope="module")

@@ -32,9 +32,13 @@ _FLAGS = ("-std=c99", "-O2", "-Werror=implicit", "-ffp-contract=off", "-fPIC", "
 _CALLED = {
     "rhs": "sp", "regime_rhs": "spm", "regime_jacobian": "spm", "regime_by_parameters": "spm", "borders": "sp",
     "border_rates": "sap", "layers": "spl", "layer_rates": "sapl", "turning_borders": "spw", "turning_rates": "sapw",
+    "grip": "spm", "grip_slopes": "spm",
 }  # fmt: skip
 #: Outputs that a border brings.
-_FLAGGED = {"gap": ("mode.contact", "whether there is contact"), "slip": ("mode.belt_ahead", "whether the belt is ahead")}
+_FLAGGED = {
+    "gap": ("mode.contact", "whether there is contact"), "slip": ("mode.belt_ahead", "whether the belt is ahead"),
+    "ahead": ("mode.sticks", "whether friction holds the mass"),
+}  # fmt: skip
 _PARTS = ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
 _STEPS = 1000
 
@@ -92,7 +96,7 @@ def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
     layers, turnings = (len(algebra[name].leaves) if name in algebra else 0 for name in ("layers", "turning_borders"))
     sizes = {
         "coordinates": count, "parameters": parameters, "units": len(seen.given) - parameters, "lifts": "gap" in seen.borders,
-        "slides": "slip" in seen.borders, "layers": layers, "turnings": turnings, "rooted": seen.rooted,
+        "slides": "slip" in seen.borders, "holds": "ahead" in seen.borders, "layers": layers, "turnings": turnings, "rooted": seen.rooted,
     }  # fmt: skip
     places = {
         "s": [f"s[{i}]" for i in range(2 * count)], "a": [f"a[{i}]" for i in range(count)], "l": ["m[1]"],

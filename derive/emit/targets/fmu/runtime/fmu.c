@@ -18,6 +18,7 @@
 
 enum {
     GIVEN = PARAMETERS + UNITS,
+    FLAGS = LIFTS + SLIDES + HOLDS,
     STATE = 1, /* value references: the first one of each kind; 0 is the time */
     DERIVATIVE = STATE + STATES,
     INDICATOR = DERIVATIVE + STATES,
@@ -353,8 +354,9 @@ FMI(fmi3Status, GetBoolean)(void *instance, const fmi3ValueReference *references
     }
     for (size_t i = 0; i < count; i++) {
         const fmi3ValueReference one = references[i];
-        EXPECT(one >= FLAG && one < FLAG + EVENTS, "there is no Boolean with the value reference %u", (unsigned)one)
-        values[i] = motion.mode[(int)(one - FLAG) < LIFTS ? 0 : 1] > 0.0;
+        EXPECT(one >= FLAG && one < FLAG + FLAGS, "there is no Boolean with the value reference %u", (unsigned)one)
+        const int flag = (int)(one - FLAG);
+        values[i] = flag < LIFTS + SLIDES ? motion.mode[flag < LIFTS ? 0 : 1] > 0.0 : motion.mode[1] == 0.0;
     }
     return fmi3OK;
 }
@@ -573,12 +575,14 @@ FMI(fmi3Status, GetAdjointDerivative)(void *instance, const fmi3ValueReference *
 
 /* --------------------------------------------------------------------------------------------------------- events */
 
-/* Enters the mode beyond every border that the state has reached. Not 0: the motion has no rates. */
+/* Enters the mode beyond every border that the state has reached; where friction begins to hold or ceases to, the sliding speed
+ * becomes 0. Not 0: the motion has no rates. */
 static int enter(Instance *it) {
     Motion motion;
     Point at;
-    double unit_of_rate[STATES], mode[MODES];
+    double unit[STATES], unit_of_rate[STATES], mode[MODES];
     memcpy(mode, it->now.mode, sizeof mode);
+    scales(&it->now, unit, unit_of_rate);
     if (here(it, &motion, &at, unit_of_rate) || settle(&motion, &at)) {
         return 1;
     }
@@ -587,7 +591,11 @@ static int enter(Instance *it) {
         say(it, fmi3OK, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");
     }
     if (SLIDES && mode[1] != motion.mode[1]) {
-        say(it, fmi3OK, "at %.12g the %s overtakes", it->now.time, motion.mode[1] > 0.0 ? "belt" : "mass");
+        say(it, fmi3OK, "at %.12g the %s", it->now.time,
+            motion.mode[1] > 0.0 ? "belt overtakes" : (motion.mode[1] < 0.0 ? "mass overtakes" : "mass sticks"));
+        for (int i = COORDINATES; HOLDS && i < STATES; i++) {
+            it->now.state[i] = at.state[i] * unit[i];
+        }
     }
     return 0;
 }
@@ -598,7 +606,9 @@ FMI(fmi3Status, EvaluateDiscreteStates)(void *instance) {
 }
 
 FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *terminate, bool *nominals, bool *values, bool *next_defined, double *next) {
+    double before[STATES];
     ENTER(EVENT)
+    memcpy(before, it->now.state, sizeof before);
     if (enter(it)) {
         return say(it, fmi3Discard, "%s", NOWHERE);
     }
@@ -607,6 +617,9 @@ FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *termina
         if (flags[i]) {
             *flags[i] = false;
         }
+    }
+    if (values) {
+        *values = memcmp(before, it->now.state, sizeof before) != 0;
     }
     return fmi3OK;
 }

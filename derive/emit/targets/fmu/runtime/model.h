@@ -13,6 +13,7 @@
 #define UNITS @units@         /* of measure: quantities that are 1 inside */
 #define LIFTS @lifts@         /* whether the contact opens */
 #define SLIDES @slides@        /* whether there is friction */
+#define HOLDS @holds@         /* whether friction holds the mass where nothing slides */
 #define LAYERS @layers@        /* exponentials of the friction law */
 #define TURNINGS @turnings@      /* torsion springs whose turning is counted */
 #define ROOTED @rooted@        /* whether the contact law has no values beyond its border */

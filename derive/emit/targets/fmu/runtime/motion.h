@@ -1,20 +1,22 @@
 /*
  * The motion between events: modes in which the field is smooth, the borders at which they end, and steps that end there.
  *
- * All numbers are dimensionless. A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1), for each
- * exponential of the friction law whether it is felt (1, 0), for each torsion spring the way on which its turning is counted (1, -1).
- * Each has a border, whose clearance is positive within the mode. A mode is left GAP beyond its border: two crossings are never
- * closer than 2 GAP, so that rounding makes no chatter.
+ * All numbers are dimensionless. A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1; 0 while
+ * friction holds the mass), for each exponential of the friction law whether it is felt (1, 0), for each torsion spring the way on
+ * which its turning is counted (1, -1). Each has a border, and the force of friction that holds has two, its limits; the clearance of
+ * a border is positive within the mode. A mode is left GAP beyond its border: two crossings are never closer than 2 GAP, so that
+ * rounding makes no chatter.
  */
 #include <math.h>
 #include <string.h>
 
 enum {
     STATES = 2 * COORDINATES,
-    EVENTS = LIFTS + SLIDES,        /* borders whose crossings are events */
-    INDICATORS = EVENTS + TURNINGS, /* borders that an importer watches; exponentials are always felt there */
+    EVENTS = LIFTS + SLIDES + 2 * HOLDS, /* borders whose crossings are events */
+    INDICATORS = EVENTS + TURNINGS,      /* borders that an importer watches; exponentials are always felt there */
     BORDERS = INDICATORS + LAYERS,
     MODES = 2 + LAYERS + TURNINGS,
+    WIDE = STATES + PARAMETERS, /* derivatives of one number by all */
     STAGES = 7,
     DONE = -1,
     STUCK = -2
@@ -26,6 +28,10 @@ enum {
 /* Minus the exponent beyond which an exponential is left out, and how much sooner it is taken in again. */
 #define REACH 36.0
 #define WIDTH 5.0
+/* Sliding speeds up to this are 0 where friction holds. */
+#define STILL (2.0 * GAP)
+/* The clearance of what is no border of the mode. */
+#define FREE 1.0
 #define MOST_STEPS 10000000L
 #define LEAST_STEP 1e-15
 
@@ -65,9 +71,23 @@ static int look(const Motion *it, Point *at) {
         at->change[k++] = sign * change[0];
     }
     if (SLIDES) {
-        at->clearance[k] = mode[1] * level[1] + GAP;
+        at->clearance[k] = mode[1] != 0.0 ? mode[1] * level[1] + GAP : FREE;
         at->change[k++] = mode[1] * change[1];
     }
+#if HOLDS
+    double margin[2] = {FREE, FREE}, slope[3 * WIDE] = {0.0};
+    if (mode[1] == 0.0 && (grip(at->state, it->p, mode, margin) || grip_slopes(at->state, it->p, mode, slope))) {
+        return 1;
+    }
+    for (int i = 1; i <= 2; i++) {
+        at->clearance[k] = margin[i - 1] + GAP;
+        at->change[k] = 0.0;
+        for (int j = 0; j < COORDINATES; j++) {
+            at->change[k] += slope[i * WIDE + j] * at->rate[j] + slope[i * WIDE + COORDINATES + j] * acceleration[j];
+        }
+        k++;
+    }
+#endif
 #if TURNINGS
     if (turning_borders(at->state, it->p, mode, at->clearance + k) ||
         turning_rates(at->state, acceleration, it->p, mode, at->change + k)) {
@@ -93,17 +113,61 @@ static int look(const Motion *it, Point *at) {
     return 0;
 }
 
-/* The mode on the other side of a border. */
-static void cross(double *mode, int border) {
+/* The side where nothing slides: none in contact while the force of friction is within its limits, else the one it is pulled to. */
+static int hold(Motion *it, const double *state) {
+#if HOLDS
+    double margin[2];
+    if (grip(state, it->p, it->mode, margin)) {
+        return 1;
+    }
+    const int sticks = it->mode[0] > 0.0 && fmin(margin[0], margin[1]) >= 0.0 && fmax(margin[0], margin[1]) > 0.0;
+    it->mode[1] = sticks ? 0.0 : (margin[0] < margin[1]) ? 1.0 : -1.0;
+#else
+    (void)state;
+    it->mode[1] = -it->mode[1];
+#endif
+    return 0;
+}
+
+/* Brings the sliding speed to 0 where friction begins to hold or ceases to: it is off by as much as a border is crossed late. */
+static int stop(const Motion *it, double *state) {
+#if HOLDS
+    double level[2], slope[3 * WIDE], size = 0.0;
+    if (borders(state, it->p, level) || grip_slopes(state, it->p, it->mode, slope)) {
+        return 1;
+    }
+    for (int i = COORDINATES; i < STATES; i++) {
+        size += slope[i] * slope[i];
+    }
+    for (int i = COORDINATES; i < STATES; i++) {
+        state[i] -= level[1] * slope[i] / size;
+    }
+#else
+    (void)it;
+    (void)state;
+#endif
+    return 0;
+}
+
+/* Enters the mode on the other side of a border. Not 0: there is none. */
+static int cross(Motion *it, double *state, int border) {
+    double *const mode = it->mode;
+    const double side = mode[1];
     if (border < LIFTS) {
         mode[0] = 1.0 - mode[0];
+        if (side == 0.0 && hold(it, state)) {
+            return 1;
+        }
     } else if (border < EVENTS) {
-        mode[1] = -mode[1];
+        if (hold(it, state)) {
+            return 1;
+        }
     } else if (border < INDICATORS) {
         mode[2 + LAYERS + border - EVENTS] *= -1.0;
     } else {
         mode[2 + border - INDICATORS] = 1.0 - mode[2 + border - INDICATORS];
     }
+    return HOLDS && mode[1] != side && side * mode[1] == 0.0 && stop(it, state);
 }
 
 /* The mode of a state, which on a border may be on either side. */
@@ -140,7 +204,7 @@ static int begin(Motion *it, const double *state) {
         }
     }
 #endif
-    return 0;
+    return HOLDS && fabs(level[1]) <= STILL && hold(it, state);
 }
 
 /* Leaves every mode whose border the point has reached, but for rounding, and gives the point its rates and clearances. */
@@ -152,7 +216,9 @@ static int settle(Motion *it, Point *at) {
         }
         for (int k = 0; k < it->borders; k++) {
             if (at->clearance[k] <= 0.1 * GAP) {
-                cross(it->mode, k);
+                if (cross(it, at->state, k)) {
+                    return 1;
+                }
                 left = 1;
             }
         }

@@ -64,6 +64,15 @@ class Motion:
         return ahead * self.model.normal - change / compliance, behind * self.model.normal + change / compliance
 
     @cached_property
+    def side(self) -> sp.Expr:
+        """The sign of the sliding speed; where nothing slides 0 if friction holds, else that of what it slides into."""
+        sliding = sp.sign(self.borders[1])
+        if not self.holds:
+            return sliding
+        within_ahead, within_behind = (sp.sign(2 * sp.sign(limit) + 1) for limit in self.limits)  # −1 beyond it, 1 up to it
+        return sliding + (1 - sliding**2) * (within_behind - within_ahead) / 2
+
+    @cached_property
     def centrifugal(self) -> Row:
         """The terms of Lagrange's equations besides M q″ where the mass matrix depends on the place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0."""
         it = self.model
@@ -306,7 +315,7 @@ def module(model: Mechanics) -> Module:
         return Function(name, summary, "the page", (*regime, *ways), results, returns, continued)
 
     below = sp.Symbol("_below", real=True)
-    signs = {below: 1 - sp.sign(borders[0]), PUSHING: below / 2 if model.unilateral else sp.S.One, SIDE: sp.sign(borders[1])}
+    signs = {below: 1 - sp.sign(borders[0]), PUSHING: below / 2 if model.unilateral else sp.S.One, SIDE: motion.side}
     kinked = {**signs, **dict.fromkeys(felt, sp.S.One), **shorthands}
     jacobian = _rows(motion, place)
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))

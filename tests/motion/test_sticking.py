@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.models.field import FLOATS
 from tests.oracles.user_pages import derived
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
@@ -157,3 +158,20 @@ def test_a_standing_belt_holds_while_the_normal_force_swings() -> None:
     shares = [ss.simulate(p, x0=0.3, y0=0.1, t_end=200.0, rtol=1e-12, backend=backend).sticking for backend in BACKENDS]
     assert shares[0] == pytest.approx(shares[1], abs=1e-7)
     assert shares[0] > 0.05
+
+
+@pytest.mark.parametrize("name", ["coulomb", "coulomb_stick_slip"])
+def test_the_field_everywhere_is_that_of_the_mode_where_nothing_slides_too(name: str) -> None:
+    """Held within the limits of the force, beyond them and in lift-off as it begins to slide; also where nothing pulls."""
+    model, rng = ss.load(name), np.random.default_rng(60)
+    n, sides = len(model.coordinates), set()
+    for trial in range(200):
+        given = {one: rng.uniform(0.1, 1.0) for one in model.parameters} | {"V": 0.0 if trial % 2 else rng.uniform(0.1, 1.0)}
+        constants = model.field.constants([given[one] for one in model.field.parameters])
+        place = rng.uniform(-1.0, 1.0, n) if trial else np.zeros(n)
+        state = [*place.tolist(), given["V"], *[0.0] * (n - 1)]
+        mode = model.field.initial_mode(state, constants)
+        sides.add(mode[:2])
+        held = model.field.acceleration(state, constants, mode, FLOATS)
+        assert [float(value) for value in model.algebra.rhs(*state, *constants)] == pytest.approx(held, abs=1e-14)
+    assert len(sides) == (3 if n == 1 else 5)

@@ -47,7 +47,7 @@ class Motion:
     accelerations: tuple[Variable, ...]
     given: tuple[Variable, ...]  #: parameters in their order, then units of measure where there are any
     step: float  #: between two samples, in the unit of time
-    borders: tuple[str, ...]  #: where it is not smooth: ``gap`` if the contact opens, ``slip`` if there is friction, turnings
+    borders: tuple[str, ...]  #: where it is not smooth: ``gap`` that opens, ``slip``, ``ahead``, ``behind`` of friction, turnings
     rooted: bool  #: whether the contact law has no values without contact
 
 

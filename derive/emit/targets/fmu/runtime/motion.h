@@ -75,15 +75,14 @@ static int look(const Motion *it, Point *at) {
         at->change[k++] = mode[1] * change[1];
     }
 #if HOLDS
-    double margin[2] = {FREE, FREE}, slope[3 * WIDE] = {0.0};
-    if (mode[1] == 0.0 && (grip(at->state, it->p, mode, margin) || grip_slopes(at->state, it->p, mode, slope))) {
-        return 1;
-    }
-    for (int i = 1; i <= 2; i++) {
-        at->clearance[k] = margin[i - 1] + GAP;
+    /* Beyond a root there is no force that holds: there the contact's border is crossed. */
+    double margin[2], slope[3 * WIDE];
+    const int held = mode[1] == 0.0 && !grip(at->state, it->p, mode, margin) && !grip_slopes(at->state, it->p, mode, slope);
+    for (int i = 0; i < 2; i++) {
+        at->clearance[k] = held ? margin[i] + GAP : FREE;
         at->change[k] = 0.0;
-        for (int j = 0; j < COORDINATES; j++) {
-            at->change[k] += slope[i * WIDE + j] * at->rate[j] + slope[i * WIDE + COORDINATES + j] * acceleration[j];
+        for (int j = 0; held && j < STATES; j++) {
+            at->change[k] += slope[(i + 1) * WIDE + j] * at->rate[j];
         }
         k++;
     }
@@ -121,7 +120,8 @@ static int hold(Motion *it, const double *state) {
         return 1;
     }
     const int sticks = it->mode[0] > 0.0 && fmin(margin[0], margin[1]) >= 0.0 && fmax(margin[0], margin[1]) > 0.0;
-    it->mode[1] = sticks ? 0.0 : (margin[0] < margin[1]) ? 1.0 : -1.0;
+    const double pulled = (margin[0] < margin[1]) ? 1.0 : -1.0;
+    it->mode[1] = sticks ? 0.0 : pulled;
 #else
     (void)state;
     it->mode[1] = -it->mode[1];

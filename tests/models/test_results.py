@@ -96,6 +96,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "Certificate": lambda: ss.certify(ONE, ONE, "no jump"),
     "Redesign": lambda: ss.redesign(ONE, "theta0", {"mu0": 0.8}),
     "Cycle": _cycle,
+    "Phases": lambda: _cycle().phases,
     "CycleBranch": _branch,
     "CycleEvent": _doubling,
     "EventCurve": lambda: ss.cycle_events(_doubling(), vary=("theta0", "mu0"), points=1),
@@ -132,7 +133,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
 LONG_MOTIONS = (
     "Cycle", "CycleBranch", "CycleEvent", "CycleProof", "Diagram", "EquilibriumBranch", "EventCurve", "Fate",
     "FateMap", "FateBoundary", "BasinBoundary",
-    "Label", "Lyapunov",
+    "Label", "Lyapunov", "Phases",
 )  # fmt: skip
 
 

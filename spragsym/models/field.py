@@ -184,6 +184,10 @@ class Field:
         first = self.modes[0]
         return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
 
+    def stays(self, mode: Mode) -> tuple[Border, ...]:
+        """The borders on which a motion stays in a mode, as where friction holds."""
+        return tuple(border for border in self.borders if border.stays and not border.sign(mode))
+
     def check(self, name: str, value: float) -> None:
         """An error where a parameter may not have a value."""
         self.parameter_set(**{name: value})

@@ -36,6 +36,9 @@ LEFT = 4.0
 #: What an integrator leaves of a motion at rest, in tolerances of a step.
 NOISE = 100.0
 
+#: Singular values that are less than this share of the largest are 0 where friction holds.
+HELD = 1e-10
+
 #: Newton's method has gone astray beyond this, in L_0; its most steps.
 FAR, ROUNDS = 1e6, 40
 
@@ -72,7 +75,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
     if still and distance <= tol and growth <= ROUNDING and _stays(course, rest, problem.rtol, kinks):
-        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(-growth, 0.0), distance=distance)
+        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, -growth), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
         return Outcome(regime, rest=place, rate=-growth, distance=distance)
@@ -89,9 +92,14 @@ class Rest:
 
 
 def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
-    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none."""
+    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none.
+
+    Where friction holds the mass at the place, as on a belt that stands still, it is the nearest of all at which it does.
+    """
     field, constants = problem.field, problem.constants
-    mode = field.mode_at_rest([*place.tolist(), *np.zeros(len(place))], constants)
+    still = [*place.tolist(), *np.zeros(len(place))]
+    here = field.initial_mode(still, constants)
+    mode = here if field.stays(here) else field.mode_at_rest(still, constants)
     try:
         state = equilibrium_near(field, constants, place, mode)
     except ConvergenceError:
@@ -110,8 +118,9 @@ def equilibrium_near(
         state = [*q.tolist(), *[0.0] * n]
         mode = kept or field.initial_mode(state, constants)
         pull = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
-        try:
-            step = np.linalg.solve(field.matrix(state, constants, mode)[n:, :n], -pull)
+        slopes = field.matrix(state, constants, mode)[n:, :n]
+        try:  # along what holds nothing changes
+            step = np.linalg.lstsq(slopes, -pull, HELD)[0] if field.stays(mode) else np.linalg.solve(slopes, -pull)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("there is no equilibrium near") from error
         q = q + step

@@ -23,7 +23,7 @@ class Regime(IntEnum):
     FAILED = 0
     """There is no result; the reason says why."""
     EQUILIBRIUM = 1
-    """Rests at a steady-sliding equilibrium that attracts it, or that does not repel it where nothing damps."""
+    """Rests at a steady-sliding equilibrium that attracts it, or does not repel it where nothing damps; or sticks for good."""
     LIMIT_CYCLE = 2
     """Repeats itself on a cycle that attracts it."""
     LIFT_OFF = 3

@@ -390,9 +390,10 @@ class Trajectory(Named):
 
     def _event_counts(self) -> IndexArray:
         """How often each kind of event happened, from the samples alone, which include all events."""
-        gap, slip = self._levels()
-        changes = [np.diff((level > 0).astype(int)) for level in (gap, -slip)]
-        return np.array([np.count_nonzero(change == sign) for change in changes for sign in (1, -1)])
+        sides = self._sides()
+        lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
+        changes = (lifted, 1), (np.diff(sides), -2), (stuck, 1)
+        return np.array([np.count_nonzero(change == way * first) for change, first in changes for way in (1, -1)])
 
     def _attributes(self) -> dict[str, Any]:
         values = dict(zip(self.model.parameters, self.p.scalars(*self.model.parameters), strict=True))

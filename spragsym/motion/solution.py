@@ -33,8 +33,10 @@ def passed(
     """How a motion goes on behind a border: its next mode, and the crossing, none where there is no kink.
 
     Where the field jumps, the state and its derivatives by start and ``directions``, the ``columns``, are moved: they go on from
-    the border itself, not from where it was noticed. An error where the border does not say how.
+    the border itself, not from where it was noticed; so does one that leaves a border on which it stayed, from which errors of
+    steps may have taken it. An error where the border does not say how.
     """
+    held(problem, mode, state, None)
     border, at = problem.field.borders[row], (np.asarray(state).tolist(), problem.constants)
     after = border.beyond(mode, *at)
     crossing = Crossing(t, row, int(border.sign(after)), state.copy())
@@ -68,11 +70,18 @@ def leap(
 def landed(problem: Problem, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None) -> Mode:
     """The mode in which a motion begins; one that begins sticking has no derivatives across the border on which it sticks."""
     mode = problem.field.initial_mode(state.tolist(), problem.constants)
-    for border in (border for border in problem.field.borders if border.stays and not border.sign(mode)):
+    held(problem, mode, state, directions, columns)
+    return mode
+
+
+def held(
+    problem: Problem, mode: Mode, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None
+) -> None:  # fmt: skip
+    """Move a state onto the border on which it stays in a mode, and take from its derivatives those across."""
+    for border in problem.field.stays(mode):
         near = (other for other in problem.field.modes if sum(a != b for a, b in zip(mode, other, strict=True)) == 1)
         ways = [other for other in near if border.sign(other)]
         leap(problem, border, (max(ways, key=lambda way: pushed(problem, border, way, state)), mode), state, directions, columns)
-    return mode
 
 
 def pushed(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:

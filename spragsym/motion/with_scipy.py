@@ -100,7 +100,9 @@ class Flight:
         """SciPy's solver for one mode, from ``begin`` to ``bound``."""
         from scipy.integrate import DOP853, Radau
 
-        rtol = max(self.problem.rtol, IMPLICIT * self.stiff)
+        field, rtol = self.problem.field, max(self.problem.rtol, IMPLICIT * self.stiff)
+        if field.curved and not self.stiff and any(border.stays for border in field.borders):
+            rtol = RTOL  # what stays on a curved border is kept there by the equations of motion alone
         options: dict[str, Any] = {"rtol": rtol, "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE), "first_step": first}
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
 

@@ -64,7 +64,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     >>> len(ss.open(file))
     2
     """
-    text = text_of(path, LARGEST, "a file that save() wrote")
+    text = text_of(path, LARGEST, "a *.json that save() wrote", ", or give a *.json that save() wrote")
     try:
         held = json.loads(text)
         version, body = held["spragsym"], held["result"]
@@ -76,7 +76,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         if isinstance(error, ParameterError):
             raise
         raise ParameterError(
-            f"{os.fspath(path)} holds no result of spragsym ({error!r:.80}); give a file that save() wrote"
+            f"{os.fspath(path)} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
         ) from error
     raise ParameterError(f"{os.fspath(path)} was written by spragsym {version}, this is {__version__}; compute it anew")
 

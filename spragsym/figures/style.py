@@ -297,11 +297,12 @@ def window(model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[
     for name in vary:
         if name not in between:
             own = model.Parameters.ranges[name]
-            out[name] = own.low, own.high
-            if np.isinf(out[name]).any():
+            low, high = own.low, own.high
+            if np.isinf((low, high)).any():
                 farthest = float(np.abs(getattr(cusps(), name)).max(initial=0.0)) if cusps else 0.0
                 far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), ROOM * farthest)
-                out[name] = max(own.low, -far), min(own.high, far)
+                low, high = -far if np.isinf(low) else low, far if np.isinf(high) else high
+            out[name] = low, high
     return out
 
 

@@ -468,6 +468,8 @@ def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Mea
     if off is None:
         return Measured(value, value, value, unit)
     if isinstance(off, tuple):
+        if len(off) != 2:
+            raise ParameterError(f"{told} = {off!r}; give two ends, the smaller first")
         off = f"[{', '.join(repr(as_number(told, end, allowed)) for end in off)}] {in_si}"
     elif not isinstance(off, str):
         off = f"{abs(as_number(told, off))!r} {in_si}"

@@ -1,7 +1,6 @@
 """The lowest end of a followed state, of any model: against the article's closed form, and against states followed one by one."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,24 +13,6 @@ from spragsym.statics.balance import Balance
 SEARCH = ss.load("kang_nam").search
 #: A set whose lowest fold lies 1 % below the cusp that its curve leaves.
 TURN = {"kappa": 0.02, "alpha": 0.5, "sigma": 2.0, "beta": 0.0}
-
-
-def lowest(p: Any) -> tuple[Any, Any]:
-    """By search, and the closed form; friction up to twice of what that says."""
-    theirs = ss.critical_friction(p)
-    given = SEARCH.Parameters(**{name: float(getattr(p, name)) for name in ("kappa", "alpha", "sigma", "beta")})
-    top = 2 * float(theirs) if theirs.kind else 2.0
-    return ss.critical_friction(given, method="search", between={"mu0": (0.0, top)}), theirs
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize("given", [{}, TURN], ids=["article", "turn"])
-def test_it_is_the_closed_form(given: dict[str, float]) -> None:
-    found, theirs = lowest(ss.Parameters.article(**given))
-    assert (found.kind, found.complete, found.remarks) == (theirs.kind, True, ())
-    assert abs(found.value - float(theirs)) <= 2 * found.error * max(1.0, found.value)
-    assert found.theta0 == pytest.approx(theirs.theta0, rel=1e-9)
-    assert float(found) == found.mu0 == found.value
 
 
 @pytest.mark.validate

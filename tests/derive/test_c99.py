@@ -3,7 +3,6 @@
 import ctypes
 import itertools
 import math
-import platform
 import re
 import shutil
 import subprocess
@@ -15,7 +14,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.derive.emit.targets.c import cost
 from tests.oracles import c_target, languages, reference
 from tests.oracles.families import FAMILIES
 from tests.support import ROOT, few, in_python, leaves, lowest_sets
@@ -165,18 +163,6 @@ def test_sanitizers(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
-@pytest.mark.validate
-@pytest.mark.skipif(platform.machine() != "x86_64" or "gcc" not in COMPILERS, reason="gcc's report for x86-64 is read")
-def test_loops_over_columns_become_vectors(tmp_path: Path) -> None:
-    """Five times slower otherwise: one choice that gcc makes into control flow is enough."""
-    flags = ("-std=c11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
-    command = ["gcc", *flags, "-fopt-info-vec-optimized", "-c", SOURCES / "spragsym.c", "-o", tmp_path / "object"]
-    told = subprocess.run(command, capture_output=True, text=True, timeout=120).stderr
-    source = (SOURCES / "spragsym.c").read_text(encoding="utf-8")
-    for loop in re.finditer(r"CLONED static void (?:guess|root_at)_columns\(.*\n(?= +for)", source):
-        assert re.search(rf":{source.count(chr(10), 0, loop.end()) + 1}:\d+: optimized: loop vectorized", told), loop[0]
-
-
 def test_algebra_is_that_of_python(library: ctypes.CDLL) -> None:
     """Operation for operation; only exp may differ in its last digit."""
     for name, (names, results) in ALGEBRA.items():
@@ -279,24 +265,3 @@ def test_step_is_of_fourth_order_across_the_kinks(library: ctypes.CDLL, V: float
 
 
 # -------------------------------------------------------------------------------------------- cost and export
-
-
-def test_operations_are_counted() -> None:
-    """Branches add up, loops multiply, calls carry their cost along."""
-    source = """
-#define TWICE 2
-static double inner(double x) { return sqrt(x) * x + 1.0; }
-static double outer(double x) {
-    for (int i = 0; i < TWICE; i++) {
-        for (int j = 0; j < 3; j++) {
-            x += inner(x - 1.0); /* not * counted */
-        }
-    }
-    return (x > 0.0) ? emitted(x) : 0.0;
-}
-"""
-    counted = cost.costs(source.replace("{ return", "{\n return"), {})
-    assert cost.describe(counted["inner"]) == "2 operations, 1 sqrt"
-    assert cost.describe(counted["outer"]) == "25 operations, 6 sqrt"
-    with pytest.raises(ArithmeticError, match="can't be counted"):
-        cost.costs("void f(void) {\n while (1) {\n }\n}\n", {})

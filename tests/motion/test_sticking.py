@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.models.field import FLOATS
-from tests.oracles.user_pages import derived
+from tests.oracles import dry_friction
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
 BACKENDS = ("heyoka", "scipy")
@@ -39,18 +39,6 @@ def test_stick_slip_has_the_period_the_range_and_the_share_of_its_closed_forms(b
         assert late.largest(0.0, about="zero") == pytest.approx(mu_k + reach, abs=1e-10)
         stuck = slips[2] - sticks[(sticks > slips[1])][0]
         assert stuck / period == pytest.approx(share, abs=1e-10)
-
-
-def test_force_and_share_of_a_motion() -> None:
-    p = STICK_SLIP.Parameters(mu_s=0.6, mu_k=0.4, V=0.3)
-    period, _, share = exact(0.6, 0.4, 0.3)
-    tr = ss.simulate(p, x0=0.6, vx0=0.3, t_end=6 * period)
-    assert tr.sticking == pytest.approx(share, abs=1e-8)
-    begins, ends = (tr.events.of(kind).t[1:] for kind in (ss.Event.STICK, ss.Event.SLIP))
-    stuck = ((tr.t[:, None] > begins) & (tr.t[:, None] < ends)).any(axis=1)
-    assert tr.friction[stuck] == pytest.approx(tr.x[stuck], abs=1e-9)  # what the spring pulls
-    assert tr.friction[(tr.t > ends[0] + 1e-6) & (tr.t < begins[0] - 1e-6)] == pytest.approx(0.4)
-    assert ss.simulate(ss.load("stick_slip").Parameters(), t_end=5.0).sticking == 0.0
 
 
 def test_the_energy_changes_by_the_work_of_friction() -> None:
@@ -104,26 +92,10 @@ def test_starts_at_which_a_rule_decides(
         assert tr.state[:, -1] == pytest.approx(end, abs=1e-9)
 
 
-COUPLED = '''"""Two masses that slide on each other."""
-from spragsym.derive.model import Page, cos, sgn
-page = Page("Two masses that slide on each other, with a mass matrix that depends on the place.")
-m, k, l = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("l", "m", "length")
-mu_s = page.parameter("mu_s", "1", "static friction", ">= 0", 0.5)
-r = page.parameter("r", "1", "ratio of masses", "> 0", 0.4)
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
-x, y = page.coordinate("x", "m", "along the belt"), page.coordinate("y", "m", "beside it")
-page.kinetic(m * (page.rate(x) ** 2 + r * page.rate(y) ** 2) / 2 + m * r * page.rate(x) * page.rate(y) * cos(y / l) / 4)
-page.spring(k, along=x)
-page.spring(k, along=y)
-page.normal_force(k * l * (1 + y**2 / l**2 / 8))
-page.friction(x - y, V, slip=lambda v: mu_s * sgn(v) / 2, holds=mu_s)
-'''
-
-
-@pytest.mark.parametrize("name", ["coulomb", "coupled"])
+@pytest.mark.parametrize("name", ["coulomb", "tip"])
 def test_derivatives_of_the_modes_against_differences(name: str) -> None:
     """Of the accelerations on either side and sticking, and of the limits; sticking, the sliding speed does not change."""
-    model = ss.load("coulomb" if name == "coulomb" else derived(COUPLED, "coupled"))
+    model = dry_friction.model(name)
     p = model.Parameters(theta0=0.8) if name == "coulomb" else model.Parameters()
     field, algebra, n = model.field, model.algebra, len(model.coordinates)
     values = np.array(p.scalars(*model.parameters))

@@ -9,28 +9,19 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, shipped_page
 
 Values = Mapping[str, float]
 
 #: Leine's oscillator, whose friction falls with the sliding speed.
-LEINE = """'''One mass on a belt.'''
-from spragsym.derive.model import Abs, Page, sgn
-
-page = Page("One mass, one spring, and dry friction that falls with the sliding speed.")
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "stiffness of the spring")
-N_0 = page.unit("N_0", "N", "normal force")
-mu0 = page.parameter("mu0", "1", "static friction coefficient", ">= 0", 1.0)
-ratio = page.parameter("ratio", "1", "least over static friction coefficient", "[0, 1]", 0.0)
-delta = page.parameter("delta", "s/m", "how fast friction falls", ">= 0", 3.0)
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
-x = page.coordinate("x", "m", "displacement along the belt")
-page.kinetic(m * page.rate(x) ** 2 / 2)
-page.spring(k, along=x)
-page.normal_force(N_0)
-page.friction(x, V, slip=lambda v: mu0 * (ratio + (1 - ratio) / (1 + delta * Abs(v))) * sgn(v), holds=mu0)
-"""
+LEINE = shipped_page(
+    "coulomb_stick_slip", ("import Page", "import Abs, Page"), ('">= 0", 0.5)', '">= 0", 0.2)'),
+    ('page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)', 'page.parameter("mu0", "1", "static", ">= 0", 1.0)'),
+    ('mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
+     'ratio = page.parameter("ratio", "1", "least over static", "[0, 1]", 0.0)\n'
+     'delta = page.parameter("delta", "s/m", "how fast friction falls", ">= 0", 3.0)'),
+    ("mu_k * sgn(v)", "mu_s * (ratio + (1 - ratio) / (1 + delta * Abs(v))) * sgn(v)"),
+)  # fmt: skip
 
 #: A pendulum on a slider brushes a belt with its tip; friction falls with the sliding speed.
 TIP = """'''A pendulum on a slider.'''

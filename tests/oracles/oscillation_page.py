@@ -26,9 +26,6 @@ PAGE = ROOT / "docs" / "oscillation.md"
 #: What finds one cycle, or less, and what takes minutes all the same.
 QUICK, SLOW = ("spragsym cycles", "ss.", "[ss.", "abs("), ("--vary", "t_end=", "fate")
 
-#: Of the text: a sign or a size that defines something, the share of intervals that hold, and names.
-DEFINED, NAMES = {"0", "1", "95"}, r"Figure \d\w?|AUTO-07p|\]\([^)]*\)|https?://\S+"
-
 NUMBER = r"(?<![\w.₀-₉])\d+(?:\.\d+)?(?:e-?\d+)?(?![\d₀-₉])"
 
 

@@ -1,11 +1,7 @@
-"""One mass on a belt under steep friction laws: its page, and the return time of its motion by SciPy's Radau on the equation by hand."""
+"""One mass on a belt under steep friction laws."""
 
 import math
-from collections.abc import Mapping
 from typing import Any
-
-import numpy as np
-from scipy.integrate import solve_ivp
 
 from tests.oracles.user_pages import model_of, shipped_page
 
@@ -32,28 +28,3 @@ def model(law: str) -> Any:
         ),
         law,
     )  # fmt: skip
-
-
-def return_time(law: str, values: Mapping[str, float], state: Any, near: float, rtol: float) -> float:
-    """The time nearest to ``near`` between two maxima of x, over a little more than three such times."""
-    mu_s, delta, zeta, V, d = (values[name] for name in ("mu_s", "delta", "zeta", "V", "d"))
-
-    def friction(v: float) -> tuple[float, float]:
-        fall = mu_s / (1 + delta * abs(v))
-        value, slope = LAWS[law][1](d * v)
-        return fall * value, fall * d * slope - fall**2 * delta / mu_s * math.copysign(value, v * value) * math.copysign(1, v)
-
-    found = solve_ivp(
-        lambda _, y: (y[1], -y[0] - zeta * y[1] + friction(V - y[1])[0]), (0, 3.3 * near), state, method="Radau",
-        jac=lambda _, y: ((0, 1), (-1, -zeta - friction(V - y[1])[1])), rtol=rtol, atol=1e-3 * rtol, events=_maximum,
-    )  # fmt: skip
-    times = found.t_events[0]
-    gaps = np.subtract.outer(times, times)
-    return float(gaps.ravel()[np.argmin(np.abs(gaps - near))])
-
-
-def _maximum(_: float, y: Any) -> float:
-    return float(y[1])
-
-
-_maximum.direction = -1  # type: ignore[attr-defined]  # as SciPy wants it

@@ -253,56 +253,6 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
     assert abs(other.state[1]) > 0.05
 
 
-def stick_slip(width: float) -> Field:
-    """A block on a belt of speed 0.2, static friction 1, kinetic 0.5: rising over a slip of ``width``, falling over another."""
-    speed, static, kinetic = 0.2, 1.0, 0.5
-
-    def force(x: Any, v: Any, e: Any, mode: Any) -> Any:
-        zone, sign = mode  # zone 0: |slip| < width; 1: to twice that; 2: beyond
-        slip = speed - v
-        steep = static / width * slip
-        falling = sign * static - (static - kinetic) / width * (slip - sign * width)
-        weights = ((1 - zone) * (2 - zone) / 2, zone * (2 - zone), zone * (zone - 1) / 2)
-        return weights[0] * steep + weights[1] * falling + weights[2] * sign * kinetic - x
-
-    def slope(x: Any, v: Any, e: Any, mode: Any) -> Any:
-        zone, _ = mode
-        weights = ((1 - zone) * (2 - zone) / 2, zone * (2 - zone))
-        return -1.0, -weights[0] * static / width + weights[1] * (static - kinetic) / width
-
-    def outer(limit: float) -> Any:
-        return lambda q, c, m: m[1] * (speed - q[1]) / limit - 1
-
-    def rate(limit: float) -> Any:
-        return lambda q, a, c, m: -m[1] * a[0] / limit
-
-    def inner_sign(m: Any) -> Any:
-        return m[0] * (3 - m[0]) - 1  # −1, 1, 1 in zones 0, 1, 2
-
-    def outer_sign(m: Any) -> Any:
-        return m[0] * (m[0] - 1) - 1  # −1, −1, 1
-
-    borders = (
-        Border("sticks", outer(width), rate(width), inner_sign, lambda m, *_: (1 - m[0], m[1])),
-        Border("slips", outer(2 * width), rate(2 * width), outer_sign, lambda m, *_: (3 - m[0], m[1])),
-        Border("sign", lambda q, c, m: speed - q[1], lambda q, a, c, m: -a[0], lambda m: m[1], lambda m, *_: (m[0], -m[1])),
-    )
-    modes = [(zone, sign) for zone in (0, 1, 2) for sign in (1, -1)]
-    return field_of(f"stick-slip {width}", force, slope, lambda *_: 0.0, borders, modes)
-
-
-def test_the_textbook_period_of_stick_slip() -> None:
-    # Sticking 2 A / v from −A to A about the kinetic force, slipping 2 (π − atan(A / v)), A = static − kinetic.
-    exact = 2 * 0.5 / 0.2 + 2 * (math.pi - math.atan(0.5 / 0.2))
-    off = []
-    for width in (4e-3, 1e-3):
-        found = cycle_near(stick_slip(width), (0.0,), (1.0, 0.199))
-        assert found.residual < 1e-12
-        off.append(found.period - exact)
-    assert abs(off[1]) < 0.05
-    assert 0 < off[1] < off[0] / 3  # it goes with the width of the layer, but for a logarithm
-
-
 @pytest.mark.thorough
 @pytest.mark.skipif(not bench_auto.installed(), reason="AUTO-07p, a continuation code by collocation, is not installed")
 def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:

@@ -174,7 +174,13 @@ def _check_friction(model: Mechanics) -> None:
     ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
         at_zero = laws.limit(model, value, laws.SLIP, sp.S.Zero)
-        if at_zero != 0 if sliding.holds is None else _negative(model, at_zero, laws.SLIP):
+        if sliding.holds is not None and _negative(model, at_zero, laws.SLIP):
+            law = at_zero if side == "ahead" else -at_zero
+            raise PageError(
+                sliding.line,
+                f"the friction law drives: where the belt is just {side} of the mass it is {law}; friction opposes sliding, as mu_k*sgn(v)",
+            )
+        if sliding.holds is None and at_zero != 0:
             raise PageError(
                 sliding.line,
                 f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0: {limits.STICKING}",

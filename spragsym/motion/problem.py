@@ -39,7 +39,11 @@ MOST, STABLE = 1e6, 0.5
 
 
 class Event(IntEnum):
-    """Which border of the piecewise smooth field the motion crosses at an event."""
+    """Which border of the piecewise smooth field the motion crosses at an event.
+
+    The first two are of the contact. The mass overtakes the belt, or the belt the mass, where the sliding speed passes 0; where
+    friction holds the mass there, it sticks, until it slips.
+    """
 
     CONTACT_LOST = 0
     CONTACT_REGAINED = 1

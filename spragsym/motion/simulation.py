@@ -138,7 +138,7 @@ class Trajectory(Named):
     state : ndarray, shape (2 n, k)
         The n coordinates, then their rates; x, y, x', y' for the article's model.
     events : Events or None
-        Contact lost and regained, slip reversed; None when not asked for.
+        Contact lost and regained, slip reversed, sticking begun and ended; None when not asked for.
     rtol : float
         The tolerance.
     backend : str

@@ -123,10 +123,13 @@ def lyapunov(
     ------
     ParameterError, ParameterTypeError
         For arguments that make no sense, and parameters that are no scalars.
+    ConvergenceError
+        Where deviations are lost: the motion is too stiff, or it sticks, where all deviations of the sliding speed end.
+        :func:`~spragsym.fate` tells a cycle that sticks.
 
     Notes
     -----
-    Source: Benettin's method on (8)–(11), the flow itself as the first direction; the field is continuous, so that its kinks need
+    Source: Benettin's method on (8)–(11), the flow itself as the first direction; where the field is continuous its kinks need
     nothing special. A chaotic transient that lasts longer than the motion was followed is not told from a chaotic attractor.
 
     Examples
@@ -285,7 +288,8 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         if sizes.min() > LOST * sizes.max():
             return passage.state, turned, np.log(sizes), float(np.linalg.slogdet(passage.by_state)[1])
         if span < stretch / 2**HALVINGS:
-            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff")
+            why = "the mass sticks" if any(border.stays for border in field.borders) else "too stiff"
+            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: {why}")
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)
         return end, frame, first + second, shrunk + more

@@ -62,7 +62,7 @@ def cycle(
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
 
     Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose contact and overtake the belt as
-    often as it likes, as the field is continuous there.
+    often as it likes, and stick where friction holds it (``page.friction``): there the derivatives go on from border to border.
 
     Parameters
     ----------

@@ -104,8 +104,8 @@ class Driver:
         self.side = 0 if self.contact and min(ahead, behind) >= 0 else 1 if ahead < behind else -1
 
     def levels(self) -> list[Any]:
-        """What is positive until an event."""
-        found = [lambda _, z: self.side * self.solved(z, self.side)[1]]
+        """What is positive until an event; the sliding speed begins at 0 but for rounding where it slips."""
+        found = [lambda _, z: self.side * self.solved(z, self.side)[1] + 1e-13]
         if not self.side:
             found = [lambda _, z: self.solved(z, 0)[2], lambda _, z: self.solved(z, 0)[3]]
         if self.name == "coulomb":
@@ -137,7 +137,7 @@ class Driver:
             self.events.append((event, t, z))
 
 
-def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float = 2e-5) -> Any:
+def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float = 5e-6) -> Any:
     """Of the state after the period by the state and then by parameters, as differences of this driver's motions."""
     m, here = len(cycle.state), np.array([*cycle.state, *map(cycle.parameters.get, varied)])
 

@@ -125,8 +125,8 @@ def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
         assert found.rest[0] == pytest.approx(end, abs=1e-9)
         assert tr.after(30.0).sticking == 1.0
         assert ss.simulate(tr.p, x0=start, t_end=40.0, backend=backend, events=False).outcome().rest == found.rest
-    free = ss.simulate(BRAKE.Parameters(V=0.0, mu_s=0.0, mu_k=0.0), x0=1.0, t_end=40.0, backend=backend)
-    assert free.outcome().regime == ss.Regime.UNSETTLED
+    free = BRAKE.Parameters(V=0.0, mu_s=0.0, mu_k=0.0)
+    assert ss.simulate(free, x0=1.0, t_end=40.0, backend=backend).outcome().regime == ss.Regime.UNSETTLED
 
 
 @pytest.mark.thorough

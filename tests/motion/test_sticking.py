@@ -34,8 +34,7 @@ def test_stick_slip_has_the_period_the_range_and_the_share_of_its_closed_forms(b
         slips, sticks = (tr.events.of(kind).t for kind in (ss.Event.SLIP, ss.Event.STICK))
         assert np.diff(slips)[1:] == pytest.approx(period, abs=1e-10)
         assert tr.events.of(ss.Event.SLIP).state[1:, 0] == pytest.approx(mu_s, abs=1e-11)
-        begin = slips[1]
-        late = tr.after(begin)
+        late = tr.after(slips[1])
         assert late.largest(0.0, about="zero") == pytest.approx(mu_k + reach, abs=1e-10)
         stuck = slips[2] - sticks[(sticks > slips[1])][0]
         assert stuck / period == pytest.approx(share, abs=1e-10)

@@ -77,8 +77,8 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     whole = Module("algebra", model.page.summary, tuple(function for part in parts for function in part.functions))
     sections: list[str] = []
     borrowed: dict[str, list[str]] = {}
-    # Libraries are printed from the text of the first model, no place tells which way a turning is counted, and few lines are whole;
-    # where friction holds, signs alone tell no regime.
+    # The whole algebra is kept where other languages are printed from its text (the first model), where the place does not tell the
+    # regime (turnings of torsion springs; sticking), and where it is short (no inclined springs).
     it = model.mechanics
     by_regimes = bool(shared and it.lines and not it.torsions and not motion.Motion(it).holds)
     for part in parts:

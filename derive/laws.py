@@ -80,8 +80,8 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
-def most(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
-    """The largest coefficients of a friction that holds, with the belt and against it: not less than what slip has there."""
+def static_coefficients(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+    """Static friction coefficients with the belt and against it: not less than the kinetic ones at sliding speed 0."""
     sliding = model.page.sliding
     holds = sp.S.Zero if sliding is None or sliding.holds is None else model.scaled(sliding.holds)
     found = []

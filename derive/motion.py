@@ -39,29 +39,30 @@ class Motion:
         return tuple(sp.diff(self.model.slide, symbol) for symbol in self.model.coordinates)
 
     @cached_property
-    def stopped(self) -> tuple[sp.Expr, sp.Expr]:
-        """How the sliding speed changes without friction, and how a unit of friction slows it: F is the one over the other."""
-        compliance = sum((a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)), sp.S.Zero)
-        return self.rate(self.borders[1], self.accelerations).subs(FRICTION, 0), compliance
+    def mobility(self) -> sp.Expr:
+        """Jᵀ M⁻¹ J of the displacement that friction opposes: by how much a unit of friction slows the sliding."""
+        return sum((a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)), sp.S.Zero)
 
     @cached_property
-    def gripped(self) -> dict[sp.Symbol, sp.Expr]:
+    def holding(self) -> sp.Expr:
+        """The force that keeps the sliding speed from changing: the constraint force of sticking."""
+        return self.rate(self.borders[1], self.accelerations).subs(FRICTION, 0) / self.mobility
+
+    @cached_property
+    def dry_friction(self) -> dict[sp.Symbol, sp.Expr]:
         """What STUCK and FRICTION are; nothing of a friction that does not hold.
 
         Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0 where the contact is lost.
         """
         if not self.holds:
             return {}
-        change, compliance = self.stopped
-        force = (1 - STUCK) * MU * self.model.normal + STUCK * change / compliance
+        force = (1 - STUCK) * MU * self.model.normal + STUCK * self.holding
         return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
 
-    @cached_property
-    def limits(self) -> Row:
-        """Positive while friction holds: how far F is from its limit with the belt, and from that against it."""
-        change, compliance = self.stopped
-        ahead, behind = laws.most(self.model)
-        return ahead * self.model.normal - change / compliance, behind * self.model.normal + change / compliance
+    def margins(self, force: sp.Expr) -> Row:
+        """How far a force of friction is from its limit with the belt, and from that against it: positive while friction holds."""
+        ahead, behind = (coefficient * self.model.normal for coefficient in laws.static_coefficients(self.model))
+        return ahead - force, behind + force
 
     @cached_property
     def side(self) -> sp.Expr:
@@ -69,7 +70,9 @@ class Motion:
         sliding = sp.sign(self.borders[1])
         if not self.holds:
             return sliding
-        within_ahead, within_behind = (sp.sign(2 * sp.sign(limit) + 1) for limit in self.limits)  # −1 beyond it, 1 up to it
+        within_ahead, within_behind = (
+            sp.sign(2 * sp.sign(margin) + 1) for margin in self.margins(self.holding)
+        )  # −1 beyond it, 1 up to it
         return sliding + (1 - sliding**2) * (within_behind - within_ahead) / 2
 
     @cached_property
@@ -156,7 +159,7 @@ class Motion:
 
     def slopes(self, symbol: sp.Symbol, turn: sp.Expr | None = None) -> Row:
         """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces − ∂M q″; ``turn`` is friction's."""
-        turn = self.turn(symbol) if turn is None else turn
+        turn = self.friction_slope(symbol) if turn is None else turn
         if not self.is_coupled:
             return tuple(self.derivative(row, symbol, turn) for row in self.accelerations)
         it = self.model
@@ -164,14 +167,14 @@ class Motion:
         pulls = sp.Matrix([self.derivative(row, symbol, turn) for row in self.forces])
         return tuple(self.inverse * (pulls - changes))
 
-    def turn(self, symbol: sp.Symbol) -> sp.Expr:
+    def friction_slope(self, symbol: sp.Symbol) -> sp.Expr:
         """The derivative of μ; or that of a force that holds, which keeps the sliding speed from changing."""
         if not self.holds:
             return self.model.derivative(self.friction, symbol)
         slipping = self.model.derivative(self.friction * self.model.normal, symbol)
         changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
         change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(a * b for a, b in changes)
-        return (1 - STUCK) * slipping + STUCK * change / self.stopped[1]
+        return (1 - STUCK) * slipping + STUCK * change / self.mobility
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turn: sp.Expr) -> sp.Expr:
         """By a coordinate, a rate or a parameter, with ``turn`` for that of MU, or of FRICTION."""
@@ -278,10 +281,9 @@ def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
 
 
 def _slopes(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
-    """Derivatives of the sliding speed and, while it sticks, of the limits."""
-    ahead, behind = (most * motion.model.normal for most in laws.most(motion.model))
-    rows = motion.borders[1], ahead - FRICTION, behind + FRICTION
-    turns = {symbol: motion.turn(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
+    """Derivatives of the sliding speed and, while it sticks, of the margins of the force of friction."""
+    rows = motion.borders[1], *motion.margins(FRICTION)
+    turns = {symbol: motion.friction_slope(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
     return tuple(tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items()) for row in rows)
 
 
@@ -303,7 +305,7 @@ def module(model: Mechanics) -> Module:
     felt = laws.near(len(laws.layers(model)))
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.gripped, **motion.solved}
+    shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.dry_friction, **motion.solved}
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
 
@@ -328,7 +330,7 @@ def module(model: Mechanics) -> Module:
     )  # fmt: skip
     grips = () if not motion.holds else (
         smooth("grip", "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
-               "it sticks.", motion.limits, "(ahead, behind)"),
+               "it sticks.", motion.margins(motion.holding), "(ahead, behind)"),
         smooth("grip_slopes", "Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters.",
                _slopes(motion, (*place, *map(number, model.parameters))),
                "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)"),

@@ -169,8 +169,8 @@ def _check_friction(model: Mechanics) -> None:
     sliding = model.page.sliding
     if sliding is None:
         return
-    if sliding.holds is not None and (witness := _negative(model, model.scaled(sliding.holds), laws.SLIP)):
-        raise PageError(sliding.line, f"what friction holds is negative: {witness}; give a coefficient that is >= 0")
+    if sliding.holds is not None and _negative(model, model.scaled(sliding.holds), laws.SLIP):
+        raise PageError(sliding.line, f"holds = {sliding.holds} is negative at the base values; give a coefficient that is >= 0")
     ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
         at_zero = laws.limit(model, value, laws.SLIP, sp.S.Zero)

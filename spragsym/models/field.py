@@ -69,7 +69,7 @@ class Border:
     rate : callable
         ``rate(state, accelerations, constants, mode)``: the derivative of the level in time.
     sign : callable
-        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers that is 1 or −1.
+        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers: 1 or −1, or 0 if it is no border of it.
     beyond : callable
         ``beyond(mode, state, constants)``: the mode on the other side.
     kink : bool
@@ -184,6 +184,11 @@ class Field:
         first = self.modes[0]
         return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
 
+    @property
+    def holds(self) -> bool:
+        """Whether a motion may stay on a border, as where friction holds."""
+        return any(border.stays for border in self.borders)
+
     def stays(self, mode: Mode) -> tuple[Border, ...]:
         """The borders on which a motion stays in a mode, as where friction holds."""
         return tuple(border for border in self.borders if border.stays and not border.sign(mode))
@@ -229,12 +234,7 @@ def field_of(model: Model, reach: float) -> Field:
         tuple(motion.borders()),
         motion.initial_mode,
         tuple(
-            itertools.product(
-                (1, 0),
-                (1, -1, 0) if motion.holds else (1, -1),
-                *((1, 0),) * motion.layers,
-                *((1, -1),) * (motion.turns + motion.torsions),
-            )
+            itertools.product((1, 0), motion.sides, *((1, 0),) * motion.layers, *((1, -1),) * (motion.turns + motion.torsions))
         ),
         model.Parameters,
         lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
@@ -255,7 +255,7 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
-    if any(border.stays for border in model.field.borders):
+    if model.field.holds:
         raise ParameterError("friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks")
     if model.about.get("waves"):
         raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
@@ -279,6 +279,7 @@ class _Motion:
         self.model, self.reach, self.contact = model, reach, about["contact"]
         self.layers, self.torsions = about["layers"], len(about["torsions"])
         self.holds = hasattr(model.algebra, "grip")
+        self.sides = (1, -1, 0) if self.holds else (1, -1)
         self.rooted = not self.contact["polynomial"]
         self.turns = int(self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates)
         #: Places in a mode of the turn of the gap, and of the first torsion spring.

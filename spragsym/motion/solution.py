@@ -36,19 +36,19 @@ def passed(
     the border itself, not from where it was noticed; so does one that leaves a border on which it stayed, from which errors of
     steps may have taken it. An error where the border does not say how.
     """
-    held(problem, mode, state, None)
+    project(problem, mode, state, None)
     border, at = problem.field.borders[row], (np.asarray(state).tolist(), problem.constants)
     after = border.beyond(mode, *at)
     crossing = Crossing(t, row, int(border.sign(after)), state.copy())
     if border.jumps is not None and border.jumps(*at):
         if border.slopes is not None:
-            leap(problem, border, (mode, after), state, directions, columns)
+            saltation(problem, border, (mode, after), state, directions, columns)
         elif directions is not None:
             raise ConvergenceError(JUMPED)
     return after, (crossing,) if border.kink else ()
 
 
-def leap(
+def saltation(
     problem: Problem, border: Border, modes: tuple[Mode, Mode], state: FloatArray, directions: FloatArray | None,
     columns: FloatArray | None,
 ) -> None:  # fmt: skip
@@ -67,24 +67,31 @@ def leap(
     state += jump * border.level(values, constants, modes[0])
 
 
-def landed(problem: Problem, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None) -> Mode:
-    """The mode in which a motion begins; one that begins sticking has no derivatives across the border on which it sticks."""
+def start_mode(problem: Problem, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None) -> Mode:
+    """The mode in which a motion begins; a state that sticks, and its derivatives, are projected onto the border."""
     mode = problem.field.initial_mode(state.tolist(), problem.constants)
-    held(problem, mode, state, directions, columns)
+    project(problem, mode, state, directions, columns)
     return mode
 
 
-def held(
+def project(
     problem: Problem, mode: Mode, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None
 ) -> None:  # fmt: skip
-    """Move a state onto the border on which it stays in a mode, and take from its derivatives those across."""
+    """Project a state onto the border on which it stays in a mode, and its derivatives onto the tangent of that."""
     for border in problem.field.stays(mode):
         near = (other for other in problem.field.modes if sum(a != b for a, b in zip(mode, other, strict=True)) == 1)
         ways = [other for other in near if border.sign(other)]
-        leap(problem, border, (max(ways, key=lambda way: pushed(problem, border, way, state)), mode), state, directions, columns)
+        saltation(
+            problem,
+            border,
+            (max(ways, key=lambda way: speed_across(problem, border, way, state)), mode),
+            state,
+            directions,
+            columns,
+        )
 
 
-def pushed(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:
+def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:
     """How fast a motion in a mode moves across a border."""
     values, constants = np.asarray(state).tolist(), problem.constants
     return abs(float(border.rate(values, problem.field.acceleration(values, constants, mode, FLOATS), constants, mode)))
@@ -108,9 +115,9 @@ class Turn(NamedTuple):
 class Passage:
     """A stretch of motion: where it ends, (m,), and derivatives of that.
 
-    Those by the state at the start, (m, m), are the product over the smooth pieces, as the field is continuous; those by the
-    parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and of its square over time are NaN
-    where the integrator does not carry them along.
+    Those by the state at the start, (m, m), are the product over the smooth pieces, with saltation matrices where the field
+    jumps between them; those by the parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and
+    of its square over time are NaN where the integrator does not carry them along.
     """
 
     state: FloatArray

@@ -17,7 +17,7 @@ from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
 from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, landed, parted, passed
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed, project, start_mode
 
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed: at most a second or
 #: so. Steps after which a stretch of a flow is given up.
@@ -149,7 +149,7 @@ class Traveller:
     def __post_init__(self) -> None:
         """At the start."""
         self.carried = np.array(self.problem.start, dtype=float)
-        self.mode = landed(self.problem, self.carried, None)
+        self.mode = start_mode(self.problem, self.carried, None)
 
     @property
     def most(self) -> int:
@@ -218,12 +218,12 @@ class Carrier:
         try:
             if direction > 0:
                 raise missed(t)
-            directions, columns = self._directions(one), self._columns(self.state[:, lane])
-            one.mode, crossings = passed(one.problem, row, one.mode, t, state, directions, columns)
+            columns = self._columns(self.state[:, lane]) if self.field.borders[row].slopes else None
+            one.mode, crossings = passed(one.problem, row, one.mode, t, state, self._directions(one), columns)
         except ConvergenceError as error:
             one.error = error
             return False
-        if columns is not None and self.field.borders[row].slopes:
+        if columns is not None:
             self.state[self.m : -2, lane] = columns.T.ravel() * UNIT
         self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
         for crossing in crossings:
@@ -284,7 +284,7 @@ class Carrier:
         self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.derivatives:
             columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
-            landed(some[0].problem, self.state[: self.m, 0], self._directions(some[0]), columns)
+            project(some[0].problem, some[0].mode, self.state[: self.m, 0], self._directions(some[0]), columns)
             self.state[self.m : -2, 0] = columns.T.ravel() * UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()

@@ -14,7 +14,7 @@ from ..models.field import FLOATS, GAP, Mode
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, landed, parted, passed
+from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed, start_mode
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
@@ -101,7 +101,7 @@ class Flight:
         from scipy.integrate import DOP853, Radau
 
         field, rtol = self.problem.field, max(self.problem.rtol, IMPLICIT * self.stiff)
-        if field.curved and not self.stiff and any(border.stays for border in field.borders):
+        if field.curved and not self.stiff and field.holds:
             rtol = RTOL  # what stays on a curved border is kept there by the equations of motion alone
         options: dict[str, Any] = {"rtol": rtol, "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE), "first_step": first}
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
@@ -111,7 +111,7 @@ class Flight:
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first: float | None = None
-        mode, looked, steps = landed(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1)), 0.0, 0
+        mode, looked, steps = start_mode(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1)), 0.0, 0
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             bound = duration - clock

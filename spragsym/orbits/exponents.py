@@ -288,7 +288,7 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         if sizes.min() > LOST * sizes.max():
             return passage.state, turned, np.log(sizes), float(np.linalg.slogdet(passage.by_state)[1])
         if span < stretch / 2**HALVINGS:
-            why = "the mass sticks" if any(border.stays for border in field.borders) else "too stiff"
+            why = "the mass sticks" if field.holds else "too stiff"
             raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: {why}")
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)

@@ -211,16 +211,24 @@ def arrived(share: float, border: int, point: Point) -> Arrival:
 
 def _switching(one: Point, other: Point, share: float, border: int, length: float) -> Iterator[Finding]:
     """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or goes on into them."""
+
+    def stays(point: Point) -> float:
+        return arrived(share, border, point).stays
+
+    passing, staying = sorted((one, other), key=stays)
+    returns = len(arrivals(passing.loop)) > len(arrivals(staying.loop))
+    kind, name = "switching-sliding" if returns else "crossing-sliding", one.loop.field.borders[border].name
     try:
-        point = zero_of(lambda each: arrived(share, border, each).stays, one, other, length)
+        point = zero_of(stays, one, other, length)
     except (ConvergenceError, ValueError) as error:
         if length > FINEST:
-            raise ConvergenceError("a change of sliding was not located") from error
+            raise ConvergenceError(f"a {kind} was not located") from error
+        yield Finding(kind, other.loop, abs(one.value - other.value), border, how=name)
         return
-    passing, staying = sorted((one, other), key=lambda each: arrived(share, border, each).stays)
-    returns = len(arrivals(passing.loop)) > len(arrivals(staying.loop))
-    kind = "switching-sliding" if returns else "crossing-sliding"
-    yield Finding(kind, point.loop, uncertainty(point), border, how=point.loop.field.borders[border].name)
+    if abs(stays(point)) <= JUMPS * max(abs(stays(one)), abs(stays(other))):
+        yield Finding(kind, point.loop, uncertainty(point), border, how=name)
+    elif length > FINEST:  # another arrival became the nearest one: no zero, and shorter steps tell them apart
+        raise ConvergenceError(f"a {kind} was not located")
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:

@@ -321,7 +321,7 @@ class _Motion:
     def held(self, mode: Mode, state: Any, constants: Any) -> Mode:
         """The mode where nothing slides: sticking, if there is contact and the force of friction is within its limits."""
         ahead, behind = self.in_mode("grip")(state, constants, mode, FLOATS)
-        sticks = mode[0] and min(ahead, behind) >= 0 < max(ahead, behind)
+        sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
         return mode[0], 0 if sticks else 1 if ahead < behind else -1, *mode[2:]
 
     def grips(self, state: Any, constants: Any, mode: Mode) -> float:

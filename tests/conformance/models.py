@@ -39,7 +39,6 @@ def _places() -> dict[str, str]:
 PLACES = _places()
 MODELS = tuple(PLACES)
 
-
 #: Those that are another one with another law or one spring more: what is the same by the same code is asked of them by hand.
 ALIKE = ("damped", "coulomb", "stribeck", "cubic_contact", "hertz_contact", "inclined_belt", "trolley", "pad_on_disc")
 

@@ -60,6 +60,7 @@ def test_a_cycle_with_sticking_has_the_zero_multiplier_that_sticking_brings(back
     assert found.amplitude == pytest.approx(reach, abs=1e-12)
     assert abs(found.multipliers[1]) <= found.multiplier_errors[0] < 1e-10
     assert [ss.Event(kind).name for kind in found.events.which] == ["STICK", "SLIP"]
+    assert "sticks" in ss.precise.prove_cycle(found).reason
 
 
 @pytest.mark.parametrize(

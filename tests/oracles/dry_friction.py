@@ -47,7 +47,6 @@ page.friction(
 )
 """
 
-
 #: Parameters of each model, and ranges from which they are drawn; the reach of starts.
 DRAWN = {"coulomb": ("theta0", "mu0", "ratio", "kappa", "alpha", "sigma", "V"), "leine": ("mu0", "ratio", "delta", "V"),
          "tip": ("mu0", "ratio", "delta", "V", "N")}  # fmt: skip

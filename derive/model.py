@@ -330,7 +330,7 @@ class Page:
 
         - It sticks as soon as the sliding speed is 0 and |F| ≤ holds N with N > 0, |F| = holds N included; else the speed passes 0.
         - It slips as soon as |F| is larger, in the direction in which F would accelerate it; and as soon as the contact is lost.
-        - A speed that only touches 0 sticks there too, if the force is within its limit.
+        - A sliding speed that only touches 0 sticks there too, if the force is within its limit; a touch to within 1e-12 may be missed.
         - Where the belt stands, V = 0, every place at which F is within the limit is one of rest.
         """
         self._first(self.sliding, "friction", str(limits.SECOND_CONTACT))

@@ -13,6 +13,8 @@ from .model import PageError, expression_of
 
 #: A sliding speed, positive.
 SLIP = sp.Symbol("_slip", positive=True)
+#: The share of the static coefficient that is used where nothing slides, from −1, against the belt, to 1, with it.
+HELD = sp.Symbol("held", real=True)
 
 
 def slip(model: Mechanics) -> sp.Expr:
@@ -92,6 +94,13 @@ def static_coefficients(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
             holds if more.is_nonnegative else begins if more.is_nonpositive else (holds + begins + sp.Abs(holds - begins)) / 2
         )
     return found[0], found[1]
+
+
+def friction_held(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+    """μ where a share of the static coefficient is used, and its slope by that."""
+    ahead, behind = static_coefficients(model)
+    held = (ahead + behind) / 2 * HELD + (ahead - behind) / 2
+    return held, sp.diff(held, HELD)
 
 
 def friction_at_speed(model: Mechanics) -> sp.Expr:

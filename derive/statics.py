@@ -70,6 +70,10 @@ def module(model: Mechanics) -> Module:
         function("torsions", "The stiffness of every torsion spring.", place,
                  tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
     )  # fmt: skip
+    held = () if model.page.sliding is None or model.page.sliding.holds is None else (
+        function("friction_held", "The friction coefficient while it sticks, by the share of the static one that is used; its slope.",
+                 (*model.arguments, laws.HELD), laws.friction_held(model), "(mu, ∂mu/∂held)"),
+    )  # fmt: skip
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
@@ -87,6 +91,7 @@ def module(model: Mechanics) -> Module:
             function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
                      tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
                      "(∂mu/∂p_1, …)"),
+            *held,
             *turnings,
             function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
             function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),

@@ -14,6 +14,7 @@ from .bifurcation.folds import cusps as cusps
 from .bifurcation.folds import folds as folds
 from .bifurcation.hopf_curves import onset_curves as onset_curves
 from .bifurcation.paths import quasi_static_path as quasi_static_path
+from .bifurcation.sticking import sticking_states as sticking_states
 from .design.certificates import Certificate as Certificate
 from .design.jumps import JumpGradient as JumpGradient
 from .design.jumps import jump_gradient as jump_gradient
@@ -91,5 +92,6 @@ from .results.paths import Path as Path
 from .results.points import BifurcationSet as BifurcationSet
 from .results.points import Curve as Curve
 from .results.points import Points as Points
+from .results.points import StickingStates as StickingStates
 from .statics.equilibria import count as count
 from .statics.equilibria import equilibria as equilibria

@@ -120,7 +120,7 @@ def quasi_static_path(
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
     if not along.size or not ((steps > 0).all() or (steps < 0).all()):
         raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
-    way = _Way(p, vary, along)
+    way = Way(p, vary, along)
     place = way.begin(start)
     out = [way.state(0, place)]
     jumps = []
@@ -143,7 +143,7 @@ def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> M
 
     Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
     """
-    way = _Way(p, vary, np.array(span))
+    way = Way(p, vary, np.array(span))
     place = way.begin(start)
     for stop in range(1, way.stops.size):
         place = way.followed(stop, place)
@@ -167,7 +167,7 @@ def open_ends(
     return found
 
 
-class _Way:
+class Way:
     """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch.
 
     A place is a slot of the equilibria at a stop, or ``~number`` of the point at which a state has vanished: where that is a fold
@@ -309,7 +309,21 @@ class _Way:
         number = self._turned(stop - 1, place, stop) if here.size > 1 else None
         if number is None and place in self._links(stop - 1):
             return self._links(stop - 1)[place]
-        return ~(self._ending(stop, place, here) if number is None else number)
+        return ~(self._ending(stop - 1, stop, place, here) if number is None else number)
+
+    def vanishing(self, stop: int, goal: int, slot: int) -> int:
+        """The number of the point at which a state vanishes on its way to the stop before or behind, if it does."""
+        here = self._candidates(stop, goal)
+        number = self._turned(stop, slot, goal) if here.size > 1 else None
+        return self._ending(stop, goal, slot, here) if number is None else number
+
+    def moved(self, stop: int, slot: int, goal: int) -> FloatArray:
+        """By how much a state moves on its way to another stop, angles as they go on."""
+        tubes, start = self._standing(self.balance, stop, slot)
+        there = tubes.followed(start, self.stops[[goal]])
+        if not there.sure[0] or there.v[0] != self.stops[goal]:
+            raise ConvergenceError(f"how the state moves from {self.vary} = {self.stops[stop]:.17g} on is not proved")
+        return (there.z - start.z)[:-1, 0]
 
     def ended(self, stop: int, place: int) -> bool:
         """Whether a state has vanished on the way to a stop, or at a point there from which it does not go on."""
@@ -358,18 +372,18 @@ class _Way:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
         return {name: float(getattr(self.turns, name)[number]) for name in names or self.balance.coordinates}
 
-    def _ending(self, stop: int, place: int, here: IntArray) -> int:
-        """The number of the point, one of ``here``, at which a state vanishes on its way to a stop from the one before."""
+    def _ending(self, stop: int, goal: int, place: int, here: IntArray) -> int:
+        """The number of the point, one of ``here``, at which a state vanishes on its way from a stop to the next one."""
         if here.size == 1:
             return int(here[0])
         for number in here[self.kinds[here] == "border"].tolist():
-            tubes, start = self._standing(Balance(self.p.model, contact=True, room=OVER_BORDER), stop - 1, place)
+            tubes, start = self._standing(Balance(self.p.model, contact=True, room=OVER_BORDER), stop, place)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
-        q = np.array([self.state(stop - 1, place)[:-2]]).T
+        q = np.array([self.state(stop, place)[:-2]]).T
         if others.size > 1 and self.far[others].all():  # of states that run opposite ways
             away = self.q[:, others]
             others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
@@ -378,7 +392,7 @@ class _Way:
             others = others[near[near >= 0]]
         if others.size == 1:  # at folds the state would be known to turn
             return int(others[0])
-        ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
+        ends = f"{self.vary} = {float(self.stops[stop]):.17g} and {float(self.stops[goal]):.17g}"
         raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
 
     def state(self, stop: int, slot: int) -> list[float]:

@@ -93,7 +93,7 @@ class Model:
     def is_angle(self, name: str) -> bool:
         """Whether a parameter, a coordinate, the direction of a spring, or what is told of them after a jump, is an angle."""
         turning = {entry["name"] for entry in self.about["coordinates"] if entry["unit"] == "rad"}
-        for one in (name, re.sub(r"^(rest|mean|cycle)_|_(before|after)$", "", name)):  # a parameter may be named rest_angle
+        for one in (name, re.sub(r"^(rest|mean|cycle)_|_(before|after|low|high)$", "", name)):  # one may be named rest_angle
             if one in (*self.parameters, *self.coordinates):
                 return one in self.about["angles"] or one in turning
         return one.partition("_")[0] == "theta"

@@ -184,6 +184,31 @@ def after_if_known(points: Points) -> Mapping[str, FloatArray]:
 
 
 @dataclass(frozen=True, eq=False)
+class StickingStates(Named, Rows):
+    """Connected sets of states in which friction holds the mass, a row for each, in the order of the first coordinate.
+
+    Of every coordinate ``x`` the least and the largest value in a set are ``x_low`` and ``x_high``; angles are radians.
+
+    Attributes
+    ----------
+    parameters : Parameters
+        What was asked for.
+    error : ndarray
+        Bound on |error| / max(1, |value|) of these values.
+    complete : bool
+        Whether these are all states of sticking; otherwise ``remarks`` say what was not searched.
+    """
+
+    held_in = "ends"
+
+    parameters: Any
+    error: FloatArray
+    complete: bool
+    remarks: tuple[str, ...]
+    ends: Mapping[str, FloatArray] = field(repr=False)
+
+
+@dataclass(frozen=True, eq=False)
 class Curve(Named):
     """Folds in order along a curve: the parameters that vary and the coordinates are attributes under their own names.
 

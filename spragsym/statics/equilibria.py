@@ -30,7 +30,8 @@ def equilibria(p: ParameterSet, contact: bool = True, within: Ranges | None = No
     -------
     Equilibria
         Of the article's model one or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of
-        an array that have no answer are not ``decided``.
+        an array that have no answer are not ``decided``. On a belt that stands still nothing slides: where friction holds the
+        mass, :func:`spragsym.sticking_states` has all states of rest.
 
     Raises
     ------

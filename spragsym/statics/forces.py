@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -52,7 +53,7 @@ class Forces:
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
         #: Arguments of the functions: cosines and sines of angles, and these too where they stand by themselves.
-        self.codes: list[str] = list(about["arguments"]["motion"])
+        self.codes: list[str] = list(dict.fromkeys(itertools.chain(*reversed(about["arguments"].values()))))
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
@@ -151,7 +152,8 @@ class State:
 
     def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion") -> Any:
         """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
-        listed = [self.values[name] for name in self.balance.model.about["arguments"][kind]]
+        arguments = self.balance.model.about["arguments"]
+        listed = [self.values[code] for code in arguments.get(name, arguments[kind])]
         return undecorated(getattr(self.balance.model.algebra, name))(*first, *listed, *last, xp=self.xp)
 
     def some(self, rows: IntArray) -> State:

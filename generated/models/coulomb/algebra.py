@@ -11,6 +11,7 @@ beta : stiffness to ground across the belt, dimensionless
 mu0 : static friction coefficient, dimensionless
 ratio : kinetic over static friction coefficient, dimensionless
 V : belt speed, dimensionless
+held : share of the static friction coefficient that is used, −1 to 1
 c1 : cosine of the direction of spring 1, from the mass to its anchor
 s1 : sine of the direction of spring 1
 l1 : length of spring 1
@@ -48,6 +49,14 @@ def friction_at_speed(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
 def friction_by_parameters(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, ratio, mu0, 0, 0, 0, 0, 0)
+
+
+def friction_held(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, held):
+    """The friction coefficient while it sticks, by the share of the static one that is used; its slope. Returns (mu,
+    ∂mu/∂held). Source: the page. Operations: 9."""
+    w0 = mu0/2
+    w1 = ratio*w0 + w0 + abs(mu0*ratio - mu0)/2
+    return (held*w1, w1)
 
 
 def contact_force(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing):

@@ -4,6 +4,7 @@ x : displacement along the belt
 mu_s : static friction coefficient, dimensionless
 mu_k : kinetic friction coefficient, dimensionless
 V : belt speed, dimensionless
+held : share of the static friction coefficient that is used, −1 to 1
 mu : friction coefficient
 pushing : 1 in contact, 0 in lift-off
 vx : rate of x
@@ -50,6 +51,13 @@ def friction_at_speed(mu_s, mu_k, V):
 def friction_by_parameters(mu_s, mu_k, V):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0)
+
+
+def friction_held(mu_s, mu_k, V, held):
+    """The friction coefficient while it sticks, by the share of the static one that is used; its slope. Returns (mu,
+    ∂mu/∂held). Source: the page. Operations: 8."""
+    w0 = mu_k/2 + mu_s/2 + abs(mu_k - mu_s)/2
+    return (held*w0, w0)
 
 
 def forces(x, mu, pushing):

@@ -82,6 +82,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "Curve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
     "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),
     "Onsets in closed form": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7), damping=False),
+    "StickingStates": lambda: ss.sticking_states(ss.load("coulomb_stick_slip").Parameters(V=0.0)),
     "LinearSprag": lambda: ss.linear_sprag(P),
     "Path": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))),
     "Jump": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", [0.5, 1.0]).jumps[0],

@@ -149,7 +149,7 @@ def _falling(v: Any, p: Values, xp: Any) -> Any:
 
 
 def _hertz(depth: Any, p: Values, xp: Any) -> Any:
-    return depth * xp.sqrt(abs(depth))
+    return depth * xp.sqrt(xp.sqrt(depth * depth))  # |depth|, which complex steps differentiate
 
 
 def _cubic(depth: Any, p: Values, xp: Any) -> Any:

@@ -1,7 +1,7 @@
 """First Lyapunov coefficients to 50 digits from equations written by hand, and their signs by motions.
 
-Nothing generated stands behind the reference: the accelerations below are written down from the mechanisms, the point is found again
-by Newton's method, and derivatives are mpmath's.
+Nothing generated stands behind the reference: forces are written down from the drawings, the point is found again by Newton's
+method, and derivatives are mpmath's.
 """
 
 import math
@@ -14,6 +14,7 @@ from scipy import optimize
 
 import spragsym as ss
 from spragsym.errors import ConvergenceError
+from tests.oracles.forces_by_hand import DRAWN, Values
 
 DIGITS = 50
 #: Digits of Newton's method, and those of differences, whose steps are STEP: they are right to some 2 · 40 digits.
@@ -21,63 +22,14 @@ WORKING, FINE = 90, 210
 STEP = mpmath.mpf("1e-40")
 
 
-# ------------------------------------------------------------------------------------------- equations by hand
-
-
-def accelerations(page: str, P: Mapping[str, Any], u: Sequence[Any]) -> list[Any]:
+def accelerations(page: str, P: Values, u: Sequence[Any]) -> list[Any]:
     """Accelerations at the state u = (coordinates, rates), in contact, with the belt ahead; the law of friction passes through that
     of statics at steady sliding."""
-    n = len(u) // 2
-    x, vx = u[0], u[n]
-
-    def mu(speed: Any) -> Any:
-        if page == "stick_slip":
-            return 2 * P["mu_s"] * speed * P["v_s"] / (speed**2 + P["v_s"] ** 2)
-        creep = 1 - mpmath.exp(-P["d"] * speed)
-        if page == "stribeck":
-            return (P["mu_k"] + (P["mu_s"] - P["mu_k"]) * mpmath.exp(-speed / P["v_s"])) * creep
-        return P["mu0"] * creep
-
-    at_rest = mu(P["V"]) if page in ("stick_slip", "stribeck") else P["mu0"]
-    friction = at_rest + mu(P["V"] - vx) - mu(P["V"])
-    if page == "stick_slip":
-        return [friction - x - P["zeta"] * vx]
-    y, vy = u[1], u[n + 1]
-    if page == "mode_coupling":
-        lean = P["sigma"] * (x - y) / 2
-        return [-P["alpha"] * x - lean - friction * y, -P["beta"] * y + lean - 1 - y]
-    depth = -y
-    pressed = {
-        "cubic_contact": lambda: depth + P["gamma"] * depth**3,
-        "hertz_contact": lambda: depth * mpmath.sqrt(depth),
-        "soft_brake": lambda: depth + P["gamma"] * depth**2,
-    }
-    normal = pressed.get(page, lambda: depth)()
-    fx, fy = friction * normal - P["alpha"] * x, normal - P.get("beta", 0) * y - P["kappa"]
-
-    def spring(stiffness: Any, angle: Any, rest: Any, moved: Any = 0) -> tuple[Any, Any, Any, Any]:
-        """The pull of a spring, and the cosine and sine of its direction."""
-        dx, dy = rest * mpmath.cos(angle) + moved - x, rest * mpmath.sin(angle) - y
-        length = mpmath.sqrt(dx**2 + dy**2)
-        tension = stiffness * (length - rest)
-        return tension * dx / length, tension * dy / length, dx / length, dy / length
-
-    px, py, c, s = spring(P["sigma"], P["theta0"], 1, u[2] if page == "trolley" else 0)
-    fx, fy = fx + px, fy + py
-    if page == "soft_brake":  # the guide's page: a torsion spring turns with the inclined one, and rests at theta0
-        dx, dy = mpmath.cos(P["theta0"]) - x, mpmath.sin(P["theta0"]) - y
-        turned = -1j * mpmath.log((dx + 1j * dy) / (mpmath.cos(P["theta0"]) + 1j * mpmath.sin(P["theta0"])))
-        turned = (turned + 1j * mpmath.log(mpmath.sqrt(dx**2 + dy**2))) * P["tau"] / (dx**2 + dy**2)
-        fx, fy = fx - turned * dy, fy + turned * dx
-    if page == "two_springs":
-        qx, qy, _, _ = spring(P["sigma_2"], P["theta0_2"], P["lambda_2"])
-        fx, fy = fx + qx, fy + qy
-    if page == "inclined_belt":
-        fx, fy = fx - P["gamma_g"] * mpmath.sin(P["psi"]), fy - P["gamma_g"] * mpmath.cos(P["psi"])
-    if page == "damped":
-        beside = P["zeta_s"] * (c * vx + s * vy)
-        fx, fy = fx - P["zeta_x"] * vx - beside * c, fy - P["zeta_y"] * vy - beside * s
-    return [fx, fy, (-P["alpha_a"] * u[2] - px) / P["nu_a"]] if page == "trolley" else [fx, fy]
+    drawn, n = DRAWN[page], len(u) // 2
+    steady, ahead = (drawn.friction(speed, P, mpmath) for speed in (P["V"], P["V"] - u[n]))
+    friction = drawn.static_friction(P, mpmath) + ahead - steady
+    forces = drawn.forces(u[:n], u[n:], P, mpmath, True, friction)
+    return [force / mass for force, mass in zip(forces, drawn.inertia(P), strict=True)]
 
 
 # ------------------------------------------------------------------------------------------------ the reference

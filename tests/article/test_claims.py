@@ -19,7 +19,7 @@ from spragsym import article as claims
 from spragsym.cli import cli
 from spragsym.cli.article import check as check_command
 from spragsym.motion import simulate
-from tests.oracles import article_motion
+from tests.oracles import article_motion, creeping_states, reference
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT
 
 BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
@@ -35,23 +35,22 @@ def value(id: str, name: str) -> Any:
     return record()[id]["values"][name]
 
 
-# ------------------------------------------------------------------- the article's balance, written out once more
+# ------------------------------------------------------------------- the article's balance, written by hand
 
 
-def forces(x: Any, y: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, contact: bool = True) -> Any:
-    """(12) and (13) with the preload, less zero."""
-    c0, s0 = np.cos(theta0), np.sin(theta0)
-    L = np.hypot(c0 - x, s0 - y)
-    n = -y if contact else 0.0
-    pull = sigma * (1 - L) / L
-    return pull * (c0 - x) + alpha * x - mu0 * n, pull * (s0 - y) + beta * y - n + kappa
+def constants(theta0: float, p: dict[str, float], V: float = 1.0, d: float = 1e3) -> tuple[float, ...]:
+    """Those of the equations of motion: with this V and d friction works fully."""
+    return np.cos(theta0), np.sin(theta0), *(p[name] for name in BASE), V, d
+
+
+def forces(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> tuple[float, float]:
+    """(12) and (13) with the preload."""
+    return article_motion.accelerations((x, y, 0.0, 0.0), constants(theta0, p), contact, 1.0)
 
 
 def stiffness(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
-    """The forces' Jacobian by central differences; friction on both sides of y = 0 as in contact, if it is."""
-    h = 1e-6
-    at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731  # one line of two
-    return np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
+    """Less the forces' Jacobian; friction on both sides of y = 0 as in contact, if it is."""
+    return -np.array(article_motion.slopes((x, y, 0.0, 0.0), constants(theta0, p), contact, 1.0))[:, :2]
 
 
 def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
@@ -65,32 +64,20 @@ def kind(eigenvalues: Any) -> int:
     return int(ss.Stability.STABLE if np.real(eigenvalues).min() > 0 else ss.Stability.DIVERGENT)
 
 
-def residual(theta: Any, theta0: Any, m: Any = mpmath, **p: Any) -> Any:
-    """(14) with L from (15), for floats, arrays (``m=numpy``) and mpmath numbers."""
-    mu0, kappa, alpha, sigma, beta = (p[name] for name in BASE)
-    c, s, c0, s0 = m.cos(theta), m.sin(theta), m.cos(theta0), m.sin(theta0)
-    L = (sigma * s + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * s)
-    return sigma * (1 - L) * c + alpha * (c0 - L * c) + mu0 * (s0 - L * s)
-
-
-def sign_changes(theta0: float, n: int = 200_001, **p: float) -> int:
-    """Number of equilibria in contact by the signs of the residual on a dense grid."""
-    theta = np.linspace(1e-7, np.pi - 1e-7, n)
-    s0, q = np.sin(theta0), 1 + p["beta"] + p["sigma"]
-    y = (p["sigma"] * (s0 - np.sin(theta)) - p["kappa"]) / q
-    g = residual(theta, theta0, np, **p)
-    return int((np.sign(g[:-1]) * np.sign(g[1:]) < 0)[(y < 0)[:-1]].sum())
+def counted(theta0: float, **p: float) -> int:
+    """Number of equilibria in contact by the eigenvalues of the quartic's companion matrix."""
+    return creeping_states.roots(ss.Parameters(theta0=theta0, **p), "theta0", theta0)[0].size
 
 
 def refined(unknowns: dict[str, float], orders: int, **fixed: Any) -> dict[str, mpmath.mpf]:
-    """The point near ``unknowns`` where the residual and its first derivatives by θ are zero, to 30 digits."""
+    """The point near ``unknowns`` where the force along the belt and its first derivatives by θ are zero, to 30 digits."""
     with mpmath.workdps(40):
         exact = {name: mpmath.mpf(number) for name, number in (EXACT | fixed).items()}
 
         def equations(*values: Any) -> list[Any]:
             p = exact | dict(zip(unknowns, values, strict=True))
             theta, theta0 = p.pop("theta"), p.pop("theta0")
-            return [mpmath.diff(lambda t: residual(t, theta0, **p), theta, k) for k in range(orders)]
+            return [mpmath.diff(lambda t: reference.along(t, theta0, **p), theta, k) for k in range(orders)]
 
         found = mpmath.findroot(equations, list(unknowns.values()), tol=1e-50)
         return dict(zip(unknowns, found, strict=True))
@@ -121,7 +108,7 @@ def test_folds_of_figures_4_and_5(id: str, place: tuple[str, int | None], side: 
     found = refined({"theta": near(stated + side, mu0=float(mu0)), "theta0": float(np.radians(stated))}, 2, mu0=mu0)
     assert float(mpmath.degrees(found["theta0"])) == pytest.approx(stated, rel=1e-11)
     p = BASE | {"mu0": float(mu0)}
-    assert [sign_changes(np.radians(stated + step), **p) for step in (side, -side)] == [3, 1]
+    assert [counted(np.radians(stated + step), **p) for step in (side, -side)] == [3, 1]
 
 
 @pytest.mark.thorough
@@ -133,7 +120,7 @@ def test_cusp_by_residuals() -> None:
     assert float(found["mu0"]) == pytest.approx(value("fig-12-cusp", "mu0"), rel=1e-11)
     low, high = value("fig-12-cusp", "two jumps for theta0_deg from, to")
     for angle, turns in ((low - 0.3, 1), (low + 0.3, 2), (high - 1, 2), (high + 0.1, 0)):
-        counts = [sign_changes(np.radians(angle), 20_001, **BASE | {"mu0": mu0}) for mu0 in np.linspace(1e-5, 0.6, 150)]
+        counts = [counted(np.radians(angle), **BASE | {"mu0": mu0}) for mu0 in np.linspace(1e-5, 0.6, 150)]
         assert sum(one != other for one, other in itertools.pairwise(counts)) == turns, angle
 
 
@@ -162,7 +149,7 @@ def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
 def test_bifurcation_set_by_counts() -> None:
     for angle in (10.0, 30.0, 50.0, 65.0, 140.0, 170.0):
         for mu0 in ss.folds(ss.Parameters.article(theta0=np.radians(angle)), "mu0").mu0:
-            counts = {sign_changes(np.radians(angle), **BASE | {"mu0": mu0 + step}) for step in (-1e-6, 1e-6)}
+            counts = {counted(np.radians(angle), **BASE | {"mu0": mu0 + step}) for step in (-1e-6, 1e-6)}
             assert counts == set(value("fig-12-set", "equilibria on the two sides")), (angle, mu0)
 
 
@@ -272,7 +259,7 @@ def test_one_or_three_by_signs() -> None:
         kappa, alpha, beta = 10 ** rng.uniform(-3, -1), 10 ** rng.uniform(-3, 0), rng.uniform(0, 2)
         p = {"mu0": mu0, "kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
         count = int(ss.equilibria(ss.Parameters(theta0=theta0, **p)).count)
-        assert sign_changes(theta0, 50_001, **p) == count
+        assert counted(theta0, **p) == count
         seen.add(count)
     assert seen == set(value("claim-one-or-three", "counts"))
 
@@ -389,9 +376,9 @@ def test_limit_cycle_by_another_integrator() -> None:
 
 def growth_by_hand(theta0_deg: float, x: float) -> float:
     """Largest real part at the equilibrium with that x, of the linearized equations of motion."""
-    constants = (np.cos(np.radians(theta0_deg)), np.sin(np.radians(theta0_deg)), *BASE.values(), 0.5, 10.0)
-    at = root(lambda q: article_motion.accelerations((*q, 0.0, 0.0), constants, True, 1.0), (x, -0.05), tol=1e-14).x
-    slopes = article_motion.slopes((*at, 0.0, 0.0), constants, True, 1.0)
+    law = constants(np.radians(theta0_deg), BASE, V=0.5, d=10.0)
+    at = root(lambda q: article_motion.accelerations((*q, 0.0, 0.0), law, True, 1.0), (x, -0.05), tol=1e-14).x
+    slopes = article_motion.slopes((*at, 0.0, 0.0), law, True, 1.0)
     return float(np.linalg.eigvals([[0, 0, 1, 0], [0, 0, 0, 1], *slopes]).real.max())
 
 

@@ -252,7 +252,7 @@ def test_lift_off() -> None:
 
 
 @pytest.mark.thorough
-def test_one_or_three_by_signs() -> None:
+def test_one_or_three_by_companion_matrix() -> None:
     rng, seen = np.random.default_rng(5), set()
     for _ in range(150):
         theta0, mu0, sigma = rng.uniform(0.05, 3.09), rng.uniform(0, 2), 10 ** rng.uniform(-2, 0)

@@ -44,10 +44,15 @@ def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]
         argument = node.args[0]
         if isinstance(node, sp.exp):
             found.append((node, sp.S.Zero, node, -argument))
-        elif (end := limit(model, argument, SLIP, sp.oo)).is_infinite:
+        elif (end := _within_domains(limit(model, argument, SLIP, sp.oo))) in (sp.oo, -sp.oo):
             far, exponent = sp.sign(end), 2 * sp.sign(end) * argument
             found.append((node, far, -2 * far * sp.exp(-exponent) / (1 + sp.exp(-exponent)), exponent))
     return found
+
+
+def _within_domains(value: sp.Expr) -> sp.Expr:
+    """A value of which only the sign is asked, with parameters away from 0 where that is the end of their domain."""
+    return value.xreplace({it: sp.Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative})
 
 
 def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.Expr:

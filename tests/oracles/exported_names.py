@@ -24,13 +24,13 @@ b = page.parameter({3!r}, "s/m", "steepness", "> 0", 0.3)
 c = page.parameter({4!r}, "N s/m", "damping", "> 0", 0.3)
 d = page.parameter({5!r}, "1", "share", "real", 0.3)
 f = page.parameter("force", "N", "force", "> 0", 0.3, becomes={6!r})
-V = page.parameter({7!r}, "m/s", "belt speed", "> 0", 0.3)
+V = page.parameter({7!r}, "m/s", "belt speed", ">= 0", 0.3)
 page.kinetic(m * page.rate(q)**2 / 2)
 page.potential(k * q**2 / 2 * (1 + d**2 * sin(q / L)**2 + tanh(d) + log(2 + Abs(d)) + sqrt(1 + d**2)))
 page.damper(c * (1 + q**2 / L**2), along=q)
 page.force(f * cos(t) * (PI + atan(q / L)), along=q)
 page.normal_force(k * L)
-page.friction(q, V, lambda v: a * tanh(b * v) * (1 + exp(-b * Abs(v))))
+page.friction(q, V, lambda v: a * tanh(v / V) * (1 + exp(-b * Abs(v))))
 '''
 
 

@@ -156,7 +156,11 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
     """Columns of the file that a call of this fingerprint wrote; a TargetError for any other one."""
     columns, attributes = read(path)
     if attributes.get("fingerprint") != key:
-        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
+        model, source = attributes.get("model", "some model"), attributes.get("source", "another program")
+        raise TargetError(
+            f"{path} exists, a result of {model} by {source}, for other parameters or settings or of other code; remove it, "
+            "or give another path"
+        )
     return columns
 
 

@@ -31,6 +31,8 @@ from .result import Result
 
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30
+#: What a file raises that is not as :func:`save` writes it now.
+_WRONG = (ValueError, TypeError, LookupError, AttributeError, ImportError, ArithmeticError, RecursionError)
 
 
 def save(result: Any, path: str | os.PathLike[str]) -> None:
@@ -64,21 +66,23 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     >>> len(ss.open(file))
     2
     """
-    text = text_of(path, LARGEST, "a *.json that save() wrote", ", or give a *.json that save() wrote")
+    name, text = os.fspath(path), text_of(path, LARGEST, "a *.json that save() wrote", ", or give a *.json that save() wrote")
     try:
         held = json.loads(text)
-        version, body = held["spragsym"], held["result"]
-        if version == __version__:
-            if _digest(_text(body)) != held["sha256"]:
-                raise ValueError("it is not as it was written")
-            return json.loads(_text(body), object_hook=partial(_read, model))
-    except (ValueError, TypeError, LookupError, AttributeError, ImportError, ArithmeticError, RecursionError) as error:
-        if isinstance(error, ParameterError):
+        version, body = held["spragsym"], _text(held["result"])
+        if version == __version__ and _digest(body) != held["sha256"]:
+            raise ValueError("it is not as it was written")
+    except _WRONG as error:
+        raise ParameterError(f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote") from error
+    why = f"this is {__version__}"
+    if version == __version__:
+        try:
+            return json.loads(body, object_hook=partial(_read, model))
+        except ParameterError:
             raise
-        raise ParameterError(
-            f"{os.fspath(path)} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
-        ) from error
-    raise ParameterError(f"{os.fspath(path)} was written by spragsym {version}, this is {__version__}; compute it anew")
+        except _WRONG as error:
+            why = f"when results had other parts than now ({error!r:.80})"
+    raise ParameterError(f"{name} was written by spragsym {version}, {why}; compute it anew")
 
 
 def _text(body: Any) -> str:

@@ -168,8 +168,9 @@ class Case:
     def si(self) -> dict[str, str]:
         """SI units of coordinates and their rates, and of what is measured of a motion."""
         entries = self.model.about["coordinates"]
+        times = dict.fromkeys(("t", "duration", "period"), "s")
         rates = {entry["rate"]: "1/s" if entry["unit"] == "rad" else "m/s" for entry in entries}
-        measured = dict.fromkeys(MEASURED, entries[0]["unit"]) | dict.fromkeys(FORCES, "N") | {"period": "s"}
+        measured = dict.fromkeys(MEASURED, entries[0]["unit"]) | dict.fromkeys(FORCES, "N") | times
         return {entry["name"]: entry["unit"] for entry in entries} | rates | measured
 
     @property

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 #: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a sweep followed to the end.
 LONGEST = 2e6
 
+#: What a phase of a cycle is called by the sign of its sliding speed.
+SLIPS = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
+
 
 @o.of_model(start=True)
 @o.t_end
@@ -223,6 +226,11 @@ def cycles(
         "crossings": len(found.events), "backend": found.backend,
     })  # fmt: skip
     summary["state"] = (found.state * ones).tolist()
+    modes, slips = found.phases, SLIPS if case.model.about["friction"] else {1: "none"}
+    phases = case.rows(
+        {"t": modes.t, "duration": modes.duration}, state=["contact" if held else "lift-off" for held in modes.contact],
+        slip=[slips[side] for side in modes.side.tolist()],
+    )  # fmt: skip
     if prove:
         from .. import precise
 
@@ -238,10 +246,10 @@ def cycles(
 
     def tables() -> None:
         print_rows("", [{"": name, " ": _shown(value)} for name, value in {"model": case.model.name, **summary}.items()])
-        for title, rows in zip(("Branch", "Events"), branch.values(), strict=False):
+        for title, rows in zip(("Phases", "Branch", "Events"), (phases, *branch.values()), strict=False):
             print_rows(title, rows)
 
-    return {**summary, **branch}, tables
+    return {**summary, "phases": phases, **branch}, tables
 
 
 def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: Path | None) -> Any:

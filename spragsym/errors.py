@@ -101,6 +101,14 @@ def hint(given: str, allowed: Iterable[str]) -> str:
     return f"; did you mean {meant}?" if meant else ""
 
 
+def one_of(name: str, given: str, allowed: Iterable[str]) -> str:
+    """A word that is one of those allowed, else an error that names them."""
+    words = [*allowed]
+    if given not in words:
+        raise ParameterError(f"{name} = {given!r} is not one of {', '.join(words)}{hint(str(given), words)}")
+    return given
+
+
 def latin(text: str) -> str:
     """Greek letters by their names, and subscripts as digits."""
     return "".join(_letter(character) for character in unicodedata.normalize("NFKC", text))

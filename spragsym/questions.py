@@ -16,7 +16,7 @@ import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Literal, ParamSpec, TypeAlias, TypeVar
 
-from .errors import ModelError, ParameterError, ParameterTypeError
+from .errors import ModelError, ParameterTypeError, one_of
 from .models.model import Model
 from .models.parameters import Parameters, ParameterSet
 
@@ -40,8 +40,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
-        if method not in WAYS:
-            raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
+        one_of("method", method, WAYS)
         asked = model if method == "auto" else model.whole if method == "closed" else model.search
         if asked is not model:
             args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]

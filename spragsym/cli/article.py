@@ -15,7 +15,7 @@ from typing import Any, TypeAlias, TypeVar
 import click
 
 from ..display import aligned
-from ..errors import ParameterError, hint
+from ..errors import ParameterError, one_of
 from ..models import load
 from ..models.load import page_of
 from ..progress import advance, show_progress
@@ -229,6 +229,5 @@ def _known(given: list[str], allowed: Mapping[str, Any], option: str) -> list[st
     """Names, separated by blanks or commas."""
     names = [name for text in given for name in re.split(r"[\s,]+", text.strip(" ,"))]
     for name in names:
-        if name not in allowed:
-            raise ParameterError(f"{option}: {name!r} is not one of {', '.join(allowed)}{hint(name, allowed)}")
+        one_of(option, name, allowed)
     return list(dict.fromkeys(names))

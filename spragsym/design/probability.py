@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..display import Table
-from ..errors import ParameterError
+from ..errors import ParameterError, one_of
 from ..models.load import USUAL, load
 from ..models.model import Model
 from ..models.parameters import Parameters, Range, as_count, as_number
@@ -257,8 +257,7 @@ def jump_probability(
     >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
     (True, True)
     """
-    if method not in WAYS:
-        raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
+    one_of("method", method, WAYS)
     if isinstance(distribution, tuple):
         asked, in_si = model_of(distribution), isinstance(distribution[0], PhysicalParameters)
     else:

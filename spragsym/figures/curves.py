@@ -16,7 +16,7 @@ from scipy.optimize import linear_sum_assignment
 import spragsym as ss
 
 from ..bifurcation.branches import linked
-from ..errors import ConvergenceError, ParameterError, SpragsymError
+from ..errors import ConvergenceError, ParameterError, SpragsymError, one_of
 from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet, Span
@@ -254,8 +254,7 @@ def plot_equilibria(
     """
     ax = own_axes(ax)
     quantity, (vary, ends, turns) = quantity or p.model.coordinates[0], _range(p, vary, low, high, contact)
-    if quantity not in columns_of(p.model):
-        raise ParameterError(f"quantity = {quantity!r} is not one of {', '.join(columns_of(p.model))}")
+    one_of("quantity", quantity, columns_of(p.model))
     name_axes(ax, p.model, vary, quantity)
     lines = draw_branches(curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options)
     if turns is not None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..display import Table, caption, words
-from ..errors import ParameterError, ParameterTypeError, hint
+from ..errors import ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
@@ -404,9 +404,7 @@ class Trajectory(Named):
 
 def row_of(of: str | None, offered: tuple[str, ...]) -> int:
     """Which of some components is asked for; the first unless told otherwise."""
-    if of is not None and of not in offered:
-        raise ParameterError(f"of = {of!r} is not one of {', '.join(offered)}")
-    return 0 if of is None else offered.index(of)
+    return 0 if of is None else offered.index(one_of("of", of, offered))
 
 
 def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..errors import ConvergenceError, one_of
 from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
@@ -216,9 +216,11 @@ class Events(Result):
     def __len__(self) -> int:
         return len(self.t)
 
-    def of(self, *kinds: Event) -> Events:
-        """The events of some kinds only."""
-        return self.select(np.isin(self.which, kinds))
+    def of(self, *kinds: Event | str) -> Events:
+        """The events of some kinds only, by members of :class:`Event` or their names, as "stick"."""
+        words = {kind.name.lower(): kind for kind in Event}
+        chosen = [kind if kind in [*Event] else words[one_of("kinds", str(kind).lower(), words)] for kind in kinds]
+        return self.select(np.isin(self.which, chosen))
 
     def select(self, chosen: BoolArray) -> Events:
         """The events that are marked."""

@@ -9,7 +9,7 @@ from itertools import islice
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ConvergenceError, ParameterError, one_of
 from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, as_count, as_number, as_range
 from ..motion.multipliers import CRITERIA, is_complex_pair
@@ -19,7 +19,7 @@ from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import Point, Setting, at_zero, between, corrected, placed, point_of, started, steps, turning, within
-from .events import MERGES, Finding, findings, touching, vertical
+from .events import MERGES, SLIDING, Finding, findings, touching, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
@@ -45,8 +45,9 @@ SHRUNK = 0.1
 #: Slowest part of an orbit that is said to come to rest.
 STILL = 2e-3
 
-#: Kinds of event at which stability may change.
+#: Kinds of event, those first at which stability may change.
 CHANGING = ("fold", "period_doubling", "torus")
+TOLD = (*CHANGING, "grazing", *SLIDING, "homoclinic", "end")
 
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
 
@@ -151,7 +152,8 @@ class CycleBranch(Result):
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
         """The events of some kinds only."""
-        return tuple(event for event in self.events if event.kind in kinds)
+        chosen = [one_of("kinds", kind, TOLD) for kind in kinds]
+        return tuple(event for event in self.events if event.kind in chosen)
 
 
 def cycle_branch(
@@ -192,9 +194,7 @@ def cycle_branch(
     ['end', 'end']
     """
     model = cycle.field
-    if vary not in model.parameters:
-        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
-    index = model.parameters.index(vary)
+    index = model.parameters.index(one_of("vary", vary, model.parameters))
     low, high = as_range("to", to)
     for bound in (low, high):
         model.check(vary, bound)

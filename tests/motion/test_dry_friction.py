@@ -161,7 +161,7 @@ def test_what_stays_on_a_curved_border_is_kept_there() -> None:
         pytest.importorskip(backend)
         values, start = dry_friction.drawn("tip", 0)
         tr = ss.simulate(dry_friction.model("tip").Parameters(**values), start=start, t_end=30.0, rtol=1e-6, backend=backend)
-        begin, end = (tr.events.of(kind).t for kind in (ss.Event.STICK, ss.Event.SLIP))
+        begin, end = (tr.events.of(kind).t for kind in ("stick", ss.Event.SLIP))
         held = sum(min(end[end > t], default=30.0) - t for t in begin)
         assert tr.sticking == pytest.approx(held / 30.0, abs=1e-9)
         shares.append(tr.sticking)

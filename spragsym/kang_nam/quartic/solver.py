@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import BackendError, ConvergenceError, ParameterError
+from ...errors import BackendError, ConvergenceError, one_of
 from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters, as_count
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray
@@ -261,8 +261,7 @@ def set_backend(name: str, threads: int = 1) -> None:
     'numpy'
     >>> set_backend("auto")
     """
-    if name not in ("auto", "numpy", "compiled"):
-        raise ParameterError(f"backend = {name!r} is not one of 'auto', 'numpy' and 'compiled'")
+    one_of("backend", name, ("auto", "numpy", "compiled"))
     threads = as_count("threads", threads)
     if name == "compiled" and not compiled.available():
         raise BackendError(

@@ -19,7 +19,7 @@ mu : friction coefficient
 pushing : 1 in contact, 0 in lift-off
 vx : rate of x
 vy : rate of y
-side : 1 where the belt is ahead, −1 where the mass is
+side : 1 where the belt is ahead, −1 where the mass is, 0 where it sticks
 ax : acceleration of x
 ay : acceleration of y
 

@@ -205,9 +205,9 @@ def _ties(it: Mechanics, place: int) -> list[str]:
 
 def _of_law(sliding: Friction) -> list[str]:
     """Quantities of the page on which its friction law depends, at the belt's speed or at rest."""
-    speed = sp.Dummy()
-    expressions = sp.Tuple(sp.sympify(sliding.law(speed)), sliding.belt, *([] if sliding.at_rest is None else [sliding.at_rest]))
-    return sorted(str(symbol) for symbol in expressions.free_symbols - {speed})
+    speed = sp.Dummy(positive=True)
+    at_belt = sp.sympify(sliding.law(speed)).xreplace({speed: sliding.belt})
+    return sorted(map(str, sp.Tuple(at_belt, sliding.at_rest or at_belt).free_symbols))
 
 
 def _at_rest(it: Mechanics) -> str:

@@ -5,7 +5,6 @@ import inspect
 import itertools
 import re
 import sys
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import asdict
@@ -29,7 +28,6 @@ _GOOD, _OPEN, _BAD, _DIM = {"fg": "green"}, {"fg": "cyan"}, {"fg": "red", "bold"
 _STYLES: Mapping[str, Style] = {
     "confirmed": _GOOD, "misprint": {"fg": "yellow"}, "approximation": _OPEN, "definition": _DIM, "failed": _BAD,
     "reproduced": _GOOD, "corrected": {"fg": "magenta"}, "input not stated": _OPEN, "not reproduced": _BAD,
-    "holds": _GOOD, "fails": _BAD, "no meaning": _DIM,
 }  # fmt: skip
 
 
@@ -145,19 +143,20 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    _print_rows("model less article", [(row.id, row.where, row.status, row.remark) for row in rows])
-    number = Counter(row.status for row in rows)
-    hold, fail, none = number["holds"], number["fails"], number["no meaning"]
+    words = (variant_models.HOLDS, variant_models.FAILS, variant_models.NO_MEANING)
+    styles = dict(zip(words, (_GOOD, _BAD, _DIM), strict=True))
+    _print_rows("model less article", [(row.id, row.where, row.status, row.remark) for row in rows], styles)
+    hold, fail, none = map([row.status for row in rows].count, words)
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
 
 
-def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
+def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]], styles: Mapping[str, Style] = _STYLES) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
     table = [("row", "where", "status", last), *rows]
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
-        styled = line.removesuffix(status) + click.style(status, **_STYLES.get(status, {"bold": True}))
+        styled = line.removesuffix(status) + click.style(status, **styles.get(status, {"bold": True}))
         click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
 
 

@@ -364,8 +364,7 @@ def module(model: Mechanics) -> Module:
                      (*model.coordinates, *model.arguments, PUSHING), motion.strain_energy, "energy"),
             function("friction_force", "The force of friction, along what it opposes.", regime,
                      FRICTION if motion.holds else motion.friction_force, "force"),
-            function("damper_power", "Rate at which dampers change it, never positive.", moving, motion.damper_power, "power"),
-            function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,
-                     "power"),
+            function("power_besides_friction", "Rate at which dampers, and applied forces without a potential, change the energy.",
+                     moving, motion.damper_power + motion.applied_power, "power"),
         ),
     )  # fmt: skip

@@ -312,9 +312,7 @@ class Trajectory(Named):
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
-        motion, taken = self.model.algebra, self._arguments()
-        others = motion.damper_power(*self.state, *taken) + motion.applied_power(*self.state, *taken)
-        return self.friction_power() + others
+        return self.friction_power() + self.model.algebra.power_besides_friction(*self.state, *self._arguments())
 
     def spring_force(self, spring: str | None = None) -> FloatArray:
         """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names one of several."""

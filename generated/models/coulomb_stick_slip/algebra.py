@@ -214,13 +214,9 @@ def friction_force(x, vx, mu_s, mu_k, V, pushing, side):
     return _friction
 
 
-def damper_power(x, vx, mu_s, mu_k, V):
-    """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 0."""
-    return 0
-
-
-def applied_power(x, vx, mu_s, mu_k, V):
-    """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
+def power_besides_friction(x, vx, mu_s, mu_k, V):
+    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
+    Operations: 0."""
     return 0
 
 

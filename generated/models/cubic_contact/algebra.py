@@ -278,13 +278,9 @@ def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gam
     return mu*pushing*(-gamma*(y*(y*y)) - y)
 
 
-def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
-    """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 0."""
-    return 0
-
-
-def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
-    """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
+def power_besides_friction(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
+    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
+    Operations: 0."""
     return 0
 
 

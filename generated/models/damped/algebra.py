@@ -250,8 +250,11 @@ def friction_force(
     return -mu*pushing*y
 
 
-def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
-    """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 30."""
+def power_besides_friction(
+    x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy,
+):
+    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
+    Operations: 30."""
     w1 = cos0 - x
     w2 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w2*w2)
@@ -261,11 +264,6 @@ def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_
     vx_2 = vx*vx
     vy_2 = vy*vy
     return -2*c1*s1*vx*vy*zeta_s - c1*c1*vx_2*zeta_s - s1*s1*vy_2*zeta_s - vx_2*zeta_x - vy_2*zeta_y
-
-
-def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
-    """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
-    return 0
 
 
 __all__ = broadcasting(globals())

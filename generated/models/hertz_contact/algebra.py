@@ -30,9 +30,9 @@ import numpy
 
 from ..._broadcast import broadcasting, everywhere
 from ..kang_nam.algebra import (
-    applied_power, border_rates, borders, contact_gap, damper_power, friction_at_rest, friction_at_speed,
-    friction_by_parameters, friction_slope, friction_slope_by_sizes, geometry, layer_rates, layers, mass_matrix, mirror,
-    spring_forces, stiffnesses,
+    border_rates, borders, contact_gap, friction_at_rest, friction_at_speed, friction_by_parameters, friction_slope,
+    friction_slope_by_sizes, geometry, layer_rates, layers, mass_matrix, mirror, power_besides_friction, spring_forces,
+    stiffnesses,
 )
 
 

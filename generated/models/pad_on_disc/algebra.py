@@ -339,18 +339,12 @@ def friction_force(
     return mu*pushing*(w - y)
 
 
-def damper_power(
+def power_besides_friction(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d,
 ):
-    """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
+    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
+    Operations: 3."""
     return -vw*vw*zeta_w
-
-
-def applied_power(
-    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d,
-):
-    """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
-    return 0
 
 
 __all__ = broadcasting(globals())

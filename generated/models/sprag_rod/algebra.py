@@ -389,14 +389,10 @@ def friction_force(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V,
     return mu*pushing*(-cos0 + w0)
 
 
-def damper_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
-    """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
+def power_besides_friction(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
+    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
+    Operations: 3."""
     return -vphi*vphi*zeta
-
-
-def applied_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
-    """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
-    return 0
 
 
 __all__ = broadcasting(globals())

@@ -159,14 +159,10 @@ def friction_force(x, vx, mu_s, v_s, zeta, V, pushing, side):
     return mu
 
 
-def damper_power(x, vx, mu_s, v_s, zeta, V):
-    """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
+def power_besides_friction(x, vx, mu_s, v_s, zeta, V):
+    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
+    Operations: 3."""
     return -vx*vx*zeta
-
-
-def applied_power(x, vx, mu_s, v_s, zeta, V):
-    """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
-    return 0
 
 
 __all__ = broadcasting(globals())

@@ -36,6 +36,21 @@ class Printed:
     expression: Expression
 
 
+def _linear(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, ...]:
+    """D (cos θ, sin θ)ᵀ = b."""
+    return tuple(D * sp.Matrix([c, s]) - b)
+
+
+def _unit_norm(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
+    """1 = bᵀ (D Dᵀ)⁻¹ b."""
+    return (b.T * (D * D.T).inv() * b)[0, 0] - 1
+
+
+def _quartic(*coefficients: sp.Expr) -> sp.Expr:
+    """Coefficients of ascending powers of L."""
+    return sp.Add(*(value * L**power for power, value in enumerate(coefficients)))
+
+
 def _equation(number: int, latex: str, expression: Expression) -> Printed:
     return Printed(f"eq-{number}", f"Equation ({number})", latex, expression)
 
@@ -76,7 +91,7 @@ EQUATIONS = (
     _equation(15, r"\sigma(1-L)\sin\theta + \beta(\sin\theta_o - L\sin\theta) + (\sin\theta_o - L\sin\theta) = -\kappa",
               sigma * (1 - L) * s + beta * (s0 - L * s) + (s0 - L * s) + kappa),
     _equation(16, r"\mathbf{D}\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = \mathbf{b}",
-              lambda D, b: tuple(D * sp.Matrix([c, s]) - b)),
+              _linear),
     _equation(17, r"\mathbf{D} = \sigma \mathbf{I} + L \mathbf{A}",
               lambda A: tuple(sigma * sp.eye(2) + L * A)),
     _equation(18, r"\mathbf{A} = \begin{bmatrix} -(\sigma + \alpha) & -\mu \\ 0 & -(\sigma + \beta + 1) \end{bmatrix}",
@@ -86,16 +101,16 @@ EQUATIONS = (
               (-alpha * c0 - mu * s0, -(beta + 1) * s0 - kappa)),
     _equation(20, r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\}^{T}"
                   r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = 1 = \mathbf{b}^{T}\left(\mathbf{D}\mathbf{D}^{T}\right)^{-1}\mathbf{b}",
-              lambda D, b: (b.T * (D * D.T).inv() * b)[0, 0] - 1),
+              _unit_norm),
     _equation(21, r"c_0 + c_1 L + c_2 L^2 + c_3 L^3 + c_4 L^4 = 0",
-              lambda c_0, c_1, c_2, c_3, c_4: c_0 + c_1 * L + c_2 * L**2 + c_3 * L**3 + c_4 * L**4),
+              _quartic),
     _equation(22, r"\widetilde{\mathbf{D}}\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = "
                   r"\widetilde{\mathbf{b}}",
-              lambda D, b: tuple(D * sp.Matrix([c, s]) - b)),
+              _linear),
     _equation(23, r"\begin{cases} \cos\theta\\ \sin\theta \end{cases}^{T} \begin{cases} \cos\theta\\ \sin\theta \end{cases} "
                   r"= 1 = \widetilde{\mathbf{b}}^{T} (\widetilde{\mathbf{D}}\widetilde{\mathbf{D}}^{T})^{-1} "
                   r"\widetilde{\mathbf{b}}",
-              lambda D, b: (b.T * (D * D.T).inv() * b)[0, 0] - 1),
+              _unit_norm),
     _equation(24, r"\widetilde{\mathbf{D}} = \begin{bmatrix} \sigma(1-L) - L\alpha & 0\\ 0 & \sigma(1-L) - L\beta "
                   r"\end{bmatrix}",
               (sigma * (1 - L) - L * alpha, sp.S.Zero, sp.S.Zero, sigma * (1 - L) - L * beta)),
@@ -103,7 +118,7 @@ EQUATIONS = (
                   r"-\beta \sin \theta_o - \kappa \end{array} \right\}",
               (-alpha * c0, -beta * s0 - kappa)),
     _equation(26, r"d_0 + d_1 L + d_2 L^2 + d_3 L^3 + d_4 L^4 = 0",
-              lambda d_0, d_1, d_2, d_3, d_4: d_0 + d_1 * L + d_2 * L**2 + d_3 * L**3 + d_4 * L**4),
+              _quartic),
     _equation(27, r"\det(\lambda^2 \mathbf{I} + \mathbf{K}) = 0",
               lambda K: (lam**2 * sp.eye(2) + K).det()),
     _equation(28, r"\mathbf{K} = \begin{bmatrix} \frac{\partial F_x}{\partial x} & \frac{\partial F_x}{\partial y} \\ "

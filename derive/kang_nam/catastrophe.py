@@ -36,7 +36,7 @@ def surface_in_coefficients() -> sp.Expr:
 def slope_identity() -> bool:
     """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are the same function."""
     on_surface = {nm.M: surface()}
-    determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
+    determinant = stability.in_shorthand(stability.stiffness()).det()
     left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
     right = unit_circles.rotate_derivative(elimination.f_in_parameters())
     return equal(left.subs(on_surface), right.subs(on_surface))

@@ -212,12 +212,11 @@ def _balance_forms() -> dict[str, Derived]:
     D, b = equilibrium.matrix_form()
     friction = ((nm.mu, nm.mu0),)
     along, across = (force.subs(contact) for force in equilibrium.balance())
-    at_rest = mechanics.motion()
-    rest = {mechanics.AX: 0, mechanics.AY: 0, nm.vx: 0, nm.vy: 0}
+    at_rest = sp.Matrix(mechanics.motion()).subs(mechanics.AT_REST)
     lifted = tuple(force.subs(liftoff) for force in equilibrium.balance())
     return {
-        "eq-12": Derived(at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()), mechanics.motion),
-        "eq-13": Derived(at_rest.y.subs(rest), mechanics.motion),
+        "eq-12": Derived(at_rest[0].subs(nm.mu, mechanics.steady_friction()), mechanics.motion),
+        "eq-13": Derived(at_rest[1], mechanics.motion),
         "eq-14": Derived(along, equilibrium.balance),
         "eq-15": Derived(across, equilibrium.balance),
         "eq-16": Derived((along, across), equilibrium.matrix_form, about=(D.subs(contact), b.subs(contact))),

@@ -38,25 +38,24 @@ def spell_out(expression: sp.Expr) -> sp.Expr:
     return expression
 
 
-def displacement() -> tuple[sp.Expr, sp.Expr]:
+def displacement() -> dict[sp.Symbol, sp.Expr]:
     """x and y from the spring's length and direction: (4) and (5)."""
-    return nm.c0 - nm.L * nm.c, nm.s0 - nm.L * nm.s
+    return {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
 
 
 @cache
 def balance_cartesian() -> tuple[sp.Expr, sp.Expr]:
     """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady sliding."""
     equations = mechanics.motion()
-    rest = {mechanics.AX: 0, mechanics.AY: 0, nm.vx: 0, nm.vy: 0, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
+    rest = {**mechanics.AT_REST, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
     return equations.x.subs(rest), equations.y.subs(rest)
 
 
 @cache
 def balance() -> tuple[sp.Expr, sp.Expr]:
     """F_x and F_y in c, s and L: (14) and (15) for n̄ = 1."""
-    x, y = displacement()
-    along, across = balance_cartesian()
-    return sp.expand(along.subs({nm.x: x, nm.y: y})), sp.expand(across.subs({nm.x: x, nm.y: y}))
+    along, across = (sp.expand(force.subs(displacement())) for force in balance_cartesian())
+    return along, across
 
 
 @cache

@@ -154,6 +154,8 @@ def _constant_consequence(point: Point) -> str:
 
 #: The spring's length, (6) with θ_o.
 _DISTANCE = sp.sqrt((nm.L_0 * nm.c0 - nm.x) ** 2 + (nm.L_0 * nm.s0 - nm.y) ** 2)
+#: F_y of (13), with the preload.
+_ACROSS = nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa
 
 CORRECTIONS: dict[str, Correction] = {
     "eq-6": Correction(
@@ -166,7 +168,7 @@ CORRECTIONS: dict[str, Correction] = {
     ),
     "eq-9": Correction(
         latex=r"y'' + \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
-        expression=mechanics.AY + nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa,
+        expression=mechanics.AY + _ACROSS,
         gap=-nm.kappa,
         cause="the preload F_L of (2) is lost on the way; it is back in (15) as −κ",
         evidence=_preload_evidence,
@@ -174,7 +176,7 @@ CORRECTIONS: dict[str, Correction] = {
     ),
     "eq-13": Correction(
         latex=r"F_y = \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
-        expression=nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa,
+        expression=_ACROSS,
         gap=-nm.kappa,
         cause="copied from (9) with the preload missing; (15) has it as −κ",
         evidence=_preload_evidence,

@@ -37,7 +37,7 @@ def equilibrium() -> tuple[sp.Expr, sp.Expr]:
 @cache
 def pole_friction() -> sp.Expr:
     """μ₀ at which the displacement is infinite, as a function of T = tan θ₀."""
-    determinant = stability.determinant(stiffness())
+    determinant = stiffness().det()
     on_tangent = sp.cancel(determinant.subs(nm.s0, nm.T * nm.c0) / nm.c0**2).subs(nm.c0, 1 / sp.sqrt(1 + nm.T**2))
     (friction,) = sp.solve(sp.expand(sp.simplify(on_tangent)), nm.mu0)
     return sp.collect(sp.cancel(friction), nm.T)

@@ -19,6 +19,8 @@ from . import nomenclature as nm
 
 #: Accelerations, with dimensions and without.
 AX, AY = sp.symbols("x_tt y_tt", real=True)
+#: Where nothing moves but the belt.
+AT_REST = dict.fromkeys((AX, AY, nm.vx, nm.vy), 0)
 
 #: What becomes of the parameters of the published model.
 PUBLISHED = (nm.theta0, *nm.PARAMETERS, nm.V, nm.creep)

@@ -11,7 +11,6 @@ from ..emit.definitions import flat
 from ..mechanics import MU, Mechanics
 from ..motion import Motion
 from . import unit_circles, equilibrium, mechanics, stability
-from . import nomenclature as nm
 
 #: Page → what it adds to the article's model, and what is left where these are 0.
 ADDED = {
@@ -37,7 +36,7 @@ def _page(name: str) -> Mechanics:
 
 def _polar(expression: sp.Expr) -> sp.Expr:
     """x and y by the direction and the length of the spring, (4) and (5)."""
-    return sp.expand(expression.subs(dict(zip((nm.x, nm.y), equilibrium.displacement(), strict=True)), simultaneous=True))
+    return sp.expand(expression.subs(equilibrium.displacement(), simultaneous=True))
 
 
 def _equal(model: Mechanics, general: tuple[sp.Expr, ...], special: tuple[sp.Expr, ...]) -> bool:

@@ -13,11 +13,11 @@ lam = sp.Symbol("lambda")
 def _gradient(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
     length = mechanics.spring_length()
-    polar = dict(zip((nm.x, nm.y), equilibrium.displacement(), strict=True))
-    slopes = [mechanics.replace_length(sp.diff(length, coordinate)).subs(polar) for coordinate in (nm.x, nm.y)]
+    polar = equilibrium.displacement()
+    slopes = {coordinate: mechanics.replace_length(sp.diff(length, coordinate)).subs(polar) for coordinate in polar}
     return tuple(
-        sp.expand((sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, nm.L).subs(polar) * slope))
-        for coordinate, slope in zip((nm.x, nm.y), slopes, strict=True)
+        sp.expand(sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, nm.L).subs(polar) * slope)
+        for coordinate, slope in slopes.items()
     )
 
 
@@ -30,24 +30,13 @@ def stiffness() -> sp.Matrix:
 @cache
 def damping() -> sp.Matrix:
     """∂(F_x, F_y)/∂(x', y') at steady sliding: the term that (27) leaves out, in y, μ₀, d and V."""
-    still = {mechanics.AX: 0, mechanics.AY: 0, nm.mu: mechanics.smooth_friction(sp.S.One), nm.n: mechanics.contact_family()}
-    forces = sp.Matrix(mechanics.motion()).subs(still)
-    return sp.simplify(forces.jacobian([nm.vx, nm.vy]).subs({nm.vx: 0, nm.vy: 0}))
+    forces = sp.Matrix(mechanics.motion()).subs({nm.mu: mechanics.smooth_friction(sp.S.One), nm.n: mechanics.contact_family()})
+    return sp.simplify(forces.jacobian([nm.vx, nm.vy]).subs(mechanics.AT_REST))
 
 
 def characteristic(K: sp.Matrix, C: sp.Matrix) -> sp.Expr:
     """det(λ² I + λ C + K): (27) where C = 0."""
     return sp.expand((lam**2 * sp.eye(2) + lam * C + K).det())
-
-
-def trace(K: sp.Matrix) -> sp.Expr:
-    """K₁₁ + K₂₂."""
-    return K[0, 0] + K[1, 1]
-
-
-def determinant(K: sp.Matrix) -> sp.Expr:
-    """K₁₁ K₂₂ − K₁₂ K₂₁: negative is divergence."""
-    return K[0, 0] * K[1, 1] - K[0, 1] * K[1, 0]
 
 
 def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
@@ -64,7 +53,7 @@ def trace_identity() -> bool:
     _, across = equilibrium.balance()
     (preload,) = sp.solve(in_contact(across), nm.kappa)
     positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
-    return equilibrium.equal(trace(in_shorthand(stiffness())), positive)
+    return equilibrium.equal(in_shorthand(stiffness()).trace(), positive)
 
 
 @cache

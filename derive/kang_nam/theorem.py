@@ -177,7 +177,7 @@ def _middle() -> tuple[Step, ...]:
         Step(
             "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and positive for large λ, so that a real "
             "λ > 0 solves it",
-            equation.all_coeffs() == [1, 0, stability.trace(K), 0, sp.expand(stability.determinant(K))],
+            equation.all_coeffs() == [1, 0, K.trace(), 0, sp.expand(K.det())],
         ),
     )
 

@@ -93,7 +93,7 @@ class _Compared:
 
     def polar(self, expression: sp.Expr) -> sp.Expr:
         """With x and y by the direction and the length of the inclined spring."""
-        known = dict(zip((nm.x, nm.y), equilibrium.displacement(), strict=True)) if self.model.lines else {}
+        known = equilibrium.displacement() if self.model.lines else {}
         return sp.expand(expression.subs(known, simultaneous=True))
 
     def gap(self, ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:

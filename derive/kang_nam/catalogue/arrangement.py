@@ -7,8 +7,10 @@ from .. import nomenclature as nm
 
 ANGLE0 = (nm.c0, nm.s0)
 ANGLE = (nm.c, nm.s)
-STIFFNESS = (nm.alpha, nm.sigma, nm.beta)
+#: A point of parameters, all of them but the friction, and those that are stiffnesses.
+POINT, WITHOUT_FRICTION, STIFFNESS = (*ANGLE0, *nm.PARAMETERS), nm.PARAMETERS[1:], nm.PARAMETERS[2:]
 F_COEFFICIENTS = (nm.fa, nm.fb, nm.fd, nm.fm)
+F_AT = (*ANGLE, *F_COEFFICIENTS)
 
 
 def require_same(

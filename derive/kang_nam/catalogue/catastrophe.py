@@ -6,7 +6,7 @@ from ...emit.function import Function, Module
 from .. import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
 from . import lowest_fold
-from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, in_contact
+from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, POINT, WITHOUT_FRICTION, require_same, in_contact
 
 
 def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
@@ -33,22 +33,22 @@ def module() -> Module:
         "The equilibrium surface, its folds (f = f′ = 0) and cusps (f″ = 0 as well), in contact.",
         (
             Function("surface", "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.", "(14), (15)",
-                     (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), catastrophe.surface_in_coefficients(), "mu0",
+                     (*ANGLE, *ANGLE0, *WITHOUT_FRICTION), catastrophe.surface_in_coefficients(), "mu0",
                      contact),
             Function("fold_lines_mu0", "The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0.", "f = f′ = 0",
-                     (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), tuple(part for it in spelled for part in _line(it, nm.mu0)),
+                     (*ANGLE, *ANGLE0, *WITHOUT_FRICTION), tuple(part for it in spelled for part in _line(it, nm.mu0)),
                      "u1, w1, u2, w2"),
             Function("fold_angles", "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.", "f = f′ = 0",
-                     (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction, "sin0, cos0", contact),
+                     (*ANGLE, *nm.PARAMETERS), friction, "sin0, cos0", contact),
             Function("fold_sine", "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.", "f = f′ = 0",
-                     (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction[0], "sin0", contact),
+                     (*ANGLE, *nm.PARAMETERS), friction[0], "sin0", contact),
             Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
-                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), quartic, "e0, e1, e2, e3, e4",
+                     "f = f′ = 0", (*ANGLE, *WITHOUT_FRICTION), quartic, "e0, e1, e2, e3, e4",
                      {**contact, **quartic_names}),
             Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
-                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), catastrophe.fold_conic(), "E0, E1, E2, Ec", contact),
+                     "f = f′ = 0", (*ANGLE, *WITHOUT_FRICTION), catastrophe.fold_conic(), "E0, E1, E2, Ec", contact),
             Function("fold_events", "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
-                     "where one has μ₀ = 0. Needs α > 0.", "f = f′ = 0", (nm.s, nm.kappa, *STIFFNESS), events,
+                     "where one has μ₀ = 0. Needs α > 0.", "f = f′ = 0", (nm.s, *WITHOUT_FRICTION), events,
                      "meeting, border, frictionless", {**contact, **conic_names}),
             Function("fold_events_without_alpha", "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where "
                      "they meet at π/2.", "f = f′ = 0", (nm.s, nm.kappa, nm.sigma, nm.beta), events_without_alpha,
@@ -59,11 +59,11 @@ def module() -> Module:
                      tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
                      "e0, e1, e2", contact),
             Function("f_changes", "Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.", "(12), (13) eliminated",
-                     (*ANGLE0, *nm.PARAMETERS), _changes(), "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
+                     POINT, _changes(), "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
                      contact),
             Function("f_in_differences", "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
                      "together: over a box of parameters, or near small deformation, little is lost.", "(12), (13) eliminated",
-                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _in_differences(), "f, f′, f_μ₀, f′_μ₀", contact),
+                     (*ANGLE, *POINT), _in_differences(), "f, f′, f_μ₀, f′_μ₀", contact),
             Function("fold_sextic", "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
                      "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.", "f = f′ = 0",
                      (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v), sextic, "e0, …, e6", sextic_names),
@@ -71,19 +71,19 @@ def module() -> Module:
                      "through θ at friction μ₀.", "f = f′ = 0", nm.PARAMETERS, _fold_cubics(), "(S0, …, S6), (C0, …, C6)",
                      contact),
             Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
-                     "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", (nm.kappa, *STIFFNESS),
+                     "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", WITHOUT_FRICTION,
                      cusp_polynomial, "e0, …, e9", cusp_names),
             Function("cusp_cubic", "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.", "f = f′ = f″ = 0",
                      (nm.kappa, nm.sigma, nm.beta), tuple(map(sp.factor, catastrophe.cusp_cubic())), "e0, e1, e2, e3",
                      contact),
             Function("cusp_point", "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
-                     "f = f′ = f″ = 0", (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_ratio, cusp_mu),
+                     "f = f′ = f″ = 0", (nm.s, *WITHOUT_FRICTION), (cusp_s0, cusp_ratio, cusp_mu),
                      "sin0, cos0/cos, mu0/cos", contact),
             Function("unfolding", "∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.", "f = f′ = 0",
-                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _unfolding(), "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
+                     (*ANGLE, *POINT), _unfolding(), "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
                      contact),
             Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
-                     (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
+                     (nm.s, *WITHOUT_FRICTION), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
             *lowest_fold.functions(),
         ),
     )  # fmt: skip

@@ -5,7 +5,7 @@ import sympy as sp
 from ...emit.function import Function, Module, rows
 from .. import catastrophe, elimination, equilibrium
 from .. import nomenclature as nm
-from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
+from .arrangement import ANGLE, ANGLE0, F_AT, F_COEFFICIENTS, POINT, STIFFNESS, WITHOUT_FRICTION, require_same, shorthands
 
 
 def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
@@ -56,25 +56,25 @@ def module() -> Module:
             Function("contact_vector", "b of the balance in contact.", "(19), (A10), (A11)",
                      (*ANGLE0, nm.mu0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(contact)), "b1, b2"),
             Function("contact_quartic", "Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact.",
-                     "(21), (A1)–(A5)", (*ANGLE0, *nm.PARAMETERS), contact_quartic, "c0, c1, c2, c3, c4", contact_names),
+                     "(21), (A1)–(A5)", POINT, contact_quartic, "c0, c1, c2, c3, c4", contact_names),
             Function("liftoff_matrix", "D of the balance in lift-off.", "(24)", (nm.L, *STIFFNESS),
                      _matrix(D, liftoff), "((D11, D12), (D21, D22))", shorthands(liftoff)),
             Function("liftoff_vector", "b of the balance in lift-off.", "(25), (A12), (A13)",
                      (*ANGLE0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(liftoff)), "b3, b4"),
             Function("liftoff_quartic", "Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.",
-                     "(26), (A1) corrected, (A6)–(A9)", (*ANGLE0, nm.kappa, *STIFFNESS), liftoff_quartic,
+                     "(26), (A1) corrected, (A6)–(A9)", (*ANGLE0, *WITHOUT_FRICTION), liftoff_quartic,
                      "d0, d1, d2, d3, d4", liftoff_names),
             Function("f_coefficients", "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
-                     "(12), (13) eliminated", (*ANGLE0, *nm.PARAMETERS, nm.nbar), F_COEFFICIENTS, "a, b, d, m", shorthands()),
+                     "(12), (13) eliminated", (*POINT, nm.nbar), F_COEFFICIENTS, "a, b, d, m", shorthands()),
             Function("f_magnitudes", "Sums of the absolute values of the terms of a and d, against which their rounding errors are "
-                     "measured.", "rounding-error analysis", (*ANGLE0, *nm.PARAMETERS, nm.nbar),
+                     "measured.", "rounding-error analysis", (*POINT, nm.nbar),
                      (trig[nm.fa].subs(nm.alpha, -nm.alpha), trig[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa})), "|a|, |d|",
                      shorthands()),
-            Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), f, "f"),
-            Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS),
+            Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", F_AT, f, "f"),
+            Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", F_AT,
                      sp.collect(catastrophe.slope, nm.s), "f′"),
-            Function("f_curvature", "d²f/dθ².", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), catastrophe.curvature, "f″"),
-            Function("f_third", "d³f/dθ³.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), catastrophe.third, "f‴"),
+            Function("f_curvature", "d²f/dθ².", "(12), (13) eliminated", F_AT, catastrophe.curvature, "f″"),
+            Function("f_third", "d³f/dθ³.", "(12), (13) eliminated", F_AT, catastrophe.third, "f‴"),
             Function("t_quartic", "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2).",
                      "(12), (13) eliminated", F_COEFFICIENTS, elimination.quartic_in_t(), "e0, e1, e2, e3, e4"),
             Function("resolvent", "Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.",
@@ -83,13 +83,13 @@ def module() -> Module:
                      (*ANGLE, *ANGLE0, nm.kappa, nm.sigma, nm.beta, nm.nbar), (nm.L, state[nm.x], state[nm.y]), "L, x, y",
                      {**shorthands(), nm.L: state[nm.L]}),
             Function("residuals", "F_x and F_y at spring length L and direction θ.", "(12)–(15)",
-                     (*ANGLE, nm.L, *ANGLE0, *nm.PARAMETERS, nm.nbar), _residuals(along, across), "F_x, F_y"),
+                     (*ANGLE, nm.L, *POINT, nm.nbar), _residuals(along, across), "F_x, F_y"),
         ),
     )  # fmt: skip
 
 
 def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    x, y = equilibrium.displacement()
+    x, y = equilibrium.displacement().values()
     arranged = (
         nm.sigma * (1 - nm.L) * nm.c + nm.alpha * x + nm.mu0 * nm.nbar * y,
         nm.sigma * (1 - nm.L) * nm.s + (nm.beta + nm.nbar) * y + nm.kappa,

@@ -3,23 +3,23 @@
 import sympy as sp
 
 from ...emit.function import Function, Module
-from .. import linear_sprag, stability
+from .. import linear_sprag
 from .. import nomenclature as nm
-from .arrangement import ANGLE0, STIFFNESS, require_same
+from .arrangement import POINT, STIFFNESS, require_same
 
 
 def module() -> Module:
     determinant = sp.Symbol("determinant")
     K = linear_sprag.stiffness()
     arranged = (nm.kappa * K[0, 1] / determinant, -nm.kappa * K[0, 0] / determinant)
-    names = {determinant: sp.collect(sp.expand(stability.determinant(K)), nm.mu0)}
+    names = {determinant: sp.collect(sp.expand(K.det()), nm.mu0)}
     require_same("linear displacement", arranged, linear_sprag.equilibrium(), names)
     return Module(
         "linear_sprag",
         "The constant-angle model of the article's reference [17]: displacement, poles, critical friction.",
         (
             Function("displacement", "x and y at steady sliding with the spring's angle held at θ₀.", "(12), (13) linearized",
-                     (*ANGLE0, *nm.PARAMETERS), arranged, "x, y", names),
+                     POINT, arranged, "x, y", names),
             Function("pole_quadratic", "Coefficients of e0 + e1 T + e2 T², whose roots T = tan θ₀ are the poles.",
                      "determinant of the linear model", (nm.mu0, *STIFFNESS), linear_sprag.pole_quadratic(), "e0, e1, e2"),
             Function("pole_friction", "μ₀ with a pole at T = tan θ₀.", "determinant of the linear model",

@@ -5,7 +5,7 @@ import sympy as sp
 from ...emit.function import Function
 from .. import lowest_fold
 from .. import nomenclature as nm
-from .arrangement import STIFFNESS, in_contact
+from .arrangement import WITHOUT_FRICTION, in_contact
 
 
 def functions() -> tuple[Function, ...]:
@@ -22,10 +22,10 @@ def functions() -> tuple[Function, ...]:
     cosine = sp.factor_terms(constant + along * nm.s0) / weight
     return (
         Function("turning_polynomial", "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at which the "
-                 "curve of folds turns back in μ₀. Needs α > 0.", "f = f′ = f_θ₀ = 0", (nm.kappa, *STIFFNESS),
+                 "curve of folds turns back in μ₀. Needs α > 0.", "f = f′ = f_θ₀ = 0", WITHOUT_FRICTION,
                  lowest_fold.turning_polynomial(), "e0, …, e9", in_contact()),
         Function("turning_sine", "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.", "f = f′ = f_θ₀ = 0",
-                 (nm.s, nm.kappa, *STIFFNESS), (-outer, upper), "numerator, denominator", names),
+                 (nm.s, *WITHOUT_FRICTION), (-outer, upper), "numerator, denominator", names),
         Function("turning_cosine", "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.", "f = f_θ₀ = 0",
-                 (nm.s, nm.s0, nm.kappa, *STIFFNESS), cosine, "cos cos0", in_contact()),
+                 (nm.s, nm.s0, *WITHOUT_FRICTION), cosine, "cos cos0", in_contact()),
     )  # fmt: skip

@@ -5,7 +5,7 @@ import sympy as sp
 from ...emit.function import Function, Module, rows
 from .. import equilibrium, stability
 from .. import nomenclature as nm
-from .arrangement import ANGLE, ANGLE0, STIFFNESS, further, require_same, in_contact, shorthands
+from .arrangement import ANGLE, ANGLE0, STIFFNESS, WITHOUT_FRICTION, further, require_same, in_contact, shorthands
 
 
 def module() -> Module:
@@ -22,10 +22,10 @@ def module() -> Module:
     damped = sp.Matrix(C)
     damped[0, 0] = nm.C11
     characteristic = sp.Poly(stability.characteristic(generic, damped), stability.lam).all_coeffs()
-    determinant = stability.determinant(generic)
+    determinant = generic.det()
     crossing, crossing_names = stability.flutter_crossing()
     cubic, cubic_names = _flutter_cubic()
-    at_friction = (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS)
+    at_friction = (*ANGLE, *nm.PARAMETERS)
     return Module(
         "stability",
         "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
@@ -34,7 +34,7 @@ def module() -> Module:
                      (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar), rows(arranged), "((K11, K12), (K21, K22))",
                      shorthands()),
             Function("invariants", "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
-                     "(27)", entries, (stability.trace(generic), determinant, stability.flutter_discriminant(generic)),
+                     "(27)", entries, (generic.trace(), determinant, stability.flutter_discriminant(generic)),
                      "trace, determinant, discriminant"),
             Function("damping", "∂F_x/∂x' at steady sliding.", "(8), (10) linearized",
                      tuple(symbol for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar) if C[0, 0].has(symbol)),
@@ -53,7 +53,7 @@ def module() -> Module:
             Function("flutter_crossing", "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
                      "(27), (14), (15)", (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS), crossing, "N, J", {**contact, **crossing_names}),
             Function("flutter_cubic", "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
-                     "(27), (14), (15)", (*ANGLE, nm.kappa, *STIFFNESS), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
+                     "(27), (14), (15)", (*ANGLE, *WITHOUT_FRICTION), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
             Function("flutter_friction", "μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27)",
                      (*ANGLE, nm.L, *STIFFNESS), stability.flutter_friction(), "mu0", contact),
         ),

@@ -1,4 +1,4 @@
-"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``, or one page: ``--model PAGE.py --out DIR``."""
+"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``; one page is ``spragsym derive PAGE.py --out DIR``."""
 
 import argparse
 import sys
@@ -45,16 +45,8 @@ def main(arguments: list[str] | None = None) -> int:
         action="store_true",
         help="write even if printed rows no longer hold, as when the article's page was changed on purpose",
     )
-    parser.add_argument("--model", type=Path, metavar="PAGE.py", help="derive this page only, and write its folder to --out")
     options = parser.parse_args(arguments)
     readable()
-    if options.model is not None:
-        if options.out == DEFAULT or options.variant:
-            parser.error("--model needs a folder of its own, --out DIR, and no --variant")
-        count = _step(f"{options.model.name}", lambda: folder.write_page(options.model, options.out))
-        print(f"wrote {count} files to {options.out}/")
-        return 0
-
     _step("equations of motion (1)–(11)", mechanics.motion)
     _step("balance and matrix form (12)–(25)", equilibrium.matrix_form)
     identities = _step("elimination (20)–(26), f, the quartic in t", elimination.identities)

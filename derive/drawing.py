@@ -193,28 +193,29 @@ def _rows(count: int, apart: float) -> list[float]:
 
 def _between_ends(sheet: Sheet, page: Page) -> None:
     """Springs and dampers from the mass to an anchor; those with the same anchor side by side."""
-    values = _values(page)
+    values, height = _values(page), _half(page)[1]
+
+    def anchor(part: Element) -> Point:
+        return next(end for end in part.ends or () if set(end) != set(page.places[:2]))
+
+    def place_of(part: Element) -> Place:
+        x, y = (float(component.subs(values)) for component in anchor(part))
+        return _LENGTH * x, -_LENGTH * y - height
+
     shared: dict[Place, list[Element]] = {}
-    movable: dict[Place, Coordinate] = {}
-    for part in (it for it in page.elements if it.ends is not None):
-        anchor = next(end for end in part.ends or () if set(end) != set(page.places[:2]))
-        x, y = (float(component.subs(values)) for component in anchor)
-        place = _LENGTH * x, -_LENGTH * y - _half(page)[1]
-        shared.setdefault(place, []).append(part)
-        for coordinate in page.coordinates[2:]:
-            if coordinate.symbol in anchor[0].free_symbols | anchor[1].free_symbols:
-                movable[place] = coordinate
-    shared = {place: parts for place, parts in shared.items() if any(it.what != "torsion spring" for it in parts)}
+    for part in (it for it in (*page.springs, *page.dampers) if it.ends is not None):
+        shared.setdefault(place_of(part), []).append(part)
     for count, (place, parts) in enumerate(shared.items()):
-        axis = Axis((0.0, -_half(page)[1]), place)
-        _side_by_side(sheet, axis, [it for it in parts if it.what != "torsion spring"])
-        if place in movable:
-            _trolley(sheet, page, place, movable[place])
+        axis = Axis((0.0, -height), place)
+        _side_by_side(sheet, axis, parts)
+        moving = [it for it in page.coordinates[2:] if anchor(parts[0])[0].has(it.symbol)]
+        if moving:
+            _trolley(sheet, page, place, moving[0])
         else:
             _anchor(sheet, place)
-        for part in parts:
-            if part.what == "torsion spring":
-                _turning(sheet, place, _letter(part.strength))
+        for torsion in page.torsions:
+            if place_of(torsion) == place:
+                _turning(sheet, place, _letter(torsion.strength))
         if count == 0:
             _angle(sheet, axis)
 

@@ -95,10 +95,9 @@ def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Sy
     With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the cosine enters by its square.
     """
     e0, e1, e2, square, middle, product, P, Q = sp.symbols("e0 e1 e2 ec_2 middle product P Q")
-    conic = catastrophe.fold_conic()
-    names = {
-        **dict(zip((e0, e1, e2), conic, strict=False)),
-        square: (conic[3] / nm.c) ** 2 * (1 - nm.s**2),
+    *conic, last = catastrophe.fold_conic()
+    kept = dict(zip((e0, e1, e2), conic, strict=True))
+    parts = {
         product: e0**2 - square,
         middle: 4 * e2 + 2 * e0,
         P: 12 * product - 12 * e1**2 + middle**2,
@@ -106,14 +105,13 @@ def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Sy
     }
     sine, cosine = nm.fa * nm.s**3 - nm.kappa * nm.p, nm.fa * (1 - nm.s**2)
     rest = (nm.q * nm.alpha * sine) ** 2 + (1 - nm.s**2) * (nm.p * nm.B * cosine) ** 2 - (nm.p * nm.B * nm.q * nm.alpha) ** 2
+    names = {**kept, square: (last / nm.c) ** 2 * (1 - nm.s**2), **parts}
     events = (4 * P**3 - Q**2, product, rest)
     derived = catastrophe.fold_events((e0, e1, e2, square))
-    named = {name: value for name, value in names.items() if name in (product, middle, P, Q)}
-    require_same("meetings of folds, and their borders", events[:2], derived[:2], named)
+    require_same("meetings of folds, and their borders", events[:2], derived[:2], parts)
     require_same("folds without friction", events[2:], derived[2:], elimination.f_coefficients())
     s, k, B = nm.s, nm.kappa, nm.B  # e0 + e1 + e2, in which little is lost
     at_middle = nm.sigma * (k**2 + (1 - s) * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s)))
-    kept = {name: value for name, value in names.items() if name in (e0, e1, e2)}
     spelled = {**kept, nm.fa: nm.sigma * nm.B, nm.p: nm.sigma}
     require_same("folds at θ₀ = π/2", (at_middle,), ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(nm.alpha, 0),))
     without_alpha = (e1**2 - 4 * e0 * e2, e0, at_middle)

@@ -3,7 +3,7 @@
 import sympy as sp
 
 from ...emit.function import Function, Module, rows
-from .. import equilibrium, stability
+from .. import stability
 from .. import nomenclature as nm
 from .arrangement import ANGLE, ANGLE0, STIFFNESS, WITHOUT_FRICTION, further, require_same, in_contact, shorthands
 
@@ -73,7 +73,6 @@ def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     c, s, sigma = nm.c, nm.s, nm.sigma
     pull = 4 * sigma * s * c**2
     names = {
-        **in_contact(),
         l0: (sigma * s + nm.kappa) / (nm.q * s),
         l1: nm.B / (nm.q * s),
         y0: -(sigma * s + nm.kappa) / nm.q,
@@ -92,6 +91,5 @@ def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
         d2 * y0 + d1 * y1 + m2 * l1**2,
         d2 * y1,
     )
-    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
-    require_same("flutter cubic", cubic, stability.flutter_cubic(), local)
-    return cubic, names
+    require_same("flutter cubic", cubic, stability.flutter_cubic(), names)
+    return cubic, {**in_contact(), **names}

@@ -6,6 +6,7 @@ import difflib
 import re
 import unicodedata
 from collections.abc import Iterable
+from typing import Any
 
 
 class SpragsymError(Exception):
@@ -101,12 +102,12 @@ def hint(given: str, allowed: Iterable[str]) -> str:
     return f"; did you mean {meant}?" if meant else ""
 
 
-def one_of(name: str, given: str, allowed: Iterable[str]) -> str:
+def one_of(name: str, given: Any, allowed: Iterable[str]) -> str:
     """A word that is one of those allowed, else an error that names them."""
     words = [*allowed]
     if given not in words:
         raise ParameterError(f"{name} = {given!r} is not one of {', '.join(words)}{hint(str(given), words)}")
-    return given
+    return str(given)
 
 
 def latin(text: str) -> str:

@@ -144,7 +144,7 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
         print_json([asdict(row) for row in rows])
         return
     words = (variant_models.HOLDS, variant_models.FAILS, variant_models.NO_MEANING)
-    styles = dict(zip(words, (_GOOD, _BAD, _DIM), strict=True))
+    styles: dict[str, Style] = dict(zip(words, (_GOOD, _BAD, _DIM), strict=True))
     _print_rows("model less article", [(row.id, row.where, row.status, row.remark) for row in rows], styles)
     hold, fail, none = map([row.status for row in rows].count, words)
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)

@@ -122,6 +122,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
         str(SIDE): f"1 where the belt is ahead, −1 where the mass is{', 0 where it sticks' * motion.Motion(model).holds}",
+        str(laws.HELD): "share of the static friction coefficient that is used, −1 to 1",
         **{acceleration_of(symbol): f"acceleration of {symbol}" for symbol in model.coordinates},
         **{str(symbol): "1 where an exponential of the friction law is felt, 0 where it is left out" for symbol in laws.near(9)},
     }

@@ -110,6 +110,12 @@ def one_of(name: str, given: Any, allowed: Iterable[str]) -> str:
     return str(given)
 
 
+def require_kind(name: str, value: object, kind: type, remedy: str) -> None:
+    """Raise unless an argument is what its name says, as a result of another question."""
+    if not isinstance(value, kind):
+        raise ParameterTypeError(f"{name} = {value!r:.60} is no {kind.__name__}; give {remedy}")
+
+
 def latin(text: str) -> str:
     """Greek letters by their names, and subscripts as digits."""
     return "".join(_letter(character) for character in unicodedata.normalize("NFKC", text))

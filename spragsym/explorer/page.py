@@ -19,6 +19,7 @@ from ..models import Model, load
 from ..models.load import USUAL, page_of
 from ..models.model import options_of, title_drawing_words
 from ..models.parameters import ParameterSet
+from ..questions import model_of
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
 
@@ -66,7 +67,7 @@ def explore(p: ParameterSet) -> Page:
     >>> "<!DOCTYPE html>" in page.text
     True
     """
-    return Page(explorer_page(p.model, [("yours", p)]))
+    return Page(explorer_page(model_of(p), [("yours", p)]))
 
 
 def explorer_page(

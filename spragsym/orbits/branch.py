@@ -9,7 +9,7 @@ from itertools import islice
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError, one_of
+from ..errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, as_count, as_number, as_range
 from ..motion.multipliers import CRITERIA, is_complex_pair
@@ -193,6 +193,7 @@ def cycle_branch(
     >>> [event.kind for event in branch.events]
     ['end', 'end']
     """
+    require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     model = cycle.field
     index = model.parameters.index(one_of("vary", vary, model.parameters))
     low, high = as_range("to", to)
@@ -394,6 +395,7 @@ def cycle_events(
     >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
     ([43.03, 43.12, 43.21], 0.5)
     """
+    require_kind("event", event, CycleEvent, "one of the events of a branch, of ss.cycle_branch(...)")
     if event.kind not in (*CRITERIA, "grazing"):
         raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
     model = event.cycle.field

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
-from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
 from ..models.field import FLOATS, Field, apart
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
@@ -115,8 +115,7 @@ def cycle(
     if onset is not None:
         if p is not None or near is not None:
             raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
-        if not isinstance(onset, Onsets):
-            raise ParameterTypeError(f"onset = {onset!r:.60} is no result of ss.flutter_onsets(...)")
+        require_kind("onset", onset, Onsets, "a result of ss.flutter_onsets(...)")
         return born_at(onset, index, amplitude, backend)
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")

@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 
 from ..display import Table
-from ..errors import ConvergenceError, MissingExtraError
+from ..errors import ConvergenceError, MissingExtraError, require_kind
 from ..models.parameters import as_count
 from ..motion.shooting import rate
 from ..numerics.balls import as_mpf
@@ -120,6 +120,7 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
     Source: (8)–(11) as they stand, with the exponential of (10) everywhere. The parameters are taken as the binary numbers
     that the floats are.
     """
+    require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     if not importlib.util.find_spec("flint"):
         raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
     digits = as_count("digits", digits, 10, 200)

@@ -93,6 +93,12 @@ def test_two_ways_to_one_answer() -> None:
         ss.equilibria(p, method="guess")
     with pytest.raises(ss.ParameterTypeError, match="contact = 'yes'"):
         ss.equilibria(one, contact="yes")
+    for ask, name, more in (
+        (ss.explore, "p", ()), (ss.basin, "p", ()), (ss.sensitivity, "p", ()), (ss.precise.prove_cycle, "cycle", ()),
+        (ss.cycle_branch, "cycle", ("V", (0, 1))), (ss.cycle_events, "event", (("V", "d"),)),
+    ):  # fmt: skip
+        with pytest.raises(ss.ParameterTypeError, match=f"{name} = 'coulomb' is no .*; "):
+            ask("coulomb", *more)
 
 
 @pytest.mark.validate

@@ -11,6 +11,7 @@ from ...display import named_fields
 from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...numerics.interval_arrays import IntArray
+from ...questions import model_of
 from ...results.result import Named
 from ..regimes import Outcome, Regime, same_limit
 from .many import Sweep, rms_sweep
@@ -98,9 +99,9 @@ def basin(
     >>> found.attractor[:, 0]
     array([0, 0, 1])
     """
+    names = model_of(p).components
     p = p.given(V=V, d=d)
     p.scalars(*p.ranges)
-    names = p.model.components
     plane = tuple(name for name in starts if name in names)
     if len(plane) != 2:
         given = ", ".join(starts) or "none"

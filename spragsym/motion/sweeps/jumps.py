@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...errors import ModelError, ParameterError
 from ...models.parameters import FloatArray, Parameters, as_numbers
+from ...questions import model_of
 from ...results.result import Result
 from .many import Sweep, rms_sweep
 
@@ -88,9 +89,10 @@ def sensitivity(
     >>> np.round(np.degrees([table.theta0[0, 0], table.width]), 2)
     array([41.25,  0.25])
     """
-    missing = [name for name in ("theta0", "V", "d") if name not in p.ranges]
+    model = model_of(p)
+    missing = [name for name in ("theta0", "V", "d") if name not in model.parameters]
     if missing:
-        raise ModelError(f"{p.model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes")
+        raise ModelError(f"{model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes")
     p.require("theta0")
     angles = p.theta0
     if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():

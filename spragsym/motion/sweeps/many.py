@@ -26,7 +26,7 @@ from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
 from ..measures import Course
-from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, out_of_range, undirected
+from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, undirected
 from ..regimes import Outcome, Regime
 from ..return_map import Onward
 from ..simulation import initial_state
@@ -163,7 +163,7 @@ class Sweep(Named):
         Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
         means of x and y.
     contact_lost, slip_reversed : ndarray
-        How often, after the transient.
+        How often, after the transient; what sticks in between does not reverse.
     period, cycle_mean, cycle_rms : ndarray
         Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
         one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
@@ -277,7 +277,7 @@ def _record(course: Course | Exception, problem: Problem, backend: str) -> Recor
     """What was measured and what is told of the limit, in the order of :func:`reported`."""
     if isinstance(course, Exception):
         return _no_result(course)
-    (mean, spread), (lost, _, *reversals) = course.moments(), course.events
+    (mean, spread), (lost, _, *reversals) = course.moments(), course.events[: Event.STICK]
     values = [math.hypot(mean, spread), spread, max(map(abs, course.reach)), *course.means, lost, sum(reversals)]
     if not np.isfinite(values).all():
         return _no_result(out_of_range())

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -27,6 +28,9 @@ LARGEST_GROWTH = 100.0
 
 #: Stretches in one round, at most; and of a guess.
 MOST_STRETCHES, SPLIT = 64, 32
+
+#: Stretches begin no nearer to a jump of the field than this share of the longest time between jumps, each in its stretch.
+CLEAR = 0.1
 
 #: States this close are one, whatever their errors.
 ONE = 1e-10
@@ -303,6 +307,19 @@ def finer(loop: Loop, most: int = MOST_STRETCHES) -> Guess | None:
     """The loop in twice as many stretches where the derivatives over one have grown large; None elsewhere, and of ``most``."""
     pieces = len(loop.states)
     return recut(loop, 2 * pieces) if growth(loop) > LARGEST_GROWTH and pieces < most else None
+
+
+def clear(loop: Loop) -> float:
+    """How long after its states stretches begin that do so farthest from jumps of the field; 0 where none begins near one.
+
+    A state on the wrong side of a jump goes another way: Newton's method does not take the states of stretches across.
+    """
+    stretch, borders = loop.guess.stretch, loop.field.borders
+    times = sorted(crossing.t % stretch for crossing in loop.crossings() if borders[crossing.border].slopes)
+    if not times:
+        return 0.0
+    width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + stretch]))
+    return (begin + width / 2) % stretch if min(times[0], stretch - times[-1]) < CLEAR * width else 0.0
 
 
 def split(flow: Flow, guess: Guess) -> Loop:

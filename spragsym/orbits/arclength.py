@@ -21,8 +21,10 @@ from ..motion.shooting import (
     Guess,
     Loop,
     across,
+    clear,
     finer,
     looped,
+    recut,
     rounding,
     solved,
 )
@@ -33,6 +35,9 @@ SURE, DIFFERENCE = 100.0, 1e-6
 
 #: Largest angle between a step of a branch and its tangents, as its cosine; a smaller one, at which steps become longer.
 STRAIGHT, STRAIGHTER = 0.97, 0.995
+
+#: Share of the largest singular value below which another one is 0.
+ALONE = 1e-10
 
 #: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
 FINE = 1e-15
@@ -85,11 +90,15 @@ class Touch:
 
 @dataclass(frozen=True)
 class Point:
-    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units."""
+    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units.
+
+    ``alone`` is that there is no other direction, as there is where orbits at one value of the parameter are a whole family.
+    """
 
     setting: Setting
     loop: Loop
     tangent: FloatArray
+    alone: bool = True
 
     @property
     def value(self) -> float:
@@ -151,15 +160,19 @@ def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> Fl
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
-    point = Point(setting, loop, directions(setting, loop)[-1] / setting.weights(loop))
+    sizes, ways = directions(setting, loop)
+    point = Point(setting, loop, ways[-1] / setting.weights(loop), bool(sizes[-1] > ALONE * sizes[0]))
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.turned(-1.0 if ahead < 0 else 1.0)
 
 
-def directions(setting: Setting, loop: Loop) -> FloatArray:
-    """Right singular vectors of the equations' derivative, a row each, in units of the arc; the last ones span its null space."""
+def directions(setting: Setting, loop: Loop) -> tuple[FloatArray, FloatArray]:
+    """Singular values of the equations' derivative, and right singular vectors, a row each, in units of the arc.
+
+    The last vectors span its null space; there is one more of them than values.
+    """
     _, rows = setting.holds(setting, loop, loop.guess.coordinates)(loop)
-    return np.linalg.svd(loop.slopes(rows) / setting.weights(loop))[2]
+    return np.linalg.svd(loop.slopes(rows) / setting.weights(loop))[1:]
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
@@ -293,12 +306,18 @@ def along(point: Point, value: float) -> Point:
 
 
 def cut_finer(point: Point) -> Point:
-    """The point in more stretches, where the derivatives over one of them have grown large."""
-    loop, setting = point.loop, point.setting
-    if setting.holds is not in_phase or not (cut := finer(loop)):
+    """The point in more stretches, where derivatives over one have grown large, or in others, where one begins at a jump."""
+    loop, setting, begin = point.loop, point.setting, 0.0
+    if setting.holds is not in_phase:
+        return point
+    if (cut := finer(loop)) is None and (begin := clear(loop)):
+        cut = recut(loop, len(loop.states), begin)
+    if cut is None:
         return point
     along = np.zeros(cut.states.shape)
     along[0] = point.tangent[: loop.field.size]  # the old tangent by its first state, period and parameter
+    if begin:
+        along[0] = loop.flow.fly(loop.states[0], loop.constants, begin).by_state @ along[0]
     return point_of(setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :]))
 
 

@@ -18,7 +18,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
-from .arclength import Point, Setting, at_zero, between, corrected, placed, point_of, started, steps, turning, within
+from .arclength import Point, Setting, at_zero, between, corrected, cut_finer, placed, point_of, started, steps, turning, within
 from .events import MERGES, SLIDING, Finding, findings, touching, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
@@ -50,6 +50,8 @@ CHANGING = ("fold", "period_doubling", "torus")
 TOLD = (*CHANGING, "grazing", *SLIDING, "homoclinic", "end")
 
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
+
+FAMILIES = "there is a whole family of cycles at every value of the parameter from there on"
 
 #: Spans of a parameter whose range is not given: of its value, and at least.
 SPAN, NARROWEST = 0.25, 0.02
@@ -206,7 +208,7 @@ def cycle_branch(
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
     begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
-    start = started(setting, begun)
+    start = cut_finer(started(setting, begun))
     back, forth = (list(_followed(start.turned(sign), (low, high), points, longest)) for sign in (-1.0, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
@@ -243,6 +245,8 @@ def _followed(start: Point, to: tuple[float, float], points: int, longest: float
         met = meets(point, found)
         if met is not None and arc > NEAREST * extent(found.loop):
             raise ConvergenceError("the halves of the orbit meet on the way")
+        if not (point.alone or found.alone):
+            return [Finding("end", point.loop, 0.0, how=FAMILIES)]
         merged = None if met is None else halved(point, found, met)
         if merged is not None:
             return [Finding("end", *merged, how=MERGES)]
@@ -250,7 +254,8 @@ def _followed(start: Point, to: tuple[float, float], points: int, longest: float
         for happened in findings(point, found, arc, seen[-2] if len(seen) > 1 else None):
             if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
                 return [*items, _shrunk(seen)]
-            items.append(happened)
+            if happened.kind != "fold" or (point.alone and found.alone):  # at the edge of a family a multiplier is 1 without one
+                items.append(happened)
         if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
             return [*items, _shrunk(seen)]
         seen = [point, found]
@@ -296,7 +301,7 @@ def _lost(point: Point, error: ConvergenceError) -> Finding:
     loop = point.loop
     if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
         return Finding("homoclinic", loop, 1e-6, how=rest)
-    return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
+    return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}" if point.alone else FAMILIES)
 
 
 def _passes(start: Point, point: Point, ahead: Point) -> bool:

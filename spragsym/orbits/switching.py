@@ -70,7 +70,7 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     known, size, weights = point.tangent if crossed is None else crossed, guess.states.size, setting.weights(loop)
     along = np.concatenate([*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]) * weights
     along = along / np.linalg.norm(along)
-    plane = directions(setting, loop)[-2:]
+    plane = directions(setting, loop)[1][-2:]
     plane = plane - np.outer(plane @ along, along)
     direction = max(plane, key=lambda vector: float(np.linalg.norm(vector))) / weights
     return Point(setting, loop, direction / np.linalg.norm(direction[: loop.field.size]))

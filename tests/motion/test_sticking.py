@@ -7,6 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.models.field import FLOATS
+from spragsym.orbits.branch import FAMILIES
 from tests.oracles import dry_friction
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
@@ -61,6 +62,22 @@ def test_a_cycle_with_sticking_has_the_zero_multiplier_that_sticking_brings(back
     assert abs(found.multipliers[1]) <= found.multiplier_errors[0] < 1e-10
     assert [ss.Event(kind).name for kind in found.events.which] == ["STICK", "SLIP"]
     assert "sticks" in ss.precise.prove_cycle(found).reason
+
+
+def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
+    """Along closed forms, by no needless steps; in a family of cycles at every value there is no fold, and no branch."""
+    pytest.importorskip("heyoka")
+    for mu_k, vary, to, hows in (
+        (0.4, "mu_k", (0.05, 0.55), ("the range ends", "the range ends")),
+        (0.4, "V", (0.05, 0.9), ("the range ends", "the range ends")),
+        (0.7, "mu_k", (0.5, 0.8), (FAMILIES, FAMILIES)),
+    ):
+        given = {"mu_s": 0.6, "mu_k": mu_k, "V": 0.3}
+        branch = ss.cycle_branch(ss.cycle(STICK_SLIP.Parameters(**given), near=(mu_k, 0.3)), vary, to)
+        periods = [exact(**(given | {vary: value}))[0] for value in branch.values.tolist()]
+        assert branch.periods == pytest.approx(periods, abs=1e-11)
+        assert tuple(event.how for event in branch.events) == hows
+        assert len(branch.values) < 50
 
 
 @pytest.mark.parametrize(

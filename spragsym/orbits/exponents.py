@@ -56,7 +56,7 @@ class Lyapunov(Result):
     Attributes
     ----------
     exponents : ndarray, shape (m,)
-        Largest first, over the second half of the motion.
+        Largest first, over the second half of the motion; −∞ where it sticks, which ends deviations of the sliding speed.
     error : ndarray, shape (m,)
         Half-widths of their 95 % intervals, by the scatter among parts of that half; of the trivial exponent a bound.
     zero : ndarray of bool, shape (m,)
@@ -124,8 +124,7 @@ def lyapunov(
     ParameterError, ParameterTypeError
         For arguments that make no sense, and parameters that are no scalars.
     ConvergenceError
-        Where deviations are lost: the motion is too stiff, or it sticks, where all deviations of the sliding speed end.
-        :func:`~spragsym.fate` tells a cycle that sticks.
+        Where deviations are lost: the motion is too stiff.
 
     Notes
     -----
@@ -204,10 +203,15 @@ class Rates:
         """Means: along the flow, then across it."""
         return self.logs.sum(axis=0) / self.span
 
+    @property
+    def lasting(self) -> FloatArray:
+        """Logarithms of growth, 0 of deviations that end."""
+        return np.where(np.isneginf(self.exponents), 0.0, self.logs)
+
     @cached_property
     def error(self) -> FloatArray:
         """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of the flow's speed."""
-        found = half_widths(self.logs, self.stretch)
+        found = half_widths(self.lasting, self.stretch)
         if self.moves:
             found[0] = np.ptp(self.flow) / self.span
         return np.maximum(found, FLOOR)
@@ -241,7 +245,8 @@ class Rates:
         if before * slowest < SETTLED:
             return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"
         middle = len(self.logs) // 2
-        early, late = (half[:, 1:].mean(axis=0) / self.stretch for half in (self.logs[:middle], self.logs[middle:]))
+        logs = self.lasting[:, 1:]
+        early, late = (half.mean(axis=0) / self.stretch for half in (logs[:middle], logs[middle:]))
         if (np.abs(late - early) > 2 * PROVED * error).any():
             return "exponents of the two halves differ: it has not settled; a longer motion tells"
         return ""
@@ -276,6 +281,9 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     if not np.isfinite(flow).all():
         raise ParameterError(f"start = {state.tolist()}: the motion is not defined there; start anywhere else")
 
+    def sticks(state: FloatArray) -> bool:
+        return bool(field.stays(field.initial_mode(state.tolist(), constants)))
+
     def carried(state: FloatArray, frame: FloatArray, span: float) -> tuple[FloatArray, FloatArray, FloatArray, float]:
         """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
         flow = rate(field, state, constants)
@@ -283,13 +291,18 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         ahead = passage.by_state @ frame
         if np.linalg.norm(flow) > STILL:  # the flow is carried into itself
             ahead[:, 0] = rate(field, passage.state, constants) / np.linalg.norm(flow)
-        turned, triangle = np.linalg.qr(ahead)
+        norms = np.linalg.norm(ahead, axis=0)
+        order = np.argsort(norms <= LOST * norms.max(), kind="stable")  # what has ended spans nothing, and comes last
+        back = np.argsort(order)
+        turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))
-        if sizes.min() > LOST * sizes.max():
-            return passage.state, turned, np.log(sizes), float(np.linalg.slogdet(passage.by_state)[1])
+        lost = sizes <= LOST * sizes.max()
+        if lost.sum() <= any(map(sticks, (state, *(crossing.state for crossing in passage.crossings)))):
+            sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
+            volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
+            return passage.state, turned[:, back], np.log(sizes[back]), volume
         if span < stretch / 2**HALVINGS:
-            why = "the mass sticks" if field.holds else "too stiff"
-            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: {why}")
+            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff")
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)
         return end, frame, first + second, shrunk + more

@@ -237,7 +237,7 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
 
 
 def stands_still(system: System, state: FloatArray) -> str:
-    """Reason: nothing moves, or the first coordinate stands still while others move; empty where it moves.
+    """Reason: nothing moves, or the first coordinate stands still or sticks while others move; empty where it moves.
 
     Returns of a motion are looked at where its first coordinate is largest: there are none then.
     """
@@ -246,14 +246,17 @@ def stands_still(system: System, state: FloatArray) -> str:
         moved = np.ptp(system.motion(state, LOOK).state[: len(names)], axis=1)
     except ConvergenceError:
         return ""
+    held = system.field.stays(system.field.initial_mode(state.tolist(), system.constants))
     if not moved.any():
+        if held:
+            return "it comes to rest, and friction holds it there, as on any belt that stands still; give a belt speed above 0"
         return "nothing moves from where it begins, a state of equilibrium; begin beside it"
     if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
         return ""
     first, most = names[0], names[int(moved.argmax())]
     return (
-        f"{first} stands still while {most} moves, and cycles are looked for where the first coordinate is largest; "
-        f"write a model page whose first coordinate is {most}"
+        f"{first} {'sticks' if held else 'stands still'} while {most} moves, and cycles are looked for where the first "
+        f"coordinate is largest; write a model page whose first coordinate is {most}"
     )
 
 

@@ -186,7 +186,8 @@ def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
     """Eigenvalues with their vectors and errors: by how much more than the matrix each moves; infinite for a double one."""
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:
-        moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
+        with np.errstate(over="ignore"):
+            moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
     except np.linalg.LinAlgError:
         moves = np.full(len(vectors), np.inf)
     return eigenvalues, vectors, rounding_of(matrix) * moves

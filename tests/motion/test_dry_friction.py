@@ -125,6 +125,11 @@ def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
         assert found.rest[0] == pytest.approx(end, abs=1e-9)
         assert tr.after(30.0).sticking == 1.0
         assert ss.simulate(tr.p, x0=start, t_end=40.0, backend=backend, events=False).outcome().rest == found.rest
+    with pytest.raises(ss.ConvergenceError, match="it comes to rest, and friction holds it there"):
+        ss.cycle(tr.p, near=(1.0, 0.0), backend=backend)
+    if backend == "heyoka":  # SciPy takes a minute
+        bounces = ss.fate(ss.load("coulomb").Parameters(theta0=0.7, V=0.0), t_end=500.0)
+        assert bounces.why.startswith("x sticks while y moves")
     free = BRAKE.Parameters(V=0.0, mu_s=0.0, mu_k=0.0)
     assert ss.simulate(free, x0=1.0, t_end=40.0, backend=backend).outcome().regime == ss.Regime.UNSETTLED
 

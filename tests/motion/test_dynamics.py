@@ -77,14 +77,6 @@ def test_energy_is_kept_without_friction(backend: str, rtol: float, t_end: float
     assert np.abs(energy - energy[0]).max() < 1e-3 * rtol * t_end
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_energy_balance_closes_with_friction(backend: str) -> None:
-    tr = simulate(BASE, **BELT, rtol=1e-12, t_end=400.0, backend=backend)
-    work = tr.integral(tr.friction_power())
-    assert tr.integral(np.abs(tr.friction_power())) > 0.2
-    assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-11)
-
-
 @pytest.mark.parametrize(("theta0_deg", "slot", "mode", "d"), [
     (30.0, 0, 0, 4.0), (30.0, 2, 1, 40.0), (49.0, 0, 1, 4.0), (49.0, 0, 0, 40.0), (170.0, 2, 0, 4.0),
 ])  # fmt: skip
@@ -164,15 +156,6 @@ def through_a_thin_layer() -> np.ndarray:
 def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, through_a_thin_layer: np.ndarray) -> None:
     if (backend, rtol) != ("scipy", 1e-13):  # that is the reference
         assert np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
-    tr = simulate(ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=1000.0, rtol=1e-8, backend=backend)
-    assert np.abs(tr.after(990.0).vx).max() < 1e-3
-    assert len(tr.events) < 667
-    assert (np.diff(tr.events.t) > 0).all()
 
 
 @pytest.mark.usefixtures("ctrl_c")

@@ -40,15 +40,6 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
         assert np.abs(gap).max() < 1e-11
 
 
-@pytest.mark.skipif(len(BACKENDS) < 2, reason="the extra fast is not installed")
-@pytest.mark.by_hand("damped", "inclined_belt", "cubic_contact", "stribeck")
-@pytest.mark.parametrize("name", few(NAMES, "hertz_contact", "trolley"))
-def test_both_integrators_agree(name: str) -> None:
-    model = ss.load(name).search
-    ends = [ss.simulate(parameters(model), t_end=30.0, backend=backend).state[:, -1] for backend in BACKENDS]
-    np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["trolley", "hertz_contact", "stribeck"])
 def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> None:

@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.motion import Event, Regime, simulate
-from spragsym.motion.sweeps import Sweep, basin, many, rms_sweep
-from tests.support import ROOT, needs_a_quick_integrator, needs_posix
+from spragsym.motion import Event, simulate
+from spragsym.motion.sweeps import Sweep, many, rms_sweep
+from tests.support import ROOT, needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -59,17 +59,6 @@ def test_the_same_bits_from_any_map() -> None:
         assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
         # Futures, as an engine's own map gives them.
         assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
-
-
-@pytest.mark.thorough
-@needs_a_quick_integrator
-def test_basin() -> None:
-    p = ss.Parameters.article(theta0=np.radians(30))
-    found = basin(p, 0.5, 4.0, x=[0.0, 0.1, 1.6], vx=[0.0, 0.01], t_end=2e4, transient=1.9e4)
-    assert found.attractor.shape == (3, 2)
-    assert (found.attractor[0] == found.attractor[1]).all()
-    assert (found.attractor[0] != found.attractor[2]).all()
-    assert found.attractors[found.attractor[0, 0]][:2] == (Regime.EQUILIBRIUM, 0)
 
 
 # -------------------------------------------------------------------------------------------------- the store

@@ -429,6 +429,11 @@ def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> No
     assert found.exponents == pytest.approx(expected, abs=2e-3)
     assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
     assert expected.sum() == pytest.approx(found.trace, abs=1e-4)
+    p = ss.load("coulomb").Parameters(theta0=np.radians(42.0), V=0.41)
+    stuck = ss.cycle(p, near=ss.cycle(p.replace(V=0.5)))  # it sticks once a round, which ends all deviations of its speed
+    found = ss.lyapunov(p, start=stuck.state, t_end=40 * stuck.period)
+    assert found.exponents[:3] == pytest.approx(np.log(np.abs(stuck.multipliers[:3])) / stuck.period, abs=1e-6)
+    assert (found.exponents[3], found.trace, found.kind) == (-np.inf, -np.inf, "cycle")
 
 
 def test_exponents_of_rest_are_its_eigenvalues() -> None:

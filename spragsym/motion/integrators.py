@@ -122,11 +122,10 @@ class Flow:
     def fly(
         self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray = NONE
     ) -> Passage:  # fmt: skip
-        """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (2, P)."""
+        """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (k, P)."""
         if self.other:
             return self.other(state, constants, duration, directions)
-        along = directions if directions.any() else NONE
-        return self._asked(lambda carrier: carrier.fly(), state, constants, duration, along)
+        return self._asked(lambda carrier: carrier.fly(), state, constants, duration, directions)
 
     def plain(self, state: FloatArray, constants: tuple[float, ...], duration: float, *, loose: bool = False) -> Passage:
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""

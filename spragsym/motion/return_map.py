@@ -85,11 +85,11 @@ class Onward:
         course, *others = self.courses(np.vstack([state, state + off, state - off])[: 1 + sides * m], duration)
         last = np.array([other.last for other in others])
         before = last[m:] if sides == 2 else course.last
-        unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
-        turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
+        none, unknown = np.zeros((m, 0)), np.full((m, m), np.nan)
+        turns = [Turn(t, -1, -1, top, unknown, none) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
         begin, (shift, square, *_) = float(state[0]), course.integrals.tolist()
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
-        return Passage(course.last, (last[:m] - before).T / (sides * STEP), np.zeros((m, 2)), (), tuple(turns), integrals)
+        return Passage(course.last, (last[:m] - before).T / (sides * STEP), none, (), tuple(turns), integrals)
 
     def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one near, in ``scale``."""

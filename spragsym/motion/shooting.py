@@ -162,13 +162,17 @@ class Loop:
         return tuple(c._replace(t=c.t + i * self.guess.stretch) for i, each in enumerate(self.passages) for c in each.crossings)
 
     def tops(self) -> list[Turn]:
-        """Turns at which the first coordinate is largest."""
-        return [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
+        """Turns at which the first coordinate is largest, the start first: where it is one it may be counted at neither end."""
+        found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
+        start, n = self.states[0], len(self.field.coordinates)
+        if found and abs(start[n]) < ONE and rate(self.field, start, self.constants)[n] < 0:
+            found.insert(0, found[0]._replace(t=0.0, state=start))
+        return found
 
     def turns(self) -> tuple[Turn, ...]:
         """All turns of one round, with derivatives by the start of the round."""
         stretch, found, before = self.guess.stretch, [], np.eye(self.field.size)
-        shift = np.zeros((self.field.size, 2))
+        shift = np.zeros_like(self.passages[0].by_parameters)
         for i, each in enumerate(self.passages):
             found += [
                 turn._replace(
@@ -222,8 +226,7 @@ def looped(flow: Flow, guess: Guess) -> Loop:
     if not guess.period > 0:
         raise ConvergenceError("the period is not positive")
     constants = field.constants(guess.values)
-    stretch, directions = guess.stretch, np.zeros((2, len(field.parameters)))
-    directions[range(len(free)), free] = 1.0
+    stretch, directions = guess.stretch, np.eye(len(field.parameters))[[*free]]
     return Loop(flow, guess, constants, tuple(flow.fly(state, constants, stretch, directions) for state in guess.states))
 
 
@@ -339,9 +342,6 @@ def once_round(loop: Loop) -> Loop:
     if not turns:
         return loop
     scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    start, n = loop.states[0], len(loop.field.coordinates)
-    if abs(start[n]) < ONE and rate(loop.field, start, loop.constants)[n] < 0 < turns[0].t:
-        turns.insert(0, turns[0]._replace(t=0.0, state=start))  # one at which the loop begins may be counted at neither end
     first = turns[0]
     for other in turns[1:]:
         if (other.t - first.t) * len(turns) < period / 2:

@@ -116,7 +116,7 @@ class Passage:
     """A stretch of motion: where it ends, (m,), and derivatives of that.
 
     Those by the state at the start, (m, m), are the product over the smooth pieces, with saltation matrices where the field
-    jumps between them; those by the parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and
+    jumps between them; those by the parameters, (m, k), are along k directions. The ``integrals`` of the first coordinate and
     of its square over time are NaN where the integrator does not carry them along.
     """
 
@@ -128,18 +128,14 @@ class Passage:
     integrals: tuple[float, ...] = (np.nan, np.nan)
 
 
-#: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (2, P).
+#: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (k, P).
 Fly: TypeAlias = Callable[[FloatArray, tuple[float, ...], float, FloatArray], Passage]
 
 
 def parted(state: FloatArray, columns: FloatArray | None) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """A state and its derivatives by the start and by the parameters, 0 where there are no columns for these; empty for none."""
-    if columns is None:
-        return state.copy(), np.empty((0, 0)), np.empty((0, 0))
-    m = len(state)
-    whole = np.zeros((m, m + 2))
-    whole[:, : columns.shape[1]] = columns
-    return state.copy(), whole[:, :m], whole[:, m:]
+    """A state and its derivatives by the start and by the parameters; empty where there are none."""
+    whole = np.empty((0, 0)) if columns is None else columns.copy()
+    return state.copy(), whole[:, : len(state)], whole[:, len(state) :]
 
 
 #: Times and states of some steps at their Lobatto points, shapes (steps, DEGREE + 1) and (steps, 2 n, DEGREE + 1).

@@ -137,7 +137,7 @@ class Point:
         for turn in loop.turns():
             mode = loop.field.initial_mode(turn.state.tolist(), loop.constants)
             if turn.border >= 0 and loop.field.borders[turn.border].sign(mode):
-                change = turn.by_state @ tangent[:size] + turn.by_parameters[:, : len(along)] @ along
+                change = turn.by_state @ tangent[:size] + turn.by_parameters @ along
                 way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)
                 step = 1e-6 / max(1.0, float(np.abs(change).max()))
                 back, level, ahead = (
@@ -275,8 +275,7 @@ def zero_of(test: Callable[[Point], float], one: Point, other: Point, length: fl
             known[arc] = corrected(one, arc)
         return test(known[arc])
 
-    root = float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))
-    return known[root] if root in known else corrected(one, root)
+    return known[float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))]
 
 
 def along(point: Point, value: float) -> Point:

@@ -294,15 +294,10 @@ def refined(loop: Loop) -> Loop:
 
 def _top(loop: Loop) -> float:
     """When the first coordinate is largest, and among several such times the one at which the second is; now if it never is."""
-    n, first = len(loop.field.coordinates), loop.states[0]
-    highest = [(turn.state, turn.t) for turn in loop.tops()]
-    if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
-        highest.append((first, 0.0))
-    if not highest:
-        return 0.0
-    most = max(float(state[0]) for state, _ in highest)
-    _, begin = max((top for top in highest if top[0][0] >= most - SAME * (1 + abs(most))), key=lambda top: float(top[0][1]))
-    return begin
+    tops = loop.tops()
+    most = max((float(top.state[0]) for top in tops), default=0.0)
+    highest = [top for top in tops if top.state[0] >= most - SAME * (1 + abs(most))]
+    return max(highest, key=lambda top: float(top.state[1])).t if highest else 0.0
 
 
 def _range(samples: PiecewisePolynomial, force: Any, constants: tuple[float, ...]) -> tuple[float, float]:

@@ -223,7 +223,7 @@ class Rest:
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], _: float, directions: FloatArray) -> Passage:
         """The map with its derivatives."""
-        there, by_parameters = self.at(state, constants), np.zeros((self.field.size, 2))
+        there, by_parameters = self.at(state, constants), np.zeros((self.field.size, len(directions)))
         n = len(self.field.coordinates)
         try:
             force = self.field.acceleration(*there, FLOATS)

@@ -100,6 +100,11 @@ class Border:
     stays: Callable[..., float] | None = None
 
 
+def magnitude(numbers: Any) -> float:
+    """The largest of some numbers, in size."""
+    return float(np.abs(numbers).max())
+
+
 def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
     """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
     off: FloatArray = np.subtract(one, other, dtype=float)

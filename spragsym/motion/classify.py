@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, SETTLED, Field, Mode, in_one_turn
+from ..models.field import FLOATS, SETTLED, Field, Mode, in_one_turn, magnitude
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from .measures import KEPT, Course
@@ -73,7 +73,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
     growth = float(rest.values.real.max())
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
-    distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
+    distance = magnitude(np.vstack([late, course.last]) - rest.state)
     if still and distance <= tol and growth <= ROUNDING and _stays(course, rest, problem.rtol, kinks):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, -growth), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
@@ -124,9 +124,9 @@ def equilibrium_near(
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("there is no equilibrium near") from error
         q = q + step
-        if not np.abs(q).max() < FAR or np.abs(step).max() < 1e-15 * (1 + np.abs(q).max()):
+        if not magnitude(q) < FAR or magnitude(step) < 1e-15 * (1 + magnitude(q)):
             break
-    if np.abs(q).max() < FAR and np.abs(step).max() < 1e-12:
+    if magnitude(q) < FAR and magnitude(step) < 1e-12:
         return np.concatenate([q, np.zeros(n)])
     raise ConvergenceError("there is no equilibrium near")
 
@@ -138,7 +138,7 @@ def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
     """
     inverse = np.linalg.pinv(rest.vectors)
     before, after = (np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last))
-    noise = NOISE * rtol * (1e-3 + np.abs(rest.state).max()) * np.linalg.norm(inverse, 2)
+    noise = NOISE * rtol * (1e-3 + magnitude(rest.state)) * np.linalg.norm(inverse, 2)
     left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..models.field import magnitude
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 
@@ -102,7 +103,7 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
             basis, factor = np.linalg.qr(part @ basis)
             factors.append(factor)
         turned = start.T @ basis
-        cuts = [0, *(j for j in range(1, size) if np.abs(turned[j:, :j]).max() < TRIANGULAR), size]
+        cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < TRIANGULAR), size]
         if len(cuts) == size + 1 or (before == len(cuts) and before > 2):
             break
         before = len(cuts)

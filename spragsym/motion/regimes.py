@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..display import named_fields
-from ..models.field import SETTLED, apart
+from ..models.field import SETTLED, apart, magnitude
 from ..results.result import Named
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
@@ -119,7 +119,7 @@ def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
     if one.limit != other.limit:
         return False
     if one.limit == Regime.EQUILIBRIUM:
-        return bool(np.abs(apart(one.rest, other.rest, around)).max() < SAME * (1 + np.abs(one.rest).max()))
+        return magnitude(apart(one.rest, other.rest, around)) < SAME * (1 + magnitude(one.rest))
     return one.limit != Regime.LIMIT_CYCLE or same_orbit(one, other, around)
 
 
@@ -129,5 +129,5 @@ def same_orbit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
     if np.isnan(one.cycle_mean) != np.isnan(other.cycle_mean):
         return False
     averages = (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms) if reach > 0 else ()
-    off = np.abs([*apart(one.cycle, other.cycle, around), *averages]).max()
+    off = magnitude([*apart(one.cycle, other.cycle, around), *averages])
     return bool(abs(one.period / other.period - 1) < SETTLED and off < 10 * SETTLED * (reach if reach > 0 else 1.0))

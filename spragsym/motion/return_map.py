@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import REACH, TURN, Field, apart, in_one_turn
+from ..models.field import REACH, TURN, Field, apart, in_one_turn, magnitude
 from ..models.parameters import FloatArray
 from . import integrators
 from .integrators import Flow
@@ -188,10 +188,10 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
         period = float(times[-1] - times[-1 - k])
         with suppress(ConvergenceError):
             cycle = onward.closed(places[-1], fixed, period, scale)
-            largest = float(np.abs(np.linalg.eigvals(cycle.slope)).max())
+            largest = magnitude(np.linalg.eigvals(cycle.slope))
             rounds = max(1, round(k * cycle.loop.period / period))
             off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
-            distance = float(np.abs(off[0]).max())
+            distance = magnitude(off[0])
             if largest < 1 - NEUTRAL and distance <= 4 * CLOSE and _nears(cycle, off, tol):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
                 return _described(cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance)
@@ -212,10 +212,10 @@ def _candidates(states: FloatArray) -> Iterator[int]:
     tried: list[int] = []
 
     def apart(k: int) -> float:
-        return float(np.abs(states[-1] - states[-1 - k]).max())
+        return magnitude(states[-1] - states[-1 - k])
 
     for k in range(1, (len(states) - 1) // 2 + 1):
-        last, before = apart(k), float(np.abs(states[-1 - k] - states[-1 - 2 * k]).max())
+        last, before = apart(k), magnitude(states[-1 - k] - states[-1 - 2 * k])
         if max(last, before) > CLOSE or last > 2 * before + CLOSE**3 or _drifts_past(states[::-1][::k]):
             continue
         for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * CLOSE), k):
@@ -245,7 +245,7 @@ def _nears(cycle: Closed, off: FloatArray, tol: float) -> bool:
     sizes = np.abs(off).max(axis=1)
     if sizes[: max(2, len(sizes) // 2)].max() <= tol:
         return True
-    if len(off) < 2 or np.abs(off[0] - cycle.slope @ off[1]).max() > MISSED * sizes[1] + tol:
+    if len(off) < 2 or magnitude(off[0] - cycle.slope @ off[1]) > MISSED * sizes[1] + tol:
         return False
     return _goes_on(cycle, off[0], tol)
 

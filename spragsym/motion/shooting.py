@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import FLOATS, TURN, Field, apart
+from ..models.field import FLOATS, TURN, Field, apart, magnitude
 from ..models.parameters import FloatArray
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
@@ -123,7 +123,7 @@ class Loop:
     @property
     def missed(self) -> float:
         """Largest gap."""
-        return float(np.abs(self.gaps).max())
+        return magnitude(self.gaps)
 
     @cached_property
     def winding(self) -> int:
@@ -244,23 +244,23 @@ def solved(
     for iteration in range(iterations):
         values, rows = zip(*(each(loop) for each in conditions), strict=True)
         residual = np.concatenate([loop.gaps.ravel(), *values])
-        if float(np.abs(residual).max()) <= rounding(loop):
+        if magnitude(residual) <= rounding(loop):
             return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
         try:
             step = np.linalg.solve(loop.slopes(*rows), -residual)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("Newton's method meets a singular matrix") from error
-        width = float(np.abs(step).max())
-        scale = 1 + max(float(np.abs(loop.states).max()), loop.period)
+        width = magnitude(step)
+        scale = 1 + max(magnitude(loop.states), loop.period)
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
         # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as many times larger.
         carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)
-        if small and float(np.abs(residual).max()) <= carried * (1 + float(np.abs(loop.states).max())):
+        if small and magnitude(residual) <= carried * (1 + magnitude(loop.states)):
             return loop
         if iteration and width > 1e3 * before:
             break
         guess = loop.guess.moved(step)
-        if np.abs(guess.states - start.states).max() > reach or not np.isfinite(step[:size]).all():
+        if magnitude(guess.states - start.states) > reach or not np.isfinite(step[:size]).all():
             break
         if not 0.5 < guess.period / start.period < 2:
             break
@@ -356,7 +356,7 @@ def once_round(loop: Loop) -> Loop:
                 return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)
             with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
                 shorter = looped(loop.flow, guess)
-                if shorter.missed <= CLOSED * (1 + float(np.abs(loop.states).max())):
+                if shorter.missed <= CLOSED * (1 + magnitude(loop.states)):
                     return shorter
     return loop
 
@@ -364,7 +364,7 @@ def once_round(loop: Loop) -> Loop:
 def difference(loop: Loop) -> float:
     """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
     ends = [loop.flow.plain(state, loop.constants, loop.guess.stretch).state for state in loop.states]
-    return float(np.abs(loop.ends - ends).max())
+    return magnitude(loop.ends - ends)
 
 
 def error_of(loop: Loop, differs: float = 0.0) -> float:
@@ -384,9 +384,9 @@ def extent(loop: Loop) -> float:
 
 def growth(loop: Loop) -> float:
     """Largest derivative over one stretch."""
-    return max(float(np.abs(each.by_state).max()) for each in loop.passages)
+    return max(magnitude(each.by_state) for each in loop.passages)
 
 
 def rounding(loop: Loop) -> float:
     """What rounding adds to the gaps of a loop, about."""
-    return 4e-16 * float(np.abs(loop.states).max()) * math.sqrt(loop.period)
+    return 4e-16 * magnitude(loop.states) * math.sqrt(loop.period)

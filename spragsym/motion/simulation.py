@@ -14,7 +14,7 @@ from ..display import Table, caption, words
 from ..errors import ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
-from ..models.field import SETTLED, Field
+from ..models.field import SETTLED, Field, magnitude
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from ..numerics.interval_arrays import IndexArray
 from ..questions import model_of
@@ -247,7 +247,7 @@ class Trajectory(Named):
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late, row = self.after(transient), row_of(of, self.components)
         extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
-        return float(np.abs(extrema - late._centre(of, about)).max())
+        return magnitude(extrema - late._centre(of, about))
 
     def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
         """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.

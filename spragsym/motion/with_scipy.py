@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, GAP, Mode
+from ..models.field import FLOATS, GAP, Mode, magnitude
 from ..models.parameters import FloatArray
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
@@ -122,7 +122,7 @@ class Flight:
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
                 failed = solver.status == "failed"
-                if not np.isfinite(solver.y).all() or (failed and np.abs(solver.y[:m]).max() > LARGE):
+                if not np.isfinite(solver.y).all() or (failed and magnitude(solver.y[:m]) > LARGE):
                     raise out_of_range()
                 if failed:
                     name, t = type(solver).__name__, clock + solver.t
@@ -204,7 +204,7 @@ class Flight:
         found = []
         levels = self._levels(piece.mode, piece.samples[: self.problem.field.size], inside=True)
         for row, (distance, rate) in enumerate(levels[:-1]):
-            if distance.min() > np.abs(rate).max() * np.diff(piece.t).max():
+            if distance.min() > magnitude(rate) * np.diff(piece.t).max():
                 continue
             border = partial(self._at, piece, True, row)
             for i in np.flatnonzero((distance[1:] < 0) | ((rate[:-1] < 0) & (rate[1:] > 0))).tolist():

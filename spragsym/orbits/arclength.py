@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, Mode
+from ..models.field import FLOATS, Mode, magnitude
 from ..models.parameters import FloatArray
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
@@ -139,7 +139,7 @@ class Point:
             if turn.border >= 0 and loop.field.borders[turn.border].sign(mode):
                 change = turn.by_state @ tangent[:size] + turn.by_parameters @ along
                 way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)
-                step = 1e-6 / max(1.0, float(np.abs(change).max()))
+                step = 1e-6 / max(1.0, magnitude(change))
                 back, level, ahead = (
                     float(level_and_rate(loop, turn.border, mode, at + share * step * way)[0]) for share in (-1, 0, 1)
                 )
@@ -227,7 +227,7 @@ def within(point: Point, length: float, to: tuple[float, float], reach: float = 
     aim = point.value + length * turning(point)
     end = min(max(aim, to[0]), to[1])
     found = corrected(point, length, reach=reach) if end == aim else placed(point, end)
-    moved = 0.0 if end == aim else float(np.abs(found.loop.states - point.loop.states).max())
+    moved = 0.0 if end == aim else magnitude(found.loop.states - point.loop.states)
     if moved > reach or not to[0] <= found.value <= to[1]:
         raise ConvergenceError("the end of the range is nearer, or farther, than a step")
     return found

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import apart
+from ..models.field import apart, magnitude
 from ..models.parameters import FloatArray
 from ..motion.regimes import SAME, Regime
 from .arclength import Setting, along, started
@@ -95,7 +95,7 @@ def same(one: Attractor, other: Attractor) -> bool:
     if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
-        return bool(np.abs(apart(one.state, other.state, one.system.field.around)).max() < SAME * (1 + np.abs(one.state).max()))
+        return magnitude(apart(one.state, other.state, one.system.field.around)) < SAME * (1 + magnitude(one.state))
     return same_cycle(one.orbit, other.orbit)
 
 

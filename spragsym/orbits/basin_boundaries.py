@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import magnitude
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
@@ -191,7 +192,7 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     for place in places:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, place)
-            if not any(np.abs(saddle.state - other.state).max() < SAME for other in found):
+            if not any(magnitude(saddle.state - other.state) < SAME for other in found):
                 found.append(saddle)
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
@@ -243,7 +244,7 @@ class _Walk:
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
         """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
-        constants, reach = self.system.constants, 0.1 * np.abs(self.saddle.measure).max()
+        constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.measure)
         part, clock = 0.0, 0.0
         for _ in range(20):
             state = self.system.flow.plain(state, constants, 1 / self.saddle.growth).state
@@ -290,7 +291,7 @@ class _Walk:
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state + step * along @ self.plane
             try:
-                seen = np.linalg.norm(slope) * step**2 / (BENT * np.abs(self.saddle.measure).max())
+                seen = np.linalg.norm(slope) * step**2 / (BENT * magnitude(self.saddle.measure))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
                 moved = self.plane @ (ahead - state)

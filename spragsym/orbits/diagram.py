@@ -17,7 +17,7 @@ import numpy as np
 
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
-from ..models.field import apart
+from ..models.field import apart, magnitude
 from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
 from ..questions import model_of
@@ -257,11 +257,11 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
     place, around = point.loop.states[0], point.loop.field.around
     for one, other in pairwise(line):
-        near = np.abs(apart(place, one.loop.states[0], around)).max() < 2 * LONGEST
+        near = magnitude(apart(place, one.loop.states[0], around)) < 2 * LONGEST
         if near and (one.value - point.value) * (other.value - point.value) <= 0 and one.value != other.value:
             with suppress(ConvergenceError):
                 met = placed(one, point.value, other.coordinates - one.coordinates).loop.states[0]
-                if np.abs(apart(place, met, around)).max() < ONE:
+                if magnitude(apart(place, met, around)) < ONE:
                     return True
     return False
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field, apart
+from ..models.field import Field, apart, magnitude
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
 from ..motion.regimes import Outcome, same_limit
 from ..motion.simulation import state_of
@@ -474,7 +474,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, state)
-            off = float(np.abs(apart(state, saddle.state, around)).max())
+            off = magnitude(apart(state, saddle.state, around))
             if saddle.attracts and off < CLOSE:
                 rests[off] = saddle
     if rests:

@@ -12,7 +12,7 @@ import numpy as np
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
-from ..models.field import FLOATS, Field, apart
+from ..models.field import FLOATS, Field, apart, magnitude
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
@@ -351,10 +351,10 @@ def _of_the_motion(
         return np.array([*accelerations, near.real / form.crossing])
 
     found = np.append(state, given[place])
-    scale = 1 + float(np.abs(found).max())
+    scale = 1 + magnitude(found)
     for _ in range(TRIALS):
         step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
-        found, width = found - step, float(np.abs(step).max())
+        found, width = found - step, magnitude(step)
         if not AROUND * scale < width < scale:
             break
     if not width <= 1e-7 * scale:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
-from ..models.field import Field, apart
+from ..models.field import Field, apart, magnitude
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
@@ -185,7 +185,7 @@ class Cycle(Result):
     def __repr__(self) -> str:
         return (
             f"Cycle(period={self.period:.10g}, state={np.round(self.state, 8).tolist()}, stable={self.stable}, "
-            f"largest multiplier={np.abs(self.multipliers[1:]).max():.6g})"
+            f"largest multiplier={magnitude(self.multipliers[1:]):.6g})"
         )
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import magnitude
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, extent, rate, solved
@@ -81,7 +82,7 @@ def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     (place,) = (place for each, place in zip(branch.events, branch.places, strict=True) if each is event)
     for i in range(place, len(branch.cycles)):
         found: Cycle = branch.cycles[i]
-        if np.abs(found.state - event.cycle.state).max() >= step:
+        if magnitude(found.state - event.cycle.state) >= step:
             break
     return found
 

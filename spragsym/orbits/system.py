@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, GAP, Field, Mode
+from ..models.field import FLOATS, GAP, Field, Mode, magnitude
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
@@ -138,7 +138,7 @@ def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[
         return verdict
     times = np.arange(0.0, verdict.t)
     one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
-    if not np.abs(one - other).max() > PARTED:
+    if not magnitude(one - other) > PARTED:
         return verdict
     for i in range(BESIDE + 1):
         beside = judged(system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1])
@@ -166,7 +166,7 @@ class Saddle:
 
 def rounding_of(matrix: FloatArray) -> float:
     """What rounding may add to a real part of an eigenvalue of a matrix of well separated eigenvalues."""
-    return float(ROUNDING * max(1.0, np.abs(matrix).max()))
+    return ROUNDING * max(1.0, magnitude(matrix))
 
 
 def saddle_near(system: System, state: FloatArray) -> Saddle:

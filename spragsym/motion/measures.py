@@ -96,15 +96,3 @@ def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum
     amplitude = 2 * np.abs(np.fft.rfft((values - (window @ values) / window.sum()) * window)) / window.sum()
     frequency = np.asarray(np.fft.rfftfreq(points, float(t[1] - t[0])), dtype=np.float64)
     return Spectrum(frequency, np.asarray(amplitude, dtype=np.float64))
-
-
-def decay_rate_of(t: FloatArray, extrema: FloatArray) -> float:
-    """The rate at which swings between successive extrema shrink, by least squares on their logarithms; NaN for one."""
-    order = np.argsort(t)
-    swings = np.abs(np.diff(extrema[order]))
-    middle = 0.5 * (t[order][1:] + t[order][:-1])
-    kept = swings > 1e-13 * max(float(np.abs(extrema).max(initial=0.0)), 1e-300)
-    if np.count_nonzero(kept) < 2:
-        return float("nan")
-    slope, _ = np.polyfit(middle[kept] - middle[kept][0], np.log(swings[kept]), 1)
-    return -float(slope)

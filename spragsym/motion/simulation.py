@@ -23,7 +23,7 @@ from ..statics.search import rest_index
 from . import integrators
 from .classify import classify
 from .lobatto import PiecewisePolynomial
-from .measures import Course, Spectrum, course_of, decay_rate_of, spectrum_of
+from .measures import Course, Spectrum, course_of, spectrum_of
 from .problem import MAX_STEPS, Event, Problem, prepare
 from .regimes import Outcome, Regime
 from .return_map import Onward
@@ -328,13 +328,19 @@ class Trajectory(Named):
         return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
 
     def decay_rate(self, transient: float = 0.0, *, of: str | None = None) -> float:
-        """The rate at which the swings of a coordinate shrink after ``transient``; negative where they grow.
+        """The rate at which the swings of a coordinate shrink after ``transient``, by least squares; negative where they grow.
 
         NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle see :meth:`outcome`.
         """
         row, late = row_of(of, self.model.coordinates), self.after(transient)
-        turns = late._turns(row)
-        return decay_rate_of(turns, late.samples(turns)[row])
+        turns = np.sort(late._turns(row))
+        extrema, middle = late.samples(turns)[row], (turns[1:] + turns[:-1]) / 2
+        swings = np.abs(np.diff(extrema))
+        kept = swings > 1e-13 * max(np.abs(extrema).max(initial=0.0), 1e-300)
+        if np.count_nonzero(kept) < 2:
+            return float("nan")
+        slope, _ = np.polyfit(middle[kept] - middle[kept][0], np.log(swings[kept]), 1)
+        return -float(slope)
 
     @property
     def _explained(self) -> Mapping[str, tuple[str, str]]:

@@ -168,7 +168,7 @@ def diagram(
     model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))
     points, doublings = as_count("points", points), as_count("doublings", doublings, 0)
-    low, high = as_range("to", to)
+    low, high = as_range("to", to, p.ranges[vary])
     motion, remarks = model.field, list[str]()
     for start in starts:
         if isinstance(start, Cycle):
@@ -176,8 +176,6 @@ def diagram(
             for name, value in start.parameters.items():
                 if name != vary and value != (own := float(getattr(p, name))):
                     raise ParameterError(f"starts: a cycle at {name} = {value:.10g}, the diagram at {own:.10g}; give cycles at p")
-    for bound in (low, high):
-        motion.check(vary, bound)
     rests = list(_equilibria(p, vary, (low, high)))
     branches: list[CycleBranch] = []
     onsets, born_at = None, np.empty(0)

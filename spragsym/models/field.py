@@ -35,6 +35,9 @@ JUMPED = (
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
+#: Values of a field's parameters in order, or of what its functions take for them.
+Values: TypeAlias = tuple[float, ...]
+
 #: ``xp`` of single floats: Python's functions, and the sign function, for derivatives of |p| by a parameter p.
 FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 
@@ -105,6 +108,11 @@ def magnitude(numbers: Any) -> float:
     return float(np.abs(numbers).max())
 
 
+def norm(numbers: Any) -> float:
+    """The Euclidean norm of some numbers."""
+    return float(np.linalg.norm(numbers))
+
+
 def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
     """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
     off: FloatArray = np.subtract(one, other, dtype=float)
@@ -167,7 +175,7 @@ class Field:
     name: str
     coordinates: tuple[str, ...]
     parameters: tuple[str, ...]
-    constants: Callable[..., tuple[float, ...]]
+    constants: Callable[..., Values]
     acceleration: Callable[..., Any]
     jacobian: Callable[..., Any]
     by_parameters: Callable[..., Any]
@@ -182,7 +190,7 @@ class Field:
     curved: bool = False
     around: tuple[int, ...] = ()
     is_angle: Callable[[str], bool] = "".__eq__
-    aloft: Callable[[tuple[float, ...], FloatArray], bool] | None = None
+    aloft: Callable[[Values, FloatArray], bool] | None = None
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""

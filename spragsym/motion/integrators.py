@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
-from ..models.field import Field
+from ..models.field import Field, Values
 from ..models.model import Model
 from ..models.parameters import FloatArray
 from . import with_compiled, with_heyoka, with_scipy
@@ -120,23 +120,23 @@ class Flow:
         return cls(field, choose(backend, OF_ANY_MODEL))
 
     def fly(
-        self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray = NONE
+        self, state: FloatArray, constants: Values, duration: float, directions: FloatArray = NONE
     ) -> Passage:  # fmt: skip
         """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (k, P)."""
         if self.other:
             return self.other(state, constants, duration, directions)
         return self._asked(lambda carrier: carrier.fly(), state, constants, duration, directions)
 
-    def plain(self, state: FloatArray, constants: tuple[float, ...], duration: float, *, loose: bool = False) -> Passage:
+    def plain(self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False) -> Passage:
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
         return self._asked(lambda carrier: carrier.fly(), state, constants, duration, rtol=LOOSE if loose else RTOL)
 
-    def samples(self, start: FloatArray, constants: tuple[float, ...], t_end: float) -> PiecewisePolynomial:
+    def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
         return self._asked(lambda carrier: carrier.motion().samples, start, constants, t_end)
 
     def _asked(
-        self, ask: Callable[[Any], T], state: FloatArray, constants: tuple[float, ...], t_end: float,
+        self, ask: Callable[[Any], T], state: FloatArray, constants: Values, t_end: float,
         directions: FloatArray | None = None, rtol: float = RTOL,
     ) -> T:  # fmt: skip
         """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..models.field import magnitude
+from ..models.field import magnitude, norm
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 
@@ -59,14 +59,14 @@ class Multipliers:
 
 def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray]) -> Multipliers:
     """Multipliers of the product of the stretches' derivatives, ``flows`` the field at the beginning of each."""
-    units = [flow / np.linalg.norm(flow) for flow in flows]
+    units = [flow / norm(flow) for flow in flows]
     bases = [np.linalg.qr(unit[:, None], mode="complete")[0][:, 1:] for unit in units]
     parts, trivial, errors = [], 1.0, []
     for i, stretch in enumerate(stretches):
         after = (i + 1) % len(stretches)
         carried, due, size = stretch @ flows[i], flows[after], float(np.linalg.norm(stretch, 2))
-        trivial *= float(units[after] @ carried) / float(np.linalg.norm(due))
-        errors.append(max(ROUNDING, float(np.linalg.norm(carried - due)) / (size * float(np.linalg.norm(flows[i])))))
+        trivial *= float(units[after] @ carried) / norm(due)
+        errors.append(max(ROUNDING, norm(carried - due) / (size * norm(flows[i]))))
         parts.append(bases[after].T @ stretch @ bases[i])
     values = eigenvalues_of_product(parts)
     values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
@@ -94,7 +94,7 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     product = parts[0]
     for part in parts[1:]:
         product = part @ product
-    if size < 2 or len(parts) < 2 or np.linalg.norm(product) < PLAIN:
+    if size < 2 or len(parts) < 2 or norm(product) < PLAIN:
         return np.linalg.eigvals(product).astype(complex)
     basis, cuts, before = np.eye(size), [0, size], -1
     for _ in range(ROUNDS):

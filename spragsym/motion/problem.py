@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field, field_of, undecorated
+from ..models.field import Field, Values, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
@@ -58,7 +58,7 @@ class Problem:
     """One motion: its constants and initial state, and what to keep of it."""
 
     constants: Any
-    start: tuple[float, ...]
+    start: Values
     t_end: float
     t_record: float
     rtol: float
@@ -126,7 +126,7 @@ def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
 
 
 def prepare(
-    model: Model, p: ParameterSet, *, start: tuple[float, ...], t_end: float, rtol: float, max_steps: int = MAX_STEPS,
+    model: Model, p: ParameterSet, *, start: Values, t_end: float, rtol: float, max_steps: int = MAX_STEPS,
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
     constants = model.field.constants(p.scalars(*model.parameters))
@@ -136,7 +136,7 @@ def prepare(
     return Problem(constants, start, t_end, 0.0, rtol, as_count("max_steps", max_steps), partial(field_of, model))
 
 
-def undirected(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> ParameterError | None:
+def undirected(model: Model, constants: Values, start: Values) -> ParameterError | None:
     """The error of a motion that starts with a spring that has no length, and so no direction."""
     place, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
     for (dx, dy, _), spring in zip(geometry(*place, *of_statics(model, constants)), model.about["springs"], strict=True):

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import FLOATS, TURN, Field, apart, magnitude
+from ..models.field import FLOATS, TURN, Field, Values, apart, magnitude, norm
 from ..models.parameters import FloatArray
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
@@ -45,7 +45,7 @@ class Guess:
 
     states: FloatArray
     period: float
-    values: tuple[float, ...]
+    values: Values
     free: tuple[int, ...] = ()
 
     @property
@@ -83,7 +83,7 @@ class Loop:
 
     flow: Flow
     guess: Guess
-    constants: tuple[float, ...]
+    constants: Values
     passages: tuple[Passage, ...]
 
     @property
@@ -102,7 +102,7 @@ class Loop:
         return self.guess.period
 
     @property
-    def values(self) -> tuple[float, ...]:
+    def values(self) -> Values:
         """Values of the parameters."""
         return self.guess.values
 
@@ -204,7 +204,7 @@ class Loop:
 Conditions: TypeAlias = Callable[[Loop], tuple[FloatArray, FloatArray]]
 
 
-def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
+def rate(field: Field, state: Any, constants: Values) -> FloatArray:
     """The derivative of a state in time; not a number where there is none, as at the anchor of a spring."""
     mode = field.initial_mode(state, constants)
     n = len(field.coordinates)
@@ -280,7 +280,7 @@ def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
     first = loop.states[0]
     normal = rate(loop.field, first, loop.constants)
     place = first if place is None else place
-    return through(place, normal / np.linalg.norm(normal), loop.guess)
+    return through(place, normal / norm(normal), loop.guess)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:

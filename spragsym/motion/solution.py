@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, one_of
-from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode
+from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.result import Result
@@ -129,7 +129,7 @@ class Passage:
 
 
 #: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (k, P).
-Fly: TypeAlias = Callable[[FloatArray, tuple[float, ...], float, FloatArray], Passage]
+Fly: TypeAlias = Callable[[FloatArray, Values, float, FloatArray], Passage]
 
 
 def parted(state: FloatArray, columns: FloatArray | None) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, Mode, magnitude
-from ..models.parameters import FloatArray
+from ..models.field import FLOATS, Mode, magnitude, norm
+from ..models.parameters import FloatArray, Span
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
 from ..motion.shooting import (
@@ -219,7 +219,7 @@ def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
-def within(point: Point, length: float, to: tuple[float, float], reach: float = np.inf) -> Point:
+def within(point: Point, length: float, to: Span, reach: float = np.inf) -> Point:
     """The point a length of arc ahead, or at the end of a range of the first free parameter where the tangent leads beyond it.
 
     There may be no parameters beyond. ConvergenceError where the branch itself leads beyond it.
@@ -336,7 +336,7 @@ def between(one: Point, other: Point) -> float:
 def aligned(one: Point, other: Point) -> float:
     """The smallest cosine between two tangents and the chord from one point to the other, if these are apart."""
     chord, both = other.place - one.place, float(one.way @ other.way)
-    length = float(np.linalg.norm(chord))
+    length = norm(chord)
     return min(both, *(float(chord @ each.way) / length for each in (one, other))) if length > 0 else both
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import apart, magnitude
+from ..models.field import Values, apart, magnitude
 from ..models.parameters import FloatArray
 from ..motion.regimes import SAME, Regime
 from .arclength import Setting, along, started
@@ -54,14 +54,14 @@ def followed(known: Attractor, system: System) -> Attractor:
     return _at_rest(system, point.loop.states[0])
 
 
-def followed_cycle(known: Cycle, values: tuple[float, ...]) -> Cycle:
+def followed_cycle(known: Cycle, values: Values) -> Cycle:
     """The cycle continued to another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
     index, span = _varied(known.values, values)
     setting = Setting(known.loop.flow, (index,), known.period, (span,))
     return cycle_of(along(started(setting, known.loop.guess), values[index]).loop)
 
 
-def _varied(now: tuple[float, ...], then: tuple[float, ...]) -> tuple[int, float]:
+def _varied(now: Values, then: Values) -> tuple[int, float]:
     """Which one parameter differs, and by how much."""
     ((index, span),) = ((i, abs(b - a)) for i, (a, b) in enumerate(zip(now, then, strict=True)) if a != b)
     return index, span

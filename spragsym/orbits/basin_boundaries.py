@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import magnitude
+from ..models.field import magnitude, norm
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
@@ -286,16 +286,16 @@ class _Walk:
         state, way, step = first, None, self.step
         while len(found) < self.points:
             _, slope = self.off(state, span)
-            normal = slope / np.linalg.norm(slope)
+            normal = slope / norm(slope)
             along = np.array([-normal[1], normal[0]])
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state + step * along @ self.plane
             try:
-                seen = np.linalg.norm(slope) * step**2 / (BENT * magnitude(self.saddle.measure))
+                seen = norm(slope) * step**2 / (BENT * magnitude(self.saddle.measure))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
                 moved = self.plane @ (ahead - state)
-                if moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step:
+                if moved @ along < STRAIGHT * norm(moved) or norm(moved) > 3 * step:
                     raise ConvergenceError("farther off the tangent it is another fold of the manifold")
             except ConvergenceError:
                 step /= 2
@@ -324,5 +324,5 @@ class _Walk:
     def sides(self, state: FloatArray, span: float, aside: float) -> list[Verdict]:
         """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
         _, normal = self.off(state, span)
-        across = aside * normal / np.linalg.norm(normal) @ self.plane
+        across = aside * normal / norm(normal) @ self.plane
         return [_surely(self.system, start) for start in (state - across, state + across)]

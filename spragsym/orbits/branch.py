@@ -10,8 +10,8 @@ from itertools import islice
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, one_of, require_kind
-from ..models.field import Field
-from ..models.parameters import POSITIVE, FloatArray, as_count, as_number, as_range
+from ..models.field import Field, norm
+from ..models.parameters import POSITIVE, FloatArray, Span, as_count, as_number, as_range
 from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop, extent, rate, recut
 from ..numerics.interval_arrays import BoolArray
@@ -120,7 +120,7 @@ class CycleBranch(Result):
     stable: BoolArray
     cycles: Cycles = field(repr=False)
     events: tuple[CycleEvent, ...]
-    to: tuple[float, float] = field(repr=False)
+    to: Span = field(repr=False)
     places: tuple[int, ...] = field(repr=False)
 
     @property
@@ -229,7 +229,7 @@ def cycle_branch(
     )
 
 
-def _followed(start: Point, to: tuple[float, float], points: int, longest: float) -> Iterator[Point | Finding]:
+def _followed(start: Point, to: Span, points: int, longest: float) -> Iterator[Point | Finding]:
     """Points and findings in one direction, an end the last of them."""
     seen = [start]  # the last points, as long as they are cut alike
 
@@ -284,7 +284,7 @@ def _shrunk(seen: Sequence[Point]) -> Finding:
     return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
 
 
-def _ends(start: Point, point: Point, ahead: Point, length: float, to: tuple[float, float]) -> Iterator[Finding]:
+def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> Iterator[Finding]:
     """The end of the branch at a point, if it is one."""
     loop, moved = ahead.loop, abs(ahead.value - point.value)
     if vertical(point, ahead, length):
@@ -324,7 +324,7 @@ def _rests(loop: Loop) -> str:
     By the size of the field at its turns, or all along one that only turns around.
     """
     states = [turn.state for turn in loop.turns()] or list(loop.samples().states.T)
-    sizes = [float(np.linalg.norm(rate(loop.field, state, loop.constants))) for state in states]
+    sizes = [norm(rate(loop.field, state, loop.constants)) for state in states]
     if min(sizes) >= STILL:
         return ""
     names, place = loop.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0

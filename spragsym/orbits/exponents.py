@@ -16,6 +16,7 @@ import numpy as np
 from scipy.stats import t as student
 
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import norm
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.shooting import rate
 from ..motion.simulation import state_of
@@ -289,8 +290,8 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         flow = rate(field, state, constants)
         passage = system.flow.fly(state, constants, span)
         ahead = passage.by_state @ frame
-        if np.linalg.norm(flow) > STILL:  # the flow is carried into itself
-            ahead[:, 0] = rate(field, passage.state, constants) / np.linalg.norm(flow)
+        if norm(flow) > STILL:  # the flow is carried into itself
+            ahead[:, 0] = rate(field, passage.state, constants) / norm(flow)
         norms = np.linalg.norm(ahead, axis=0)
         order = np.argsort(norms <= LOST * norms.max(), kind="stable")  # what has ended spans nothing, and comes last
         back = np.argsort(order)
@@ -309,11 +310,11 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
 
     with np.errstate(divide="ignore"):
         frame = np.eye(m)[:, np.argsort(-np.abs(flow))]
-        if np.linalg.norm(flow) > STILL:  # it is the first direction
+        if norm(flow) > STILL:  # it is the first direction
             frame[:, 0] = flow
         frame, _ = np.linalg.qr(frame)
         for i in range(count):
             state, frame, logs[i], volumes[i] = carried(state, frame, stretch)
             states.append(state)
-        speeds = np.log([np.linalg.norm(rate(field, each, constants)) for each in states])
+        speeds = np.log([norm(rate(field, each, constants)) for each in states])
     return Rates(logs, volumes, span, speeds, state)

@@ -12,7 +12,7 @@ import numpy as np
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
-from ..models.field import FLOATS, Field, apart, magnitude
+from ..models.field import FLOATS, Field, Values, apart, magnitude
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
@@ -164,7 +164,7 @@ def _steep(system: System) -> str:
     return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
 
 
-def _towards(flow: Flow, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+def _towards(flow: Flow, known: Guess, values: Values, halvings: int = 6) -> Loop:
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
     try:
         return _from_guess(flow, Guess(known.states, known.period, values))

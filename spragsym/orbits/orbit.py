@@ -14,7 +14,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
-from ..models.field import Field, apart, magnitude
+from ..models.field import Field, Values, apart, magnitude
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
@@ -300,7 +300,7 @@ def _top(loop: Loop) -> float:
     return max(highest, key=lambda top: float(top.state[1])).t if highest else 0.0
 
 
-def _range(samples: PiecewisePolynomial, force: Any, constants: tuple[float, ...]) -> tuple[float, float]:
+def _range(samples: PiecewisePolynomial, force: Any, constants: Values) -> tuple[float, float]:
     """Least and largest value: the extreme sample, refined between its neighbours."""
     from scipy.optimize import minimize_scalar
 

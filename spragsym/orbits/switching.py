@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import magnitude
+from ..models.field import magnitude, norm
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, extent, rate, solved
@@ -70,11 +70,11 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     loop = setting.looped(Guess(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values))
     known, size, weights = point.tangent if crossed is None else crossed, guess.states.size, setting.weights(loop)
     along = np.concatenate([*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]) * weights
-    along = along / np.linalg.norm(along)
+    along = along / norm(along)
     plane = directions(setting, loop)[1][-2:]
     plane = plane - np.outer(plane @ along, along)
-    direction = max(plane, key=lambda vector: float(np.linalg.norm(vector))) / weights
-    return Point(setting, loop, direction / np.linalg.norm(direction[: loop.field.size]))
+    direction = max(plane, key=norm) / weights
+    return Point(setting, loop, direction / norm(direction[: loop.field.size]))
 
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
@@ -101,7 +101,7 @@ def meets(one: Point, other: Point) -> float | None:
     if len(one.loop.states) != len(other.loop.states):
         return None
     before, after = parted(one), parted(other)
-    was, now = float(np.linalg.norm(before)), float(np.linalg.norm(after))
+    was, now = norm(before), norm(after)
     if not was > ONE:
         return None
     if now < min(was, NEAREST * extent(other.loop)):
@@ -124,8 +124,8 @@ def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
         loop = solved(setting.flow, near.guess, doubling)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
-    reach = float(np.linalg.norm(states[:half] - states[half:])) + float(np.linalg.norm(b.states - a.states))
-    if not float(np.linalg.norm(loop.states - guess.states)) < reach:
+    reach = norm(states[:half] - states[half:]) + norm(b.states - a.states)
+    if not norm(loop.states - guess.states) < reach:
         return None
     there = point_of(setting, loop)
     steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, GAP, Field, Mode, magnitude
+from ..models.field import FLOATS, GAP, Field, Mode, Values, magnitude, norm
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
@@ -45,7 +45,7 @@ class System:
     """A flow at values of the parameters, in the order of the field's."""
 
     flow: Flow
-    values: tuple[float, ...]
+    values: Values
 
     @classmethod
     def of(cls, p: ParameterSet, backend: str | None, **belt: float | None) -> System:
@@ -58,7 +58,7 @@ class System:
         return self.flow.field
 
     @property
-    def constants(self) -> tuple[float, ...]:
+    def constants(self) -> Values:
         """What the field's functions take."""
         return self.field.constants(self.values)
 
@@ -177,7 +177,7 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         raise ConvergenceError("the equilibrium is no saddle")
     which = int(growing[0])
-    measure = np.linalg.inv(vectors)[which].real * float(np.linalg.norm(vectors[:, which].real))
+    measure = np.linalg.inv(vectors)[which].real * norm(vectors[:, which].real)
     attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())
     return Saddle(place, float(eigenvalues[which].real), measure, attracts)
 
@@ -214,14 +214,14 @@ class Rest:
         setting = Setting(replace(system.flow, other=self.fly), (index,), 1.0, (span,), _of_one_time)
         return started(setting, Guess(state[None], 1.0, system.values))
 
-    def at(self, state: FloatArray, constants: tuple[float, ...]) -> tuple[list[float], tuple[float, ...], Mode]:
+    def at(self, state: FloatArray, constants: Values) -> tuple[list[float], Values, Mode]:
         """State, constants and mode, whose last numbers go with the place."""
         numbers = state.tolist()
         own = self.field.initial_mode(numbers, constants)
         kept = len(own) - self.field.ways
         return numbers, constants, (self.mode or own)[:kept] + own[kept:]
 
-    def fly(self, state: FloatArray, constants: tuple[float, ...], _: float, directions: FloatArray) -> Passage:
+    def fly(self, state: FloatArray, constants: Values, _: float, directions: FloatArray) -> Passage:
         """The map with its derivatives."""
         there, by_parameters = self.at(state, constants), np.zeros((self.field.size, len(directions)))
         n = len(self.field.coordinates)

@@ -404,12 +404,9 @@ def cycle_events(
     if event.kind not in (*CRITERIA, "grazing"):
         raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
     model = event.cycle.field
-    for name in vary:
-        if name not in model.parameters:
-            raise ParameterError(f"vary = {vary!r}: {name!r} is not one of {', '.join(model.parameters)}")
+    free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
-    free = tuple(model.parameters.index(name) for name in vary)
     loop = event.found.loop
     bounds = [(to or {}).get(name, (-np.inf, np.inf)) for name in vary]
     spans = [

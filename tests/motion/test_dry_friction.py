@@ -8,7 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.motion.integrators import Flow
-from tests.oracles import dry_friction
+from tests.oracles import dry_friction, sticking
 
 START = (2.818, 1.213, 0.0, 0.22)
 BRAKE = ss.load("coulomb_stick_slip")
@@ -48,14 +48,27 @@ def test_random_motions_are_those_of_another_driver(name: str, seeds: range) -> 
     assert {"STICK", "SLIP"} <= kinds
 
 
-@pytest.mark.thorough
-def test_leines_oscillator_in_many_digits() -> None:
-    """R. Leine, D. van Campen, A. de Kraker, L. van den Steen, 1998: F_s = 1, delta = 3, belt 0.2."""
-    period, reach = dry_friction.leine(22)
+@pytest.mark.parametrize("digits", [pytest.param(22, marks=pytest.mark.thorough), pytest.param(30, marks=pytest.mark.validate)])
+def test_leines_oscillator_in_many_digits(digits: int) -> None:
+    """R. Leine, D. van Campen, A. de Kraker, L. van den Steen, 1998: F_s = 1, delta = 3, belt 0.2.
+
+    Its largest x is 1.135 where R. Leine begins it in 2024 (github.com/rleine/Keynote_Nonsmooth_Dynamics_ENOC2024), by steps of
+    0.00246, and 1.13394467 in examples of ifdiff, at a relative tolerance of 1e-8.
+    """
+    period, reach = dry_friction.leine(digits)
     found = ss.cycle(dry_friction.model("leine").Parameters())
     assert found.period == pytest.approx(float(period), abs=1e-10)
     assert found.amplitude == pytest.approx(float(reach), abs=1e-10)
     assert found.phases.side.tolist() == [1, 0, 1]
+    assert found.state[0] == pytest.approx(1.13394467, abs=1e-8)
+
+
+@pytest.mark.thorough
+def test_leines_smoothed_oscillator_is_his() -> None:
+    """With the factor 2/π atan(1000 v), to the digits with which he begins and ends its cycle: 1.067 and 11.3."""
+    p = sticking.model("arctan").Parameters(mu_s=1.0, delta=3.0, zeta=0.0, d=1e3, V=0.2)
+    found = ss.cycle(p, near=(1.067, 0.0))
+    assert (round(found.state[0], 3), round(found.period, 1)) == (1.067, 11.3)
 
 
 @pytest.mark.thorough

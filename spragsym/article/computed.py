@@ -18,7 +18,8 @@ from ..bifurcation.paths import quasi_static_path
 from ..generated import equilibrium as _equilibrium
 from ..kang_nam.flutter import flutter_boundary
 from ..kang_nam.steady_sliding import linear_critical_friction, linear_sprag
-from ..models.parameters import FloatArray, Parameters
+from ..models import load
+from ..models.parameters import FloatArray, Parameters, ParameterSet
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
@@ -42,6 +43,10 @@ OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
 FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 #: A state on the oscillation at 42°.
 ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
+
+#: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a state, on cycles under it.
+OF_STATICS = (10.0, 30.0, 49.0, 90.0, 160.0)
+ON_DRY_CYCLE, ON_STICKING = (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394)), (60.0, (2.818, 1.213, 0.0, 0.22))
 
 _article = Parameters.article
 #: θ₀ of grids, degrees, and as it rises; frictions from 0 to the largest, few for a grid.
@@ -367,6 +372,35 @@ def fate_of_rest() -> Outcome:
         "theta0_deg": at, "before the fold by (deg)": before, "x of the saddle": found.state[0],
         "y of the saddle": found.state[1], "its growth rate": found.growth, **_of_others(),
         "theta0_deg with these": changes, "before the fold at their sliding friction by (deg)": apart,
+    }  # fmt: skip
+
+
+# -------------------------------------------------------------------------------------- under dry friction, d → ∞
+
+
+def _dry(degrees: Any) -> ParameterSet:
+    """The article's parameters under dry friction, the limit of (10) for d → ∞."""
+    return load("coulomb").Parameters(theta0=np.radians(degrees))
+
+
+def statics_without_d() -> Outcome:
+    eq, dry = (equilibria(p) for p in (_at(OF_STATICS), _dry(OF_STATICS)))
+    same = np.array_equal(eq.stability, dry.stability) and np.allclose(eq.x, dry.x, rtol=0.0, atol=1e-12, equal_nan=True)
+    undamped = np.abs(dry.growth[dry.stability == Stability.STABLE]).max() < 1e-15
+    return same and undamped, {
+        "theta0_deg": OF_STATICS, "counts for every d": dry.count, "x of the first state": dry.x[:, 0],
+        "its growth with our d": eq.growth[:, 0],
+    }  # fmt: skip
+
+
+def oscillation_without_d() -> Outcome:
+    near, sticking = (cycle(_dry(degrees), near=state, patient=False) for degrees, state in (ON_DRY_CYCLE, ON_STICKING))
+    found = [near, cycle(_dry(49.0), near=near)]
+    held = sticking.phases.duration[sticking.phases.side == 0].sum()
+    return all(one.stable and one.phases.side.all() for one in found) and held > 0 and not sticking.stable, {
+        "theta0_deg": (ON_DRY_CYCLE[0], 49.0), "periods": [one.period for one in found],
+        "largest multipliers": [np.abs(one.multipliers[1]) for one in found], "theta0_deg of one that sticks": ON_STICKING[0],
+        "its period": sticking.period, "it sticks for": held, "its largest multiplier": np.abs(sticking.multipliers[1]),
     }  # fmt: skip
 
 

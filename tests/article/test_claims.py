@@ -19,7 +19,7 @@ from spragsym import article as claims
 from spragsym.cli import cli
 from spragsym.cli.article import check as check_command
 from spragsym.motion import simulate
-from tests.oracles import article_motion, creeping_states, reference
+from tests.oracles import article_motion, creeping_states, dry_friction, reference
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT
 
 BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
@@ -423,6 +423,29 @@ def test_the_oscillation_far_below_the_fold() -> None:
     assert max(value("fig-7-oscillation", "largest multipliers")) < 1
 
 
+def test_equilibria_without_d() -> None:
+    """Their number by a companion matrix, in which there is no d; how the first grows with ours, by hand."""
+    for degrees, count, x, growth in zip(*record()["fig-4-dry-friction"]["values"].values(), strict=True):
+        assert counted(np.radians(degrees), **BASE) == count
+        assert growth_by_hand(degrees, x) == pytest.approx(growth, rel=0.05)
+
+
+@pytest.mark.validate
+def test_the_oscillation_under_dry_friction() -> None:
+    """One round by the event-driven driver leads back; what sticks does so for as long as is said."""
+    found = record()["fig-7-dry-friction"]["values"]
+    rounds = [*zip(found["theta0_deg"], found["periods"], strict=True), (60.0, found["its period"])]
+    near: Any = (2.9429144682, 3.3611284180, 0.0, 0.3671196394)
+    for degrees, period in rounds:
+        values = {**BASE, "ratio": 1.0, "V": 0.5, "theta0": np.radians(degrees)}
+        near = (2.818, 1.213, 0.0, 0.22) if degrees == 60.0 else near
+        near = ss.cycle(ss.load("coulomb").Parameters(theta0=values["theta0"]), near=near)
+        driver = dry_friction.Driver("coulomb", values)
+        assert np.abs(driver.run(near.state, period) - near.state).max() < 1e-6
+        held = [t for event, t, _ in driver.events if event in ("STICK", "SLIP")]
+        assert sum(np.diff(held)) == pytest.approx(found["it sticks for"] if degrees == 60.0 else 0.0, abs=1e-6)
+
+
 # ------------------------------------------------------------------------------------------------- the ledger
 
 
@@ -445,13 +468,13 @@ def test_statuses() -> None:
     for id, row in record().items():
         by_status[row["status"]].add(id)
     assert by_status["not reproduced"] == set()
-    assert by_status["input not stated"] == {"fig-3", "fig-7a", "fig-7b"}
+    assert by_status["input not stated"] == {"fig-3", "fig-7a", "fig-7b", "fig-7-dry-friction"}
     # A wrong number of an equation or a figure is another matter than a wrong statement.
     assert by_status["misprint"] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
     corrected = {"claim-mu-cr", "claim-must-jump", "claim-roots-of-21", "fig-7b-fate", "fig-7-oscillation"}
     assert by_status["corrected"] == corrected
     assert all(row["consequence"] for id, row in record().items() if id.startswith("fig-7"))
-    assert len(by_status["reproduced"]) == 28
+    assert len(by_status["reproduced"]) == 29
 
 
 #: Rows that stand on 25 motions to τ = 2000 and on the saddles between oscillation and rest.

@@ -34,7 +34,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         found, told = lowest_fold.verdict(p)
         bad = int(told != "right")
         if found in ("cusp", "turn"):
-            right, known = lowest_fold.in_digits(p), ss.critical_friction(p)
+            (_, right), known = lowest_fold.in_digits(p), ss.critical_friction(p)
             bad += bool(abs(right - known.mu0) > known.error * max(1, abs(right)))
     else:
         p = random_fluttering(rng)

@@ -63,21 +63,6 @@ def test_bifurcation_set_agrees_with_the_count_map() -> None:
         assert count_map_mismatches(random_fixed(rng) if trial else BASE, 200) == 0
 
 
-def test_bifurcation_set_ends_where_it_must_and_is_smooth() -> None:
-    for p in (BASE, ss.Parameters.article(sigma=1.0), ss.Parameters.article(alpha=0.0), ss.Parameters.article(alpha=1.0)):
-        found = ss.bifurcation_set(p, n=2000)
-        assert len(found)
-        for curve in found.curves:
-            for end in (0, -1):
-                at_edge = min(curve.theta0[end], math.pi - curve.theta0[end]) < 1e-6 or curve.mu0[end] < 1e-6
-                assert at_edge or curve.theta0[0] == pytest.approx(curve.theta0[-1])
-            shown = curve.mu0 < 2
-            steps = np.hypot(np.diff(curve.theta0[shown]) / math.pi, np.diff(curve.mu0[shown]))
-            assert steps.size == 0 or steps.max() < 0.02
-        for theta0, mu0 in zip(found.cusps.theta0, found.cusps.mu0, strict=True):  # each cusp lies on a curve
-            assert min(np.hypot(curve.theta0 - theta0, curve.mu0 - mu0).min() for curve in found.curves) < 1e-2
-
-
 @pytest.mark.parametrize("kappa", [1e-5, 1e-6, 1e-7])
 def test_curves_with_hardly_any_preload_cross_a_friction_as_often_as_folds_are_proved(kappa: float) -> None:
     p = ss.Parameters.article(kappa=kappa)
@@ -211,18 +196,3 @@ def test_linear_model_is_a_linear_solve() -> None:
         K = np.array([[sigma * c * c + alpha, sigma * s * c + mu0], [sigma * s * c, sigma * s * s + beta + 1]])
         model = ss.linear_sprag(p)
         np.testing.assert_allclose([model.x, model.y], np.linalg.solve(K, [0, -kappa]), rtol=1e-9)
-
-
-# --------------------------------------------------------------------------------------------------- bad input
-
-
-def test_cusp_count_is_numpys() -> None:
-    rng = np.random.default_rng(11)
-    for _ in range(20):
-        p = random_fixed(rng)
-        values = [float(value) for value in p.scalars("kappa", "alpha", "sigma", "beta")]
-        proof = ss.precise.cusps(**dict(zip(("kappa", "alpha", "sigma", "beta"), values, strict=True)), dps=20)
-        roots = np.roots([float(value) for value in proof.polynomial[::-1]])
-        real = roots[(abs(roots.imag) < 1e-7) & (abs(roots.real) < 1)].real
-        assert proof.count == len(proof.sines) == real.size
-        np.testing.assert_allclose(sorted(float(low) for low, _ in proof.sines), sorted(real), atol=1e-6)

@@ -12,6 +12,7 @@ import spragsym as ss
 from spragsym.generated import stability
 from spragsym.kang_nam import flutter, kernel
 from tests.oracles.families import random_fluttering
+from tests.oracles.forces_by_hand import DRAWN
 from tests.support import exact_onsets, middle_of
 
 #: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
@@ -22,13 +23,9 @@ WITHOUT_ALPHA = ss.Parameters(mu0=0.75, kappa=0.0035, alpha=0, sigma=0.7, beta=0
 # ----------------------------------------------------------------------------------- independent formulation
 
 
-def _forces(x: mpmath.mpf, y: mpmath.mpf, theta0: mpmath.mpf, p: dict[str, mpmath.mpf]) -> tuple[mpmath.mpf, mpmath.mpf]:
+def _forces(x: mpmath.mpf, y: mpmath.mpf, theta0: mpmath.mpf, p: dict[str, mpmath.mpf]) -> list[mpmath.mpf]:
     """The forces of (8) and (9) on the mass in contact, in x and y: nothing is eliminated."""
-    along, across = mpmath.cos(theta0) - x, mpmath.sin(theta0) - y
-    length = mpmath.hypot(along, across)
-    spring = p["sigma"] * (1 - length) / length
-    normal = -y
-    return -p["alpha"] * x - spring * along + p["mu0"] * normal, -p["beta"] * y - spring * across + normal - p["kappa"]
+    return DRAWN["kang_nam"].forces((x, y), (0, 0), p | {"theta0": theta0}, mpmath, True, p["mu0"])
 
 
 def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:

@@ -18,6 +18,8 @@ import sympy as sp
 from spragsym import generated
 from spragsym.generated import catastrophe, equilibrium, linear_sprag, stability
 from spragsym.generated.models.kang_nam import algebra
+from spragsym.models.parameters import NAMES
+from tests.oracles import reference
 from tests.support import as_mpf
 
 EPS = 2.0**-53
@@ -378,12 +380,7 @@ def test_poles_of_the_linear_sprag_model(seed: int) -> None:
 
 def f_by_hand(point: dict[str, Any], theta: Any) -> Any:
     """q sin θ F_x with L from F_y = 0, in contact, from the forces alone."""
-    c, s = mpmath.cos(theta), mpmath.sin(theta)
-    cos0, sin0 = mpmath.cos(point["theta0"]), mpmath.sin(point["theta0"])
-    q = point["beta"] + 1 + point["sigma"]
-    length = (point["sigma"] * s + (point["beta"] + 1) * sin0 + point["kappa"]) / (q * s)
-    here = {**point, "cos0": cos0, "sin0": sin0, "nbar": 1}
-    return q * s * forces(here, cos0 - length * c, sin0 - length * s, point["mu0"])[0]
+    return (point["beta"] + 1 + point["sigma"]) * reference.along(theta, *(point[name] for name in NAMES))
 
 
 def test_derivatives_of_f() -> None:
@@ -401,7 +398,7 @@ def test_derivatives_of_f() -> None:
                 assert abs(function(point["cos"], point["sin"], *coefficients) - right) < tiny
             right = [
                 mpmath.diff(lambda angle, v, n=name, p=point: f_by_hand({**p, n: v}, angle), (theta, point[name]), (order, 1))
-                for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta") for order in (0, 1)
+                for name in NAMES for order in (0, 1)
             ]  # fmt: skip
             for ours, theirs in zip(NAMED["unfolding"](point), right, strict=True):
                 assert abs(ours - theirs) < tiny

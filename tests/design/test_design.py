@@ -1,5 +1,6 @@
 """Jump values, gradients, margins, certificates, probabilities and designs, each against other evidence than its own."""
 
+import functools
 import math
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -18,7 +19,7 @@ from spragsym.kang_nam.certificates import CLAIMS, Boxes
 from spragsym.kang_nam.jump_values import have_jumped
 from spragsym.numerics import bernstein
 from spragsym.numerics.affine import Rounded
-from tests.oracles import families
+from tests.oracles import families, reference
 from tests.support import few
 
 BASE = ss.Parameters.article()
@@ -146,16 +147,9 @@ def test_gradients_are_those_of_forty_digits(vary: str) -> None:
         given = {name: mpmath.mpf(float(getattr(p, name))) for name in NAMES}
 
         def at(moved: dict[str, Any]) -> Any:
-            def force(angle: Any, value: Any) -> Any:
-                q = {**moved, vary: value}
-                c0, s0 = mpmath.cos(q["theta0"]), mpmath.sin(q["theta0"])
-                stiff = 1 + q["beta"]
-                L = (q["sigma"] * mpmath.sin(angle) + stiff * s0 + q["kappa"]) / ((stiff + q["sigma"]) * mpmath.sin(angle))
-                x, y = c0 - L * mpmath.cos(angle), s0 - L * mpmath.sin(angle)
-                return q["sigma"] * (1 - L) * mpmath.cos(angle) + q["alpha"] * x + q["mu0"] * y
-
             def both(angle: Any, value: Any) -> list[Any]:
-                return [force(angle, value), mpmath.diff(lambda t: force(t, value), angle)]
+                along = functools.partial(reference.along, **moved | {vary: value})
+                return [along(angle), mpmath.diff(along, angle)]
 
             return mpmath.findroot(both, (mpmath.mpf(theta), mpmath.mpf(float(found.value))), tol=1e-60)[1]
 

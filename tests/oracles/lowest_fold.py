@@ -66,8 +66,8 @@ def balance(x: Any, y: Any, theta0: Any, mu0: Any, fixed: tuple[Any, ...]) -> tu
     return (*force, xx * yy - xy * yx, (-xy, xx), yy * turned[0] - xy * turned[1])
 
 
-def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> Any:
-    """The friction of the lowest fold by Newton's method on the balance of forces, from where a scan finds the least jump."""
+def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> tuple[Any, Any]:
+    """Angle and friction of the lowest fold by Newton's method on the balance of forces, from where a scan finds the least jump."""
     found = ss.critical_friction(p)
     values = p.scalars(*FIXED)
     friction, angle = scanned(p, times)
@@ -84,7 +84,7 @@ def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> Any
 
         start = float(path.x[-1]), float(path.y[-1]), angle, friction
         try:
-            return mpmath.findroot(system, tuple(map(mpmath.mpf, start)), tol=mpmath.mpf(10) ** (-2 * digits), maxsteps=60)[3]
+            return mpmath.findroot(system, tuple(map(mpmath.mpf, start)), tol=mpmath.mpf(10) ** (-2 * digits), maxsteps=60)[2:]
         except ValueError:  # from where it began Newton's method does not converge: nearer, once or twice
             if times > 4 * TIMES:
                 raise

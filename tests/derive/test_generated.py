@@ -4,7 +4,7 @@ import importlib
 import inspect
 import pkgutil
 import random
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -20,7 +20,7 @@ from spragsym.generated import catastrophe, equilibrium, linear_sprag, stability
 from spragsym.generated.models.kang_nam import algebra
 from spragsym.models.parameters import NAMES
 from tests.oracles import reference
-from tests.support import as_mpf
+from tests.support import as_mpf, leaves
 
 EPS = 2.0**-53
 
@@ -46,15 +46,7 @@ class Generated:
     def __call__(self, values: dict[str, Any], xp: Any = None) -> list[Any]:
         """All results, flat."""
         options = {"xp": xp} if self.transcendental and xp is not None else {}
-        return list(flat(self.call(*(values[name] for name in self.arguments), **options)))
-
-
-def flat(result: Any) -> Iterator[Any]:
-    if isinstance(result, tuple):
-        for item in result:
-            yield from flat(item)
-    else:
-        yield result
+        return leaves(self.call(*(values[name] for name in self.arguments), **options))
 
 
 MODULES = [
@@ -299,7 +291,7 @@ def test_equilibria_of_the_uneliminated_equations(contact: int, seed: int) -> No
     assert call(equilibrium.residuals, here) == (0, 0)
     if contact:
         assert call(catastrophe.surface, here) == here["mu0"]
-    assert list(flat(call(stability.stiffness, here))) == K
+    assert leaves(call(stability.stiffness, here)) == K
     assert equilibrium.f_slope(here["cos"], here["sin"], *trig) == here["L"] * (K[0] * K[3] - K[1] * K[2])
 
 

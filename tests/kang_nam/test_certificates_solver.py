@@ -11,9 +11,7 @@ import spragsym as ss
 from spragsym.generated import kernel
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled, solver
 from spragsym.models.parameters import NAMES
-from tests.oracles import reference
 from tests.oracles.families import FAMILIES
-from tests.oracles.true_errors import worst_errors
 
 
 @pytest.fixture(autouse=True)
@@ -29,48 +27,6 @@ def _points(n: int) -> ss.Parameters:
     """Some of every family in one array, which sends points down every way through the solver."""
     parts = [family(np.random.default_rng([51, k]), n).broadcast(*NAMES) for k, family in enumerate(FAMILIES.values())]
     return ss.Parameters(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
-
-
-def _borders_in_liftoff(n: int) -> ss.Parameters:
-    """Neighbouring floats of θ₀ between which the number of equilibria in lift-off changes."""
-    p = FAMILIES["random"](np.random.default_rng(58), n)
-    low, high = np.full(n, 0.05), np.full(n, 1.5)
-    start = ss.equilibria(p.replace(theta0=low), contact=False).count
-    differ = start != ss.equilibria(p.replace(theta0=high), contact=False).count
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        same = ss.equilibria(p.replace(theta0=middle), contact=False).count == start
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    ends = [column for name, column in zip(NAMES, p.broadcast(*NAMES), strict=True) if name != "theta0"]
-    return ss.Parameters(
-        *(np.concatenate([one[differ], other[differ]]) for one, other in ((low, high), *zip(ends, ends, strict=True)))
-    )
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("contact", [True, False])
-def test_counts_codes_and_bounds_over_every_family(contact: bool) -> None:
-    p, rng = _points(24), np.random.default_rng(52)
-    if not contact:
-        borders = _borders_in_liftoff(30).broadcast(*NAMES)
-        p = ss.Parameters(*map(np.concatenate, zip(p.broadcast(*NAMES), borders, strict=True)))
-    eq = ss.equilibria(p, contact=contact)
-    points = np.column_stack(p.broadcast(*NAMES)).tolist()
-    count = reference.count_contact if contact else reference.count_liftoff
-    assert eq.count.tolist() == [count(*point) for point in points]
-    worst, ratio = worst_errors(p, eq, rng, 60)
-    assert worst <= 1e-12
-    assert ratio <= 1
-    used = np.arange(eq.theta.shape[1]) < eq.count[:, None]
-    assert (np.isfinite(eq.error) == used).all()
-    assert ((eq.stability > 0) == used).all()
-    assert np.nanmax(eq.error) <= block.TOLERANCE
-    assert 0 < eq.escalated.mean() < 0.35
-    for row, point in enumerate(points[::7]):
-        states = adaptive_precision.equilibria(*point, contact=contact).states
-        assert [state.stability for state in states] == eq.stability[7 * row, : eq.count[7 * row]].tolist()
-        for slot, state in enumerate(states):
-            assert abs(state.theta - eq.theta[7 * row, slot]) <= eq.error[7 * row, slot] * max(1, abs(state.theta))
 
 
 def test_the_certificates_settle_most_points() -> None:

@@ -4,24 +4,21 @@ import itertools
 import random
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
+import numpy as np
 import pytest
 
 from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
+from tests.support import with_roots
 
 # ----------------------------------------------------------------------------------------------- polynomials
 
 
 def _product(*factors: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
-    result = [Fraction(1)]
-    for factor in factors:
-        longer = [Fraction(0)] * (len(result) + len(factor) - 1)
-        for (i, a), (j, b) in itertools.product(enumerate(result), enumerate(factor)):
-            longer[i + j] += a * b
-        result = longer
-    return tuple(result)
+    return tuple(reduce(np.convolve, [np.array(factor, dtype=object) for factor in factors]))
 
 
 def _cases(rng: random.Random, number: int) -> Iterator[tuple[list[Fraction], tuple[Fraction, ...]]]:
@@ -105,7 +102,7 @@ def test_interval_coefficients_decide_or_say_that_they_cannot() -> None:
 
 
 def _with_roots(*roots: Fraction) -> tuple[int, ...]:
-    return polynomials.primitive(_product(*((-root, Fraction(1)) for root in roots)))
+    return polynomials.primitive(with_roots(*roots))
 
 
 #: A cluster, roots at the ends of cells and of the range, outside, and next to 0 and 1; (low, high] beside them.

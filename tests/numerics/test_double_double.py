@@ -89,34 +89,14 @@ def test_the_roundoff_of_the_kernel_covers_every_operation() -> None:
                 assert abs(found - exact) <= 2 * kernel.WIDE_ROUNDOFF * abs(exact)
 
 
-def test_arrays_of_double_doubles_compute_as_numbers_do() -> None:
-    rng = np.random.default_rng(45)
-    x, y = (DoubleDouble(*np.array(_pairs(rng, 200)).T) for _ in range(2))
-    plain = rng.uniform(1, 2, 200)
-    for got, truth in (
-        (x + y, lambda a, b, c: a + b),
-        (x - plain, lambda a, b, c: a - c),
-        (plain - x, lambda a, b, c: c - a),
-        (plain * y, lambda a, b, c: c * b),
-        (x / y, lambda a, b, c: a / b),
-        (plain / y, lambda a, b, c: c / b),
-        (2 * x, lambda a, b, c: 2 * a),
-        (x / 4.0, lambda a, b, c: a / 4),
-        (np.maximum(x, plain), lambda a, b, c: max(a, c)),
-        (np.minimum(plain, x), lambda a, b, c: min(a, c)),
-        (abs(x), lambda a, b, c: abs(a)),
-        (np.where(x > y, x, 0.0), lambda a, b, c: a if a > b else Fraction(0)),
-        (np.where(plain < y, 1.0, y), lambda a, b, c: Fraction(1) if c < b else b),
-        (np.where(x >= x, x, y), lambda a, b, c: a),
-        (np.sqrt(abs(x)) * np.sqrt(abs(x)), lambda a, b, c: abs(a)),
-    ):
-        for i in range(0, 200, 7):
-            exact = truth(_exactly(x.high[i], x.low[i]), _exactly(y.high[i], y.low[i]), Fraction(plain[i]))
-            assert abs(_exactly(got.high[i], got.low[i]) - exact) <= 40 * UNIT * abs(exact)
+def test_what_is_not_known_of_double_doubles_is_refused() -> None:
+    """What is, the kernel uses: its bits are those of C."""
+    x = DoubleDouble(np.ones(2))
+    assert (x >= x).all()
     with pytest.raises(TypeError):
         np.exp(x)
     with pytest.raises(TypeError):
-        np.concatenate([x, y])
+        np.concatenate([x, x])
 
 
 # ------------------------------------------------------------------------------------------------------ the rung

@@ -61,11 +61,11 @@ def _code(state: PreciseEquilibrium, point: tuple[float, ...], contact: bool) ->
 
 @pytest.mark.parametrize("contact", [True, False])
 def test_counts_codes_and_errors_of_the_ladder(contact: bool) -> None:
+    count = reference.count_contact if contact else reference.count_liftoff
     for point in _points(3):
         found = adaptive_precision.equilibria(*point, contact=contact)
         assert not any(state.fold for state in found)
-        if contact:
-            assert len(found.states) == reference.count_contact(*point)
+        assert len(found.states) == count(*point)
         assert [state.theta for state in found.states] == sorted(state.theta for state in found.states)
         assert _holds(found.states, point, contact, 17) <= 1
         for state in found.states:

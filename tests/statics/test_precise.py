@@ -29,6 +29,17 @@ def test_bounds_hold_at_any_precision() -> None:
         assert max(worst_shares(point, precisions, contact=contact).values()) <= 1
 
 
+@pytest.mark.parametrize(
+    ("mu0", "alpha", "contact"),
+    [(0, 0, True), (0, "0.3", False), ("0.5", 0, False), (0, 1, True)],
+    ids=["no friction, no stiffness along the belt", "a = 0 in lift-off", "lift-off without it", "alpha = 1 + beta"],
+)
+def test_more_digits_where_a_factor_is_even(mu0: int | str, alpha: int | str, contact: bool) -> None:
+    """Where one factor of the quartic in t is t² − 1 or another without a linear term."""
+    sigma, beta = 1, "0.3" if alpha == "0.3" else 0
+    assert precise.equilibria(theta0=1, mu0=mu0, kappa="0.4", alpha=alpha, sigma=sigma, beta=beta, contact=contact, dps=30)
+
+
 # ----------------------------------------------------------------------------------------------- global precisions
 
 

@@ -18,12 +18,13 @@ from .problem import Event, Problem, kinds_of
 
 
 class Crossing(NamedTuple):
-    """A border passed: when, which, to which sign of its level, and the state there."""
+    """A border passed: when, which, to which sign of its level, the state there, and from which sign."""
 
     t: float
     border: int
     sign: int
     state: FloatArray
+    came: int
 
 
 def passed(
@@ -39,7 +40,7 @@ def passed(
     project(problem, mode, state, None)
     border, at = problem.field.borders[row], (np.asarray(state).tolist(), problem.constants)
     after = border.beyond(mode, *at)
-    crossing = Crossing(t, row, int(border.sign(after)), state.copy())
+    crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
     if border.jumps is not None and border.jumps(*at):
         if border.slopes is not None:
             saltation(problem, border, (mode, after), state, directions, columns)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,7 +28,6 @@ from ..motion.shooting import (
     rounding,
     solved,
 )
-from ..motion.solution import Turn
 
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6
@@ -78,14 +77,19 @@ class Setting:
         return np.concatenate([each, [1 / self.period], 1 / np.array(self.spans)])
 
 
-@dataclass(frozen=True)
-class Touch:
-    """A turn at which a border's level is extremal: its share of the period, the level there, and its slope along the branch."""
+class Touch(NamedTuple):
+    """What an orbit does at a border: it comes to it, or turns where the border's level is extremal.
 
-    turn: Turn
+    ``way`` is the border with the direction of the turn, or with the sign of the level from which it comes; ``share`` is that of
+    the period. At a turn ``level`` is the border's, with its slope along the branch; at an arrival it is negative if it does
+    not stay.
+    """
+
+    way: tuple[int, int]
     share: float
+    state: FloatArray
     level: float
-    slope: float
+    slope: float = np.nan
 
 
 @dataclass(frozen=True)
@@ -131,7 +135,7 @@ class Point:
 
     @cached_property
     def touches(self) -> list[Touch]:
-        """All turns of the borders."""
+        """All turns of the borders' levels."""
         loop, tangent = self.loop, self.tangent
         size, along, found = loop.field.size, tangent[loop.states.size + 1 :], list[Touch]()
         for turn in loop.turns():
@@ -143,7 +147,8 @@ class Point:
                 back, level, ahead = (
                     float(level_and_rate(loop, turn.border, mode, at + share * step * way)[0]) for share in (-1, 0, 1)
                 )
-                found.append(Touch(turn, turn.t / loop.period, level, (ahead - back) / (2 * step)))
+                slope = (ahead - back) / (2 * step)
+                found.append(Touch((turn.border, turn.direction), turn.t / loop.period, turn.state, level, slope))
         return found
 
 

@@ -64,8 +64,11 @@ class CycleEvent(Result):
     Attributes
     ----------
     kind : {"fold", "period_doubling", "torus", "grazing", "homoclinic", "end"}
-        Of cycles that stick also "grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding": the orbit touches
-        x′ = V; comes to x′ = V at the edge of what sticks there, and leaves it or comes back; touches the limit of what holds it.
+        Under dry friction also the sliding bifurcations, at each of which a phase of one side of the branch shrinks to nothing:
+        "grazing-sliding", one of sticking, where the orbit touches x′ = V in contact; "crossing-sliding", one of sticking, where
+        it comes to x′ = V at the edge of what sticks and passes; "switching-sliding", one of slip between such an edge and
+        sticking; "adding-sliding", one of slip between two of sticking, where the force that holds touches its limit. A touch of
+        x′ = V in lift-off is a "grazing".
     value : float
         Of the parameter.
     cycle : Cycle

@@ -1,11 +1,11 @@
 """Events of a branch between two of its points: test functions that change sign, and borders that the orbit only touches."""
 
+import math
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
@@ -63,6 +63,9 @@ SCATTER = 10.0
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
 
+#: Level at which an orbit is found that would slide if it touched the border, and by which share at a time it is neared.
+BESIDE, CLOSER = 1e-11, 0.03
+
 #: Turns of two neighbouring points are one where they are as close as this, in shares of a period and in states.
 ALIKE = 0.6
 
@@ -102,15 +105,17 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
 
     changed = [kind for kind in kinds if (criterion(kind, one) < 0) != (criterion(kind, other) < 0) and told(kind)]
     quiet = [kind for kind in CRITERIA if kind in kinds and kind not in changed]
-    both = one.touches, other.touches
-    pairs = list(paired(*both))
-    through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
+    pairs, came = paired(one.touches, other.touches), paired(arrivals(one), arrivals(other))
+    left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
+    ended = [[(near, touch)] for near, touch in left if oftener(other if near is one else one, near)[touch.way[0]]]
+    through, switched = ([pair for pair in each if (pair[0].level < 0) != (pair[1].level < 0)] for each in (pairs, came))
+    touched = [*([(one, touch), (other, after)] for touch, after in through), *ended]
     hidden = (
-        unlike(one, other) // 2 != len(through)
+        unlike(one, other) != 2 * len(touched) + len(switched)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or may_have_touched(*both, pairs, length)
+        or len(left) > len(ended)
         or (before is not None and any(_bends_to_zero(kind, before, one, other) and told(kind) for kind in quiet))
-        or len(changed) + len(through) > 1
+        or len(changed) + len(touched) + len(switched) > 1
     )
     if hidden and depth < DEEPEST:
         try:
@@ -121,15 +126,12 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
             yield from findings(one, middle, length / 2, before, depth + 1)
             yield from findings(middle, other, between(middle, other), one, depth + 1)
             return
-    for touch, after in through:
-        yield from _grazing(one, other, touch, after, length)
-    for share, border, stays in arrivals(one.loop):
-        with suppress(ConvergenceError):
-            if (stays < 0) == (arrived(share, border, other).stays < 0):
-                continue
-        yield from _switching(one, other, share, border, length)
+    for turns in touched:
+        yield from _grazing(one, other, turns, length)
+    for arrival, _ in switched:
+        yield from _switching(one, other, arrival, length)
     for kind in changed:
-        yield from _located(kind, one, other, length)
+        yield from _located(kind, partial(criterion, kind), one, other, length)
 
 
 def vertical(one: Point, other: Point, length: float) -> bool:
@@ -155,80 +157,59 @@ def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
     return (b - slope**2 / (4 * bend)) * b < 0.05 * b * b
 
 
-def _grazing(one: Point, other: Point, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
-    border = touch.turn.border
-    name = one.loop.field.borders[border].name
-    nearest = sorted(((one, touch), (other, after)), key=lambda pair: abs(pair[1].level))
-    for near, begun in nearest:
+def _grazing(one: Point, other: Point, turns: list[tuple[Point, Touch]], length: float) -> Iterator[Finding]:
+    """Where an orbit touches a border, by its turns there: of both points, or of the one that does not slide on the border."""
+    turns = sorted(turns, key=lambda pair: abs(pair[1].level))
+    nearest, first = turns[0]
+    kind, border = _kind(nearest.loop, first), first.way[0]
+    name, beside = nearest.loop.field.borders[border].name, 0.0 if kind == "grazing" else BESIDE
+    for near, touch in turns:
         try:
-            loop = grazing(near, begun)
+            loop = grazing(near, touch, beside)
         except ConvergenceError:
             continue
-        off = 10 * loop.missed + 1e-12
+        off = 10 * loop.missed + 1e-12 + beside * abs(turning(near) / touch.slope)
         if _lies_between(one, other, loop.guess.varied[0], length, off):
-            yield Finding(_kind(loop, border), loop, off, border, how=name)
+            yield Finding(kind, loop, off, border, how=name)
             return
     if length > FINEST:
-        raise ConvergenceError("a grazing was not located")
+        raise ConvergenceError(f"a {kind} was not located")
     if not unlike(one, other):
         return  # two different turns were taken for one: the orbit crosses as often as before
-    yield Finding(_kind(nearest[0][0].loop, border), nearest[0][0].loop, abs(other.value - one.value), border, how=name)
+    yield Finding(kind, nearest.loop, abs(other.value - one.value), border, how=name)
 
 
-def _kind(loop: Loop, border: int) -> str:
-    """What it is called that an orbit touches a border in its first state: sliding begins, or is interrupted, at some."""
-    that, at = loop.field.borders[border], (loop.states[0].tolist(), loop.constants)
+def _kind(loop: Loop, touch: Touch) -> str:
+    """What it is called that an orbit touches a border, by what is beyond: it slides there in contact, or slides no longer."""
+    that = loop.field.borders[touch.way[0]]
     if that.stays:
-        return "grazing-sliding" if that.stays(*at, loop.field.initial_mode(*at)) > 0 else "grazing"
+        return "grazing-sliding" if loop.field.initial_mode(touch.state.tolist(), loop.constants)[0] else "grazing"
     return "adding-sliding" if that.crossings[2:] else "grazing"
 
 
-class Arrival(NamedTuple):
-    """Where an orbit comes to a border: when, in shares of the period, to which, and what is negative if it does not stay."""
-
-    share: float
-    border: int
-    stays: float
-
-
-def arrivals(loop: Loop) -> list[Arrival]:
-    """All of one round."""
-    found = []
+def arrivals(point: Point) -> list[Touch]:
+    """All places of one round where the orbit comes to a border on which it may stay."""
+    found, loop = list[Touch](), point.loop
     for crossing in loop.crossings():
         if stays := loop.field.borders[crossing.border].stays:
             at = crossing.state.tolist(), loop.constants
-            found.append(Arrival(crossing.t / loop.period, crossing.border, stays(*at, loop.field.initial_mode(*at))))
+            level = stays(*at, loop.field.initial_mode(*at))
+            found.append(Touch((crossing.border, crossing.came), crossing.t / loop.period, crossing.state, level))
     return found
 
 
-def arrived(share: float, border: int, point: Point) -> Arrival:
-    """The arrival of a point's orbit at a border that is nearest to a share of the period."""
-    alike = [each for each in arrivals(point.loop) if each.border == border]
-    if not alike:
-        raise ConvergenceError("the orbit does not come to the border")
-    return min(alike, key=lambda each: abs((each.share - share + 0.5) % 1 - 0.5))
-
-
-def _switching(one: Point, other: Point, share: float, border: int, length: float) -> Iterator[Finding]:
+def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Iterator[Finding]:
     """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or goes on into them."""
 
     def stays(point: Point) -> float:
-        return arrived(share, border, point).stays
+        for _, become in paired([arrival], arrivals(point)):
+            return become.level
+        raise ConvergenceError("the orbit does not come to the border")
 
     passing, staying = sorted((one, other), key=stays)
-    returns = len(arrivals(passing.loop)) > len(arrivals(staying.loop))
+    returns, border = len(arrivals(passing)) > len(arrivals(staying)), arrival.way[0]
     kind, name = "switching-sliding" if returns else "crossing-sliding", one.loop.field.borders[border].name
-    try:
-        point = zero_of(stays, one, other, length)
-    except (ConvergenceError, ValueError) as error:
-        if length > FINEST:
-            raise ConvergenceError(f"a {kind} was not located") from error
-        yield Finding(kind, other.loop, abs(one.value - other.value), border, how=name)
-        return
-    if abs(stays(point)) <= JUMPS * max(abs(stays(one)), abs(stays(other))):
-        yield Finding(kind, point.loop, uncertainty(point), border, how=name)
-    elif length > FINEST:  # another arrival became the nearest one: no zero, and shorter steps tell them apart
-        raise ConvergenceError(f"a {kind} was not located")
+    yield from _located(kind, stays, one, other, length, border, name)
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
@@ -242,41 +223,45 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
     return low - beyond - off <= value <= high + beyond + off
 
 
-def _located(kind: str, one: Point, other: Point, length: float) -> Iterator[Finding]:
+def _located(
+    kind: str, test: Callable[[Point], float], one: Point, other: Point, length: float, border: int = -1, how: str = ""
+) -> Iterator[Finding]:  # fmt: skip
     """Where a test function is zero, by bracketing along the arc."""
     width = abs(one.value - other.value)
     try:
-        point = zero_of(partial(criterion, kind), one, other, length)
+        point = zero_of(test, one, other, length)
     except (ConvergenceError, ValueError) as error:
         if length > FINEST:  # the two points may lie on different branches: shorter steps tell
             raise ConvergenceError(f"a {kind} was not located") from error
         if kind == "crossing":
             return
-        yield Finding(kind, other.loop, width)
+        yield Finding(kind, other.loop, width, border, how=how)
         return
-    if kind != "fold" and is_lost(point.loop, kind):
+    if kind not in ("fold", *SLIDING) and is_lost(point.loop, kind):
         return
     if kind == "torus" and not is_complex_pair(point.loop):
         return
     if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
-    off, how = _error(kind, one, other, length, point), ""
-    if abs(criterion(kind, point)) > JUMPS * max(abs(criterion(kind, each)) for each in (one, other)):
-        # Multipliers jump at a grazing: the sign changes with no zero.
+    off = _error(kind, one, other, length, point)
+    if abs(test(point)) > JUMPS * max(abs(test(one)), abs(test(other))):
+        # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign changes with no zero.
         if length > FINEST:
             raise ConvergenceError(f"a {kind} was not located")
+        if kind in SLIDING:
+            return
         off, how = max(off, width), JUMPED
     if kind == "crossing":
         yield Finding("fold", point.loop, off, crossed=point.tangent, how=CROSSES)
     else:
-        yield Finding(kind, point.loop, off, how=how)
+        yield Finding(kind, point.loop, off, border, how=how)
 
 
 def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:
     """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
     own = uncertainty(point)
-    if kind == "fold":
-        return own  # the parameter is extremal there
+    if kind in ("fold", *SLIDING):
+        return own  # the parameter is extremal there, or the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))
     place = LOCATED + unsure(point.loop, kind) * length / change
     # By how much it scatters where orbits at one parameter are found from either side, times the step in that: near a grazing
@@ -289,22 +274,29 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
     return own + abs(turning(point)) * place + SCATTER * (width * max(scatter)) / change
 
 
+def oftener(one: Point, other: Point) -> Counter[int]:
+    """How much oftener one orbit crosses each border than another."""
+    one_way, other_way = (Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other))
+    return one_way - other_way
+
+
 def unlike(one: Point, other: Point) -> int:
     """In how many crossings two orbits differ: the differences in how often each border is crossed, added up."""
-    one_way, other_way = (Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other))
-    return ((one_way - other_way) + (other_way - one_way)).total()
+    return oftener(one, other).total() + oftener(other, one).total()
 
 
-def paired(one: list[Touch], other: list[Touch]) -> Iterator[tuple[Touch, Touch]]:
-    """Turns of one point with those of the next that they have become."""
-    for touch in one:
-        alike = [
-            (abs((touch.share - each.share + 0.5) % 1 - 0.5) + float(np.abs(touch.turn.state - each.turn.state).max()), i)
-            for i, each in enumerate(other)
-            if (each.turn.border, each.turn.direction) == (touch.turn.border, touch.turn.direction)
-        ]
-        if alike and min(alike)[0] < ALIKE:
-            yield touch, other[min(alike)[1]]
+def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
+    """What an orbit does at borders with what that becomes on another: the nearest first, each once."""
+    found, off = dict[int, int](), list[tuple[float, int, int]]()
+    for i, touch in enumerate(one):
+        for k, each in enumerate(other):
+            if touch.way == each.way:
+                apart = abs((touch.share - each.share + 0.5) % 1 - 0.5) + float(np.abs(touch.state - each.state).max())
+                off.append((apart, i, k))
+    for apart, i, k in sorted(off):
+        if apart < ALIKE and i not in found and k not in found.values():
+            found[i] = k
+    return [(one[i], other[k]) for i, k in sorted(found.items())]
 
 
 def may_touch(one: Touch, other: Touch, length: float) -> bool:
@@ -316,28 +308,36 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
     return lowest < min(0.1 * abs(one.level - other.level), 0.5 * abs(one.level), 0.5 * abs(other.level))
 
 
-def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Touch, Touch]], length: float) -> bool:
-    """Whether a turn that one of two points has alone may have been at the border between: by its level and slope there."""
+def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tuple[Point, Touch]]:
+    """Turns of a point that are no turns of the other and may have come to the border between: by level and slope."""
     kept = {id(touch) for pair in pairs for touch in pair}
-    return any(
-        id(touch) not in kept and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
-        for touches, away in ((one, length), (other, -length))
-        for touch in touches
-    )
+    return [
+        (near, touch)
+        for touch in near.touches
+        if id(touch) not in kept and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
+    ]
 
 
-def grazing(near: Point, touch: Touch) -> Loop:
-    """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
-    flow, known = near.setting.flow, near.loop.guess
-    guess = recut(near.loop, len(known.states), touch.turn.t)
-    loop = solved(flow, guess, touching(touch.turn.border, near.setting, near.loop, touch.turn.state), reach=0.5)
-    if abs(loop.period / known.period - 1) > 0.2:
-        raise ConvergenceError("another orbit touches the border")
-    return loop
+def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Loop:
+    """The closed orbit that touches a border, begun where it does: near a point with a turn near that border.
+
+    An orbit that slides on the border does so at every parameter beyond: so that one is found ``beside`` it, and neared slowly.
+    """
+    loop, level = near.loop, touch.level
+    guess = recut(loop, len(loop.states), touch.share * loop.period)
+    while True:
+        level = math.copysign(max(beside, CLOSER * abs(level)), level) if beside else 0.0
+        conditions = touching(touch.way[0], near.setting, near.loop, touch.state, level)
+        loop = solved(near.setting.flow, guess, conditions, reach=0.5)
+        if abs(loop.period / near.loop.period - 1) > 0.2:
+            raise ConvergenceError("another orbit touches the border")
+        if abs(level) <= beside:
+            return loop
+        guess = loop.guess
 
 
-def touching(border: int, _: Setting, near: Loop, target: FloatArray) -> Conditions:
-    """Level and rate of a border are zero at the first state, in the mode of a target near there."""
+def touching(border: int, _: Setting, near: Loop, target: FloatArray, level: float = 0.0) -> Conditions:
+    """A border has a level, of rate zero, at the first state, in the mode of a target near there."""
     mode = near.field.initial_mode(target[: near.field.size].tolist(), near.constants)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
@@ -345,6 +345,6 @@ def touching(border: int, _: Setting, near: Loop, target: FloatArray) -> Conditi
         place = np.append(loop.states[0], loop.guess.varied)
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
-        return both(place), rows
+        return both(place) - (level, 0.0), rows
 
     return conditions

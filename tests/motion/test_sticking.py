@@ -110,35 +110,24 @@ def test_starts_at_which_a_rule_decides(
 
 
 @pytest.mark.parametrize("name", ["coulomb", "tip"])
-def test_derivatives_of_the_modes_against_differences(name: str) -> None:
-    """Of the accelerations on either side and sticking, and of the limits; sticking, the sliding speed does not change."""
+def test_derivatives_while_it_sticks_against_differences(name: str) -> None:
+    """Of the accelerations, of the sliding speed, which does not change, and of the limits."""
     model = dry_friction.model(name)
-    p = model.Parameters(theta0=0.8) if name == "coulomb" else model.Parameters()
+    p = model.Parameters(ratio=0.8, **({"theta0": 0.8} if name == "coulomb" else {}))
     field, algebra, n = model.field, model.algebra, len(model.coordinates)
-    values = np.array(p.scalars(*model.parameters))
-    state = np.array([0.11, -0.07, 0.13, 0.05])
-    for side in (1, -1, 0):
-        mode = (1, side)
 
-        def at(z: np.ndarray, mode: tuple[int, int] = mode) -> np.ndarray:
-            taken = field.constants(z[2 * n :].tolist())
-            here = z[: 2 * n].tolist()
-            slip = algebra.borders(*here, *taken)[1]
-            return np.array([*field.acceleration(here, taken, mode, np), slip, *algebra.grip(*here, *taken, *mode)], dtype=float)
+    def at(z: np.ndarray) -> np.ndarray:
+        here, taken = z[: 2 * n].tolist(), field.constants(z[2 * n :].tolist())
+        told = algebra.borders(*here, *taken)[1], *algebra.grip(*here, *taken, 1, 0)
+        return np.array([*field.acceleration(here, taken, (1, 0), np), *told], dtype=float)
 
-        z, h = np.concatenate([state, values]), 1e-6
-        numeric = np.array([(at(z + h * way) - at(z - h * way)) / (2 * h) for way in np.eye(len(z))]).T
-        taken = field.constants(values.tolist())
-        ours = np.hstack([field.jacobian(state, taken, mode, np), field.by_parameters(state, taken, mode, np)]).astype(float)
-        assert ours == pytest.approx(numeric[:n], abs=1e-8)
-        slopes = np.array(algebra.grip_slopes(*state, *taken, *mode), dtype=float)
-        kinked = [model.parameters.index("ratio")] if name == "coulomb" else []  # a ratio of 1 is where its limit has a kink
-        smooth = np.delete(np.arange(len(z)), [2 * n + place for place in kinked])
-        assert slopes[0] == pytest.approx(numeric[n], abs=1e-8)
-        if side == 0:
-            assert slopes[:, smooth] == pytest.approx(numeric[n:][:, smooth], abs=1e-8)
-            held = field.acceleration(state.tolist(), taken, mode, np)
-            assert algebra.border_rates(*state, *held, *taken)[1] == pytest.approx(0.0, abs=1e-15)
+    z, h = np.array([0.11, -0.07, 0.13, 0.05, *p.scalars(*model.parameters)]), 1e-6
+    numeric = np.array([(at(z + h * way) - at(z - h * way)) / (2 * h) for way in np.eye(len(z))]).T
+    state, taken = z[: 2 * n].tolist(), field.constants(z[2 * n :].tolist())
+    ours = np.hstack([function(state, taken, (1, 0), np) for function in (field.jacobian, field.by_parameters)])
+    assert np.vstack([ours, algebra.grip_slopes(*state, *taken, 1, 0)]) == pytest.approx(numeric, abs=1e-8)
+    held = field.acceleration(state, taken, (1, 0), np)
+    assert algebra.border_rates(*state, *held, *taken)[1] == pytest.approx(0.0, abs=1e-15)
 
 
 def test_a_standing_belt_holds_while_the_normal_force_swings() -> None:

@@ -7,6 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 from scipy.integrate import solve_ivp
+from scipy.optimize import fsolve
 
 import spragsym as ss
 from tests.oracles.user_pages import model_of, shipped_page
@@ -47,6 +48,20 @@ page.friction(
 )
 """
 
+#: The mass that sticks and slips, pushed in time by a rotor that a motor turns; by ``fall`` friction falls before it rises.
+FORCED = shipped_page(
+    "coulomb_stick_slip", ("import Page", "import Page, cos, sqrt"), ('">= 0", 0.5)', '">= 0", 0.1)'),
+    ('page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)', 'page.parameter("mu0", "1", "friction", ">= 0", 0.4)'),
+    ('mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
+     'w = page.parameter("w", "1/s", "speed of the rotor", "> 0")\nP = page.parameter("P", "N", "largest push", ">= 0", 1.0)\n'
+     'fall = page.parameter("fall", "1", "how much friction falls", "[0, 1]", 0.0)\n'
+     'phi = page.coordinate("phi", "rad", "angle of the rotor")\nu, r = N_0 / sqrt(k * m), N_0 / k'),
+    ("page.kinetic(m * page.rate(x) ** 2 / 2)",
+     "page.kinetic(m * (page.rate(x) ** 2 + (r * page.rate(phi)) ** 2) / 2)\npage.force(P * cos(phi), along=x)\n"
+     "page.force(sqrt(k * m) * r**2 * w, along=phi)\npage.damper(sqrt(k * m) * r**2, along=phi)"),
+    ("mu_k * sgn(v)", "mu_s * (sgn(v) - fall * (v / u - 3 * (v / u) ** 3 / 10))"),
+)  # fmt: skip
+
 #: Parameters of each model, and ranges from which they are drawn; the reach of starts.
 DRAWN = {"coulomb": ("theta0", "mu0", "ratio", "kappa", "alpha", "sigma", "V"), "leine": ("mu0", "ratio", "delta", "V"),
          "tip": ("mu0", "ratio", "delta", "V", "N")}  # fmt: skip
@@ -66,7 +81,7 @@ def drawn(name: str, *seed: int) -> tuple[dict[str, float], Any]:
 
 def model(name: str) -> Any:
     """The model of a name."""
-    return ss.load(name) if name == "coulomb" else model_of({"leine": LEINE, "tip": TIP}[name], name)
+    return ss.load(name) if name == "coulomb" else model_of({"leine": LEINE, "tip": TIP, "forced": FORCED}[name], name)
 
 
 def parts(name: str, p: Values, q: Any, v: Any, contact: bool) -> tuple[Any, Any, Any, float, float]:
@@ -76,6 +91,10 @@ def parts(name: str, p: Values, q: Any, v: Any, contact: bool) -> tuple[Any, Any
     if name == "tip":
         c, s = math.cos(q[1]), math.sin(q[1])
         return np.array([[2, c], [c, 1]]), np.array([-q[0] + s * v[1] ** 2, -s]), np.array([1.0, c]), -s * v[1] ** 2, p["N"]
+    if name == "forced":
+        slip = p["V"] - v[1]
+        push = p["P"] * math.cos(q[0]) - p["mu0"] * p["fall"] * (slip - 0.3 * slip**3)
+        return np.eye(2), np.array([p["w"] - v[0], push - q[1]]), np.eye(2)[1], 0.0, 1.0
     dx, dy = math.cos(p["theta0"]) - q[0], math.sin(p["theta0"]) - q[1]
     pull, normal = p["sigma"] * (1 - 1 / math.hypot(dx, dy)), -q[1] * contact
     return np.eye(2), np.array([pull * dx - p["alpha"] * q[0], pull * dy - p["kappa"] + normal]), np.eye(2)[0], 0.0, normal
@@ -93,8 +112,9 @@ class Driver:
         (q, v), p = np.split(z, 2), self.p
         M, Q, J, rest, N = parts(self.name, p, q, v, self.contact)
         slip, free, response = p["V"] - float(J @ v), np.linalg.solve(M, Q), np.linalg.solve(M, J)
-        falls = (1 - p["ratio"]) / (1 + p.get("delta", math.inf) * max(abs(slip), 1e-300))
-        F = side * N * p["mu0"] * (p["ratio"] + falls) if side else -(J @ free + rest) / (J @ response)
+        ratio = p.get("ratio", 1.0)
+        falls = (1 - ratio) / (1 + p.get("delta", math.inf) * max(abs(slip), 1e-300))
+        F = side * N * p["mu0"] * (ratio + falls) if side else -(J @ free + rest) / (J @ response)
         return np.concatenate([v, free + response * F]), slip, p["mu0"] * N - F, p["mu0"] * N + F
 
     def resolve(self, z: Any) -> None:
@@ -116,7 +136,10 @@ class Driver:
     def run(self, start: Any, end: float) -> Any:
         """The state at the end."""
         z, t, self.contact = np.array(start), 0.0, self.name != "coulomb" or start[1] <= 0
-        self.side = 1 if self.solved(z, 1)[1] > 0 else -1
+        slip = self.solved(z, 1)[1]
+        self.side = 1 if slip > 0 else -1
+        if abs(slip) < 1e-12:
+            self.resolve(z)
         while True:
             part = solve_ivp(
                 lambda _, y: self.solved(y, self.side)[0], (t, end), z, method="DOP853", rtol=1e-12, atol=1e-15,
@@ -134,6 +157,21 @@ class Driver:
             else:
                 self.side, event = 1 if hit[0] else -1, "SLIP"
             self.events.append((event, t, z))
+
+
+def along(name: str, p: Values, near: ss.Cycle, longest: float) -> tuple[list[tuple[float, str]], float]:
+    """Events of one period, and the period, of the cycle near one of other parameters, closed by this driver."""
+    fixed = 2 * (name == "coulomb")  # where x is largest; or at one angle of the rotor
+
+    def run(place: Any) -> tuple[Driver, Any]:
+        driver, start = Driver(name, p, longest), np.insert(place[:-1], fixed, near.state[fixed])
+        off = driver.run(start, place[-1]) - start
+        return driver, off - 2 * math.pi * np.round(off / (2 * math.pi))
+
+    begun = np.append(np.delete(near.state, fixed), near.period)
+    place, _, found, why = fsolve(lambda place: run(place)[1], begun, xtol=1e-11, epsfcn=1e-12, full_output=True)
+    assert found == 1, why
+    return [(t, event) for event, t, _ in run(place)[0].events], place[-1]
 
 
 def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float = 5e-6) -> Any:

@@ -1,46 +1,79 @@
 """Cycles that stick: their phases, and sliding bifurcations on their branches, seen by motions on both sides."""
 
+import math
 from collections import Counter
+from typing import Any
 
-import numpy as np
 import pytest
 
 import spragsym as ss
+from tests.oracles import dry_friction
 
-COULOMB = ss.load("coulomb")
+#: M. di Bernardo, P. Kowalczyk, A. Nordmark 2003: the push, and friction that falls with the speed.
+FALLING = {"P": 0.1, "mu0": 1.5, "fall": 1.0, "V": 1.0, "w": 1.7095}
+
+#: J. P. Den Hartog 1931: the friction from which on the motion under w = 1.5 stops in between.
+STOPS = 1.5**2 / (1.5**2 - 1) / math.hypot(1, 1.5 * math.tan(math.pi / 3))
+
+#: Model, values, parameter with its range, and what happens there: kind, value and how often at once.
+BRANCHES: dict[str, Any] = {
+    "fast": ("forced", {"w": 0.5}, "w", (0.5, 0.61), [
+        ("switching-sliding", 0.5044553437, 1), ("grazing-sliding", 0.5057197354, 1), ("crossing-sliding", 0.6012813632, 1)]),
+    "slow": ("forced", {"w": 0.3}, "w", (0.26, 0.33),
+             [("grazing-sliding", 0.2677148959, 1), ("adding-sliding", 0.3229218441, 1)]),
+    "brake": ("coulomb", {"theta0": math.radians(42)}, "V", (0.412, 0.5),
+              [("grazing", 0.4161207539, 1), ("crossing-sliding", 0.4348565518, 1)]),  # it touches in lift-off
+    "falling": ("forced", FALLING, "w", (1.7068, 1.7105), [("grazing-sliding", 1.7077997149, 1)]),
+    "friction": ("forced", {"w": 0.5}, "mu0", (0.36, 0.42), [("switching-sliding", 0.3693971892, 1)]),
+    "still": ("forced", {"w": 0.19, "V": 0.0}, "w", (0.19, 0.22), [("adding-sliding", 0.2073344088, 2)] * 2),
+    "stops": ("forced", {"w": 1.5, "V": 0.0, "mu0": 0.6}, "mu0", (0.58, 0.7), [("crossing-sliding", STOPS, 2)] * 2),
+}  # fmt: skip
+
+#: How often a cycle sticks and overtakes more on one side of each than on the other, and what the phase is that is short there.
+NAMES = {
+    "grazing-sliding": (1, 0, "STICK"), "crossing-sliding": (1, -1, "STICK"), "switching-sliding": (0, 1, "OVERTAKES"),
+    "adding-sliding": (1, 0, "SLIP"), "grazing": (0, 2, None),
+}  # fmt: skip
 
 
-def phases_of(cycle: ss.Cycle) -> Counter[str]:
-    """How often each event happens in a motion over one period of a cycle, begun on it; by SciPy, which did not find it."""
-    p = COULOMB.Parameters(**cycle.parameters)
-    tr = ss.simulate(p, start=cycle.state, t_end=cycle.period, rtol=1e-12, backend="scipy")
-    return Counter(ss.Event(kind).name for kind in tr.events.which)
+def seen(events: list[tuple[float, str]], period: float) -> tuple[Counter[str], str]:
+    """How often a cycle sticks, slips and overtakes, and with which the shortest of the phases between begins."""
+    own = [(t, name.split("_")[-1]) for t, name in events if "CONTACT" not in name]
+    ends = [t for t, _ in own[1:]] + [t + period for t, _ in own[:1]]
+    short = min(((end - t, name) for (t, name), end in zip(own, ends, strict=True)), default=(0.0, ""))
+    return Counter(name for _, name in own), short[1]
 
 
-def test_phases_are_the_modes_of_one_period() -> None:
-    found = ss.cycle(ss.load("coulomb_stick_slip").Parameters(mu_s=0.6, mu_k=0.4, V=0.3)).phases
-    assert found.side.tolist() == [1, 0, 1]
-    assert found.contact.tolist() == [1, 1, 1]
-    assert found.duration[1] == pytest.approx(2 * 0.2 / 0.3, abs=1e-11)
-    assert 0 not in ss.cycle(ss.load("stick_slip").Parameters(V=0.2)).phases.side
+def motion(name: str, p: dict[str, float], near: ss.Cycle, _: float) -> tuple[list[tuple[float, str]], float]:
+    """Events of a motion over one period of a cycle, begun on it, and the period; by SciPy, which did not find it."""
+    given = dry_friction.model(name).Parameters(**p)
+    cycle = ss.cycle(given, near=near)
+    events = ss.simulate(given, start=cycle.state, t_end=cycle.period, rtol=1e-12, backend="scipy").events
+    return [(t, ss.Event(kind).name) for t, kind in zip(events.t.tolist(), events.which.tolist(), strict=True)], cycle.period
 
 
-@pytest.mark.thorough
-def test_sliding_bifurcations_of_the_article_with_dry_friction() -> None:
-    """Each event is where its name says: motions on either side of it differ by that and by nothing else."""
+@pytest.mark.parametrize(
+    ("branch", "longest", "off"),
+    [
+        *(pytest.param(*one, 1e-5, marks=pytest.mark.thorough) for one in (("fast", 0.2), ("slow", 0.2), ("brake", 0.0))),
+        *(pytest.param(branch, 0.02, 1e-6, marks=pytest.mark.validate) for branch in BRANCHES),
+    ],
+)
+def test_sliding_bifurcations_are_where_and_what_their_names_say(branch: str, longest: float, off: float) -> None:
+    """Cycles on either side differ by that and by nothing else, by simulation and by the other driver in short steps."""
     pytest.importorskip("heyoka")
-    p = COULOMB.Parameters(theta0=np.radians(42))
-    branch = ss.cycle_branch(ss.cycle(p), "V", to=(0.25, 0.5))
-    kinds = [event.kind for event in branch.events]
-    assert (kinds.count("crossing-sliding"), kinds.count("grazing")) == (2, 5)  # these touch x' = V in lift-off
-    for event in branch.events:
-        if event.kind == "end":
-            continue
+    name, values, vary, to, expected = BRANCHES[branch]
+    p = dry_friction.model(name).Parameters(**values)
+    begun = None if name == "coulomb" else ss.simulate(p, start=(0.0, 1.5, values["w"], 0.9), t_end=700.0)
+    events = ss.cycle_branch(ss.cycle(p, near=begun), vary, to).of(*NAMES)
+    for event, (kind, value, times) in zip(events, expected, strict=True):
+        assert (event.kind, event.value) == (kind, pytest.approx(value, abs=1e-9))
         assert event.error < 1e-10
-        sides = (phases_of(ss.cycle(p, event.cycle, V=event.value + way)) for way in (-2e-4, 2e-4))
-        fewer, more = sorted(sides, key=lambda counts: (counts["STICK"], counts["MASS_OVERTAKES"]))
-        gained, lost = dict(more - fewer), dict(fewer - more)
-        if event.kind == "crossing-sliding":
-            assert (gained, sum(lost.values())) == ({"STICK": 1, "SLIP": 1}, 1), event.value
-        else:
-            assert (gained, lost) == ({"MASS_OVERTAKES": 1, "BELT_OVERTAKES": 1}, {}), event.value
+        sticks, overtakes, short = NAMES[kind]
+        for driver in (motion, dry_friction.along) if longest else (motion,):
+            beside = (event.cycle.parameters | {vary: value + way * off} for way in (-1, 1))
+            sides = (seen(*driver(name, given, event.cycle, longest)) for given in beside)
+            (fewer, _), (more, begins) = sorted(sides, key=lambda side: side[0].total())
+            more.subtract(fewer)
+            assert more == Counter({"STICK": sticks * times, "SLIP": sticks * times, "OVERTAKES": overtakes * times}), event.value
+            assert short in (begins, None), event.value

@@ -249,7 +249,7 @@ def _followed(start: Point, to: Span, points: int, longest: float) -> Iterator[P
         if met is not None and arc > NEAREST * extent(found.loop):
             raise ConvergenceError("the halves of the orbit meet on the way")
         if not (point.alone or found.alone):
-            return [Finding("end", point.loop, 0.0, how=FAMILIES)]
+            return [Finding("end", point.loop, abs(point.value - seen[0].value), how=FAMILIES)]
         merged = None if met is None else halved(point, found, met)
         if merged is not None:
             return [Finding("end", *merged, how=MERGES)]

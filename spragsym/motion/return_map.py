@@ -110,7 +110,7 @@ class Onward:
             loop = once_round(near_guess(fly, precision))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
-        place = loop.states[0]
+        place = loop.state
         flow = rate(self.field, place, loop.constants)
         if flow[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
@@ -137,7 +137,7 @@ class Closed:
     @property
     def state(self) -> FloatArray:
         """Where it begins."""
-        return self.loop.states[0]
+        return self.loop.state
 
     def scaled(self, states: FloatArray) -> FloatArray:
         """Its own or other states of the section, in whole turns near, in units of the scale."""

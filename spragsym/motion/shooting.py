@@ -97,6 +97,11 @@ class Loop:
         return self.guess.states
 
     @property
+    def state(self) -> FloatArray:
+        """Where it begins."""
+        return self.states[0]
+
+    @property
     def period(self) -> float:
         """The period."""
         return self.guess.period
@@ -164,7 +169,7 @@ class Loop:
     def tops(self) -> list[Turn]:
         """Turns at which the first coordinate is largest, the start first: where it is one it may be counted at neither end."""
         found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
-        start, n = self.states[0], len(self.field.coordinates)
+        start, n = self.state, len(self.field.coordinates)
         if found and abs(start[n]) < ONE and rate(self.field, start, self.constants)[n] < 0:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
@@ -186,7 +191,7 @@ class Loop:
 
     def samples(self) -> PiecewisePolynomial:
         """One round by the polynomials through its samples."""
-        return self.flow.samples(self.states[0], self.constants, self.period)
+        return self.flow.samples(self.state, self.constants, self.period)
 
     def moments(self) -> tuple[float, float]:
         """Mean and root mean square of the first coordinate; NaN where it turns around."""
@@ -272,12 +277,12 @@ def through(place: FloatArray, normal: FloatArray, guess: Guess) -> Conditions:
     """Phase condition of loops of as many stretches as a guess: the first state stays in a plane through a place."""
     row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
-    return lambda loop: (np.array([normal @ (loop.states[0] - place)]), row)
+    return lambda loop: (np.array([normal @ (loop.state - place)]), row)
 
 
 def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
     """The plane across the flow at the first state of a loop, through that or another place."""
-    first = loop.states[0]
+    first = loop.state
     normal = rate(loop.field, first, loop.constants)
     place = first if place is None else place
     return through(place, normal / norm(normal), loop.guess)

@@ -321,7 +321,7 @@ def cut_finer(point: Point) -> Point:
     along = np.zeros(cut.states.shape)
     along[0] = point.tangent[: loop.field.size]  # the old tangent by its first state, period and parameter
     if begin:
-        along[0] = loop.flow.fly(loop.states[0], loop.constants, begin).by_state @ along[0]
+        along[0] = loop.flow.fly(loop.state, loop.constants, begin).by_state @ along[0]
     return point_of(setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :]))
 
 

@@ -51,7 +51,7 @@ def followed(known: Attractor, system: System) -> Attractor:
         return _of_cycle(system, followed_cycle(known.orbit, system.values))
     index, span = _varied(known.system.values, system.values)
     point = along(Rest(system.field).started(known.system, known.state, index, span), system.values[index])
-    return _at_rest(system, point.loop.states[0])
+    return _at_rest(system, point.loop.state)
 
 
 def followed_cycle(known: Cycle, values: Values) -> Cycle:

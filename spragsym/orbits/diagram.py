@@ -253,12 +253,12 @@ def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
-    place, around = point.loop.states[0], point.loop.field.around
+    place, around = point.loop.state, point.loop.field.around
     for one, other in pairwise(line):
-        near = magnitude(apart(place, one.loop.states[0], around)) < 2 * LONGEST
+        near = magnitude(apart(place, one.loop.state, around)) < 2 * LONGEST
         if near and (one.value - point.value) * (other.value - point.value) <= 0 and one.value != other.value:
             with suppress(ConvergenceError):
-                met = placed(one, point.value, other.coordinates - one.coordinates).loop.states[0]
+                met = placed(one, point.value, other.coordinates - one.coordinates).loop.state
                 if magnitude(apart(place, met, around)) < ONE:
                     return True
     return False

@@ -180,7 +180,7 @@ def _checked(loop: Loop) -> Cycle:
     if _rests(loop):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
-            f"{np.round(loop.states[0], 9).tolist()}; start farther from it"
+            f"{np.round(loop.state, 9).tolist()}; start farther from it"
         )
     return cycle_of(loop)
 
@@ -232,7 +232,7 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
     loop = split(flow, guess)
     turns = [turn.state for turn in loop.turns()]
     # A guess that begins at a turn may count it at neither end.
-    reach = 0.5 * float(np.ptp([loop.states[0], *turns], axis=0).max()) if turns else np.inf
+    reach = 0.5 * float(np.ptp([loop.state, *turns], axis=0).max()) if turns else np.inf
     return solved(flow, loop.guess, across(loop), reach=reach)
 
 
@@ -324,7 +324,7 @@ def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: N
     wanted = float((measure @ (first - rest)).real)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        seen = measure @ (loop.states[0] - rest)
+        seen = measure @ (loop.state - rest)
         wide = np.zeros((2, loop.states.size + 2))
         wide[:, : 2 * n] = measure.real, measure.imag
         return np.array([seen.real - wanted, seen.imag]), wide

@@ -201,7 +201,7 @@ def cycle_of(loop: Loop) -> Cycle:
         )
     (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
     return Cycle(
-        period=loop.period, state=loop.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
+        period=loop.period, state=loop.state.copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=max(error_of(loop, difference(loop)), lost), residual=loop.missed,
         events=events_of(loop.field, loop.crossings()),
         rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=loop.flow.backend,

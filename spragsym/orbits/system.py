@@ -235,7 +235,7 @@ class Rest:
 
     def eigenvalues(self, point: Point) -> list[complex]:
         """Eigenvalues of the linearized motion."""
-        there = self.at(point.loop.states[0], point.loop.constants)
+        there = self.at(point.loop.state, point.loop.constants)
         return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
 
     def pairs(self, point: Point) -> float:
@@ -245,7 +245,7 @@ class Rest:
 
     def inside(self, point: Point) -> bool:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
-        state, constants, mode = self.at(point.loop.states[0], point.loop.constants)
+        state, constants, mode = self.at(point.loop.state, point.loop.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
 

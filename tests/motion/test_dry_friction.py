@@ -140,6 +140,7 @@ def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
         assert ss.simulate(tr.p, x0=start, t_end=40.0, backend=backend, events=False).outcome().rest == found.rest
     with pytest.raises(ss.ConvergenceError, match="it comes to rest, and friction holds it there"):
         ss.cycle(tr.p, near=(1.0, 0.0), backend=backend)
+    assert ss.lyapunov(tr.p, start=(1.0, 0.0), t_end=60.0, backend=backend).exponents == pytest.approx([0.0, -math.inf])
     if backend == "heyoka":  # SciPy takes a minute
         bounces = ss.fate(ss.load("coulomb").Parameters(theta0=0.7, V=0.0), t_end=500.0)
         assert bounces.why.startswith("x sticks while y moves")

@@ -266,7 +266,7 @@ def steps(
                 raise
             continue
         yield seen
-        point, length = cut_finer(found), min(longest, length * (1.6 if straight > STRAIGHTER else 1.1))
+        point, length = cut_anew(found), min(longest, length * (1.6 if straight > STRAIGHTER else 1.1))
 
 
 def zero_of(test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED) -> Point:
@@ -309,7 +309,7 @@ def along(point: Point, value: float) -> Point:
     return point
 
 
-def cut_finer(point: Point) -> Point:
+def cut_anew(point: Point) -> Point:
     """The point in more stretches, where derivatives over one have grown large, or in others, where one begins at a jump."""
     loop, setting, begin = point.loop, point.setting, 0.0
     if setting.holds is not in_phase:
@@ -319,9 +319,8 @@ def cut_finer(point: Point) -> Point:
     if cut is None:
         return point
     along = np.zeros(cut.states.shape)
-    along[0] = point.tangent[: loop.field.size]  # the old tangent by its first state, period and parameter
-    if begin:
-        along[0] = loop.flow.fly(loop.state, loop.constants, begin).by_state @ along[0]
+    if not begin:  # the old tangent by its first state, if that is still the first, period and parameter
+        along[0] = point.tangent[: loop.field.size]
     return point_of(setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :]))
 
 

@@ -18,7 +18,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
-from .arclength import Point, Setting, at_zero, between, corrected, cut_finer, placed, point_of, started, steps, turning, within
+from .arclength import Point, Setting, at_zero, between, corrected, cut_anew, placed, point_of, started, steps, turning, within
 from .events import MERGES, SLIDING, Finding, findings, touching, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
@@ -211,7 +211,7 @@ def cycle_branch(
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
     begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
-    start = cut_finer(started(setting, begun))
+    start = cut_anew(started(setting, begun))
     back, forth = (list(_followed(start.turned(sign), (low, high), points, longest)) for sign in (-1.0, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]

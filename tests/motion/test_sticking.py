@@ -68,7 +68,7 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
     """Along closed forms, by no needless steps; in a family of cycles at every value there is no fold, and no branch."""
     pytest.importorskip("heyoka")
     for mu_k, vary, to, hows in (
-        (0.4, "mu_k", (0.05, 0.55), ("the range ends", "the range ends")),
+        (0.4, "mu_k", (0.05, 0.9), ("the range ends", "x' = V", FAMILIES)),  # it sticks no more where both coefficients are one
         (0.4, "V", (0.05, 0.9), ("the range ends", "the range ends")),
         (0.7, "mu_k", (0.5, 0.8), (FAMILIES, FAMILIES)),
     ):
@@ -77,7 +77,8 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
         periods = [exact(**(given | {vary: value}))[0] for value in branch.values.tolist()]
         assert branch.periods == pytest.approx(periods, abs=1e-11)
         assert tuple(event.how for event in branch.events) == hows
-        assert len(branch.values) < 50
+        assert not branch.of("grazing-sliding") or branch.values[-1] == pytest.approx(0.6, abs=1e-5)
+        assert len(branch.values) < 55
 
 
 @pytest.mark.parametrize(

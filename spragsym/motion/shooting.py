@@ -347,8 +347,8 @@ def once_round(loop: Loop) -> Loop:
     if not turns:
         return loop
     scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    first = turns[0]
-    for other in turns[1:]:
+    first, *others = turns
+    for other in others:
         if (other.t - first.t) * len(turns) < period / 2:
             continue  # rounds have a turn each at least: this is the same one, at the end of a stretch and where the next begins
         share = period / (other.t - first.t)

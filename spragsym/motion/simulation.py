@@ -364,9 +364,7 @@ class Trajectory(Named):
         return self.state[row_of(of, self.components)]
 
     def _centre(self, of: str | None, about: str) -> float:
-        if about not in ("zero", "mean"):
-            raise ParameterError(f"about = {about!r} is neither 'zero' nor 'mean'")
-        return self.mean(0.0, of=of) if about == "mean" else 0.0
+        return self.mean(0.0, of=of) if one_of("about", about, ("zero", "mean")) == "mean" else 0.0
 
     def _turns(self, row: int) -> FloatArray:
         """Times of all local extrema: of a rate, where its own rate passes 0."""

@@ -5,7 +5,8 @@ A model must bring ``model.json`` and generated functions, ``algebra``, which fo
 forms of primitives (equilibria, folds, cusps, where states end, …) in a room of its name: ``CLOSED_FORMS`` there says for a
 question in which module the function of the same name stands. It is not asked about arguments that it does not have, and raises
 :class:`NotInClosedForm` for values that it does not know: then the general algorithm answers. What is derived from primitives
-asks the public questions, and so stands once. ``method="search"`` asks the same of the model without closed forms,
+asks the public questions, and so stands once. So a model gets every public question for nothing, by its general algorithm, but
+for those that :func:`of_article` marks. ``method="search"`` asks the same of the model without closed forms,
 ``model.search``: its sets of parameters know it, so that everything below searches too.
 """
 

@@ -175,6 +175,5 @@ def _example(model: pages.Model) -> str:
         "touching": 'border[0] <= 0.0 ? "contact" : "lift-off"' if opens else '""',
         "shown": "  ".join(f"{name} %+.9f" for name in (*it.coordinates, *it.rates)),
     }
-    text = (Path(__file__).parent / "runtime" / "c" / "main.c").read_text(encoding="utf-8")
-    filled = re.sub(r"@(\w+)@", lambda place: words[place[1]], text)
+    filled = targets.spoken(targets.runtime(__file__, "c/main.c"), words)
     return "\n".join(broken(line) if len(line) > WIDTH else line for line in filled.split("\n"))

@@ -188,7 +188,7 @@ def description(model: Model) -> dict[str, Any]:
         "layers": len(laws.layers(it)),
         "mirror": {
             "turned": [str(symbol) for symbol in mirror.centres], "zero": mirror.zero,
-            "upright": [place for place, line in enumerate(it.lines) if mirror.turns(line)],
+            "upright": [place for place, line in enumerate(it.lines) if mirror.takes(line, line)],
         },
         "ties": [_ties(it, place) for place in range(min(2, len(it.coordinates)))],
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],

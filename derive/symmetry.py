@@ -34,12 +34,8 @@ class Mirror:
     centres: Mapping[sp.Symbol, sp.Expr]
     zero: tuple[tuple[str, ...], ...]
 
-    def turns(self, line: Line) -> bool:
-        """Whether a line is mirrored, and so upright for states on the mirror."""
-        return self.takes(line, line)
-
     def takes(self, line: Line, other: Line) -> bool:
-        """Whether a line lies after the mirror where the mirrored image of another one does."""
+        """Whether a line lies after the mirror where the mirrored image of another one does; its own is upright on the mirror."""
         image = [
             part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True) for part in (line.dx, line.dy)
         ]
@@ -100,7 +96,7 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
     unknown += model.turned
     for torsion in model.torsions:
         # A mirrored line that is at rest upright is turned the other way; of another nothing is known.
-        odd = one.turns(torsion.line) and torsion.cosine_of_rest == 0
+        odd = one.takes(torsion.line, torsion.line) and torsion.cosine_of_rest == 0
         image = sp.Symbol(f"{torsion.phi}_image", real=True)
         changes[torsion.phi] = -torsion.phi if odd else image
         unknown += [] if odd else [image]

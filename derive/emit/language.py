@@ -71,7 +71,6 @@ class Source:
     """The kernel as read: its parts, which a target prints, and its text, which the Python target copies."""
 
     text: str
-    first_line: int  #: where the constants begin, with the comment above the first; imports stand before it
     constants: tuple[Constant, ...]
     records: Mapping[str, Record]
     routines: Mapping[str, Routine]
@@ -88,7 +87,7 @@ class Source:
 
 
 #: What a model has that needs no kernel.
-NOTHING = Source("", 0, (), {}, {})
+NOTHING = Source("", (), {}, {})
 
 
 class KernelError(ArithmeticError):
@@ -98,11 +97,11 @@ class KernelError(ArithmeticError):
 def read(path: Path, *further: Path) -> Source:
     """Parse the kernel in a file, or in several of which the first describes it; what they import of each other is left out."""
     text = path.read_text(encoding="utf-8")
-    return parse("\n\n".join([text, *(_definitions(it.read_text(encoding="utf-8")) for it in further)]))
+    return parse("\n\n".join([text, *(definitions(it.read_text(encoding="utf-8")) for it in further)]))
 
 
-def _definitions(text: str) -> str:
-    """A text from its first constant, record or function on."""
+def definitions(text: str) -> str:
+    """A text from its first constant, record or function on: without imports."""
     lines = text.splitlines()
     first = next(node for node in ast.parse(text).body if _is_constant(node) or isinstance(node, ast.ClassDef | ast.FunctionDef))
     return "\n".join(lines[first.lineno - 1 - len(_comment_above(first, lines)) :]) + "\n"
@@ -121,11 +120,9 @@ def parse(text: str) -> Source:
     """Parse a kernel."""
     lines = text.splitlines()
     constants, records, routines = [], {}, {}
-    first_line = 0
     for node in ast.parse(text).body:
         if _is_constant(node):
             constants.append(_constant(node, lines))
-            first_line = first_line or node.lineno - len(_comment_above(node, lines))
         elif isinstance(node, ast.ClassDef):
             fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
             records[node.name] = Record(node.name, ast.get_docstring(node) or "", tuple(fields))
@@ -133,7 +130,7 @@ def parse(text: str) -> Source:
             arguments = tuple((argument.arg, _kind(argument.annotation, node)) for argument in node.args.args)
             returned, said = _kind(node.returns, node), ast.get_docstring(node) or ""
             routines[node.name] = Routine(node.name, said, arguments, returned, tuple(node.body[1:]))
-    return Source(text, first_line, tuple(constants), records, routines)
+    return Source(text, tuple(constants), records, routines)
 
 
 def _constant(node: ast.Assign, lines: list[str]) -> Constant:

@@ -92,17 +92,12 @@ def further_parameters() -> tuple[sp.Symbol, ...]:
 
 def quantities() -> dict[str, Quantity]:
     """The nomenclature, with what a changed page has besides."""
-    further = {
-        str(symbol): Quantity(symbol, datum.latex, f"{datum.meaning}, over its scale", domain=datum.domain)
-        for datum in page().parameters
-        if (symbol := symbol_of(datum)) in further_parameters()
-    }
-    measured = {
-        str(_measured(datum)): Quantity(_measured(datum), datum.latex, datum.meaning, datum.unit, datum.domain)
-        for datum in page().parameters
-        if str(_measured(datum)) not in {**nm.quantities(), **further}
-    }
-    return {**nm.quantities(), **measured, **further}
+    found, data = {**nm.quantities()}, page().parameters
+    for symbol, it in zip(map(symbol_of, data), data, strict=True):
+        found.setdefault(str(symbol), Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain))
+    for symbol, it in zip(map(_measured, data), data, strict=True):
+        found.setdefault(str(symbol), Quantity(symbol, it.latex, it.meaning, it.unit, it.domain))
+    return found
 
 
 def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:

@@ -4,7 +4,7 @@ import ast
 from collections.abc import Iterable, Mapping
 
 from ..function import Module
-from ..language import Kinds, Source
+from ..language import Kinds, Source, definitions
 
 
 #: What the language's primitives are for arrays; the cube root and the choice have files of their own.
@@ -22,7 +22,7 @@ def render(source: Source, counts: Mapping[str, float], modules: Iterable[Module
     imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
     counted = "\n".join(f"{name} = {value!r}" for name, value in counts.items())
     leading = ast.unparse(source.routines["rough"].body[-1])
-    code = _code(source).replace(f"    {leading}\n", '    return getattr(x, "high", x)\n', 1)
+    code = definitions(source.text).replace(f"    {leading}\n", '    return getattr(x, "high", x)\n', 1)
     return (
         f"{_docstring(tree, header)}"
         "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
@@ -40,7 +40,7 @@ def arithmetic(source: Source, header: str) -> str:
     return (
         f"{_docstring(ast.parse(source.text), header)}"
         "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
-        f"from ._where import where\n\n{_TYPES}{_primitives(used)}\n\n{_code(source)}"
+        f"from ._where import where\n\n{_TYPES}{_primitives(used)}\n\n{definitions(source.text)}"
     )
 
 
@@ -56,7 +56,3 @@ def _docstring(tree: ast.Module, header: str) -> str:
 
 def _primitives(names: Iterable[str]) -> str:
     return "\n".join(f"{name}: Any = numpy.{_PRIMITIVES[name]}" for name in names)
-
-
-def _code(source: Source) -> str:
-    return "\n".join(source.lines[source.first_line - 1 :]) + "\n"

@@ -14,6 +14,8 @@ from typing import Any
 _LEFT = ".spragsym-"
 #: Stands for the digest of all files, or its first 16 digits, until they are all there.
 DIGEST = "<digest-of-all>".ljust(64, "-")
+#: Characters of a line of JSON.
+_WIDTH = 130
 
 
 def header() -> str:
@@ -28,35 +30,35 @@ def sealed(files: dict[str, str]) -> dict[str, str]:
     return {name: text.replace(DIGEST, digest).replace(DIGEST[:16], digest[:16]) for name, text in files.items()}
 
 
-def as_json(value: Any, width: int = 130) -> str:
+def as_json(value: Any) -> str:
     """JSON text, with whatever fits on a line on one line; an object in a list begins and ends on its lines."""
-    return f"{_json(value, 0, width)}\n"
+    return f"{_json(value, 0)}\n"
 
 
-def _json(value: Any, indent: int, width: int) -> str:
+def _json(value: Any, indent: int) -> str:
     line = json.dumps(value, ensure_ascii=False)
-    if indent + len(line) <= width or not value or not isinstance(value, dict | list | tuple):
+    if indent + len(line) <= _WIDTH or not value or not isinstance(value, dict | list | tuple):
         return line
     if isinstance(value, dict):
-        entries = [f"{json.dumps(key, ensure_ascii=False)}: {_json(item, indent + 1, width)}" for key, item in value.items()]
+        entries = [f"{json.dumps(key, ensure_ascii=False)}: {_json(item, indent + 1)}" for key, item in value.items()]
     else:
-        entries = [_item(item, indent + 1, width) for item in value]
+        entries = [_item(item, indent + 1) for item in value]
     opening, closing = "{}" if isinstance(value, dict) else "[]"
-    inside = ",\n".join(_lines(entries, indent, width))
+    inside = ",\n".join(_lines(entries, indent))
     return f"{opening}\n{inside}\n{' ' * indent}{closing}"
 
 
-def _item(value: Any, indent: int, width: int) -> str:
-    text = _json(value, indent, width)
+def _item(value: Any, indent: int) -> str:
+    text = _json(value, indent)
     return f"{{{text[1:-1].strip()}}}" if isinstance(value, dict) and "\n" in text else text
 
 
-def _lines(entries: list[str], indent: int, width: int) -> list[str]:
+def _lines(entries: list[str], indent: int) -> list[str]:
     """Entries on as few lines as they need."""
     lines = [" " * (indent + 1) + entries[0]]
     for entry in entries[1:]:
         # What is itself broken begins a line and ends one.
-        if "\n" in lines[-1] + entry or len(lines[-1]) + len(entry) + 3 > width:
+        if "\n" in lines[-1] + entry or len(lines[-1]) + len(entry) + 3 > _WIDTH:
             lines.append(" " * (indent + 1) + entry)
         else:
             lines[-1] += f", {entry}"

@@ -29,10 +29,10 @@ def _scaled(
     return _define(code, article, meaning or f"{measured}{over}{said}", "1", domain, scale)
 
 
-def _local(code: str, meaning: str, article: str = "") -> sp.Symbol:
+def _local(code: str, meaning: str) -> sp.Symbol:
     """A symbol of the emitted code only, of which nothing is assumed."""
     symbol = sp.Symbol(code)
-    return _enter(Quantity(symbol, article or sp.latex(symbol), meaning))
+    return _enter(Quantity(symbol, sp.latex(symbol), meaning))
 
 
 def _enter(entry: Quantity) -> sp.Symbol:

@@ -6,9 +6,16 @@ the unit circles. No float takes part.
 """
 
 import math
+from typing import TypeAlias
 
 import sympy as sp
 
+#: Expressions in a row, as coefficients and results are, and two of them.
+Row: TypeAlias = tuple[sp.Expr, ...]
+Pair: TypeAlias = tuple[sp.Expr, sp.Expr]
+#: Symbols in a row, as arguments are, and what symbols stand for.
+Symbols: TypeAlias = tuple[sp.Symbol, ...]
+Names: TypeAlias = dict[sp.Symbol, sp.Expr]
 #: Pairs of symbols, each for the cosine and the sine of one angle.
 Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 

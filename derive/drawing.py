@@ -11,6 +11,7 @@ from pathlib import Path
 
 import sympy as sp
 
+from .algebra import Pair, Symbols
 from . import pages
 from .model import Coordinate, Element, Page, Point
 from .shapes import Axis, Place, Sheet, arrow, damper, spring, wall
@@ -80,7 +81,7 @@ def is_drawn(page: Page) -> bool:
     )
 
 
-def _is_anchor(end: Point, symbols: tuple[sp.Symbol, ...]) -> bool:
+def _is_anchor(end: Point, symbols: Symbols) -> bool:
     """A point that stands still, or runs along the belt with one of the further coordinates."""
     moving = end[0].free_symbols & set(symbols)
     return not end[1].free_symbols & set(symbols) and (
@@ -276,7 +277,7 @@ def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
-def _weight(page: Page, energy: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+def _weight(page: Page, energy: sp.Expr) -> Pair | None:
     """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no spring, but an arrow."""
     slopes = _slopes(page, energy)
     if not slopes or any(slope.has(*page.places) for slope in slopes):

@@ -8,6 +8,7 @@ Taylor coefficients by (tanh z)′ = 1 − tanh² z are all zero, and a step of 
 
 import sympy as sp
 
+from .algebra import Pair, Row, Symbols
 from .mechanics import SIDE, Mechanics
 from .model import PageError, expression_of
 
@@ -22,12 +23,12 @@ def slip(model: Mechanics) -> sp.Expr:
     return model.belt - (sp.S.Zero if model.slide is None else model.page.rate(model.slide))
 
 
-def near(count: int) -> tuple[sp.Symbol, ...]:
+def near(count: int) -> Symbols:
     """The factors of the exponentials, ``count`` of them."""
     return tuple(sp.Symbol(f"near{number}", real=True) for number in range(1, count + 1))
 
 
-def _sides(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+def _sides(model: Mechanics) -> Pair:
     """The law for the belt ahead and for the mass ahead, in the positive speed SLIP."""
     if model.page.sliding is None:
         return sp.S.Zero, sp.S.Zero
@@ -69,7 +70,7 @@ def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.
         ) from error
 
 
-def layers(model: Mechanics) -> tuple[sp.Expr, ...]:
+def layers(model: Mechanics) -> Row:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
     return tuple(sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for *_, exponent in _layers(model))
 
@@ -87,7 +88,7 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
-def static_coefficients(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+def static_coefficients(model: Mechanics) -> Pair:
     """Static friction coefficients with the belt and against it: not less than the kinetic ones at sliding speed 0."""
     sliding = model.page.sliding
     holds = sp.S.Zero if sliding is None or sliding.holds is None else model.scaled(sliding.holds)
@@ -101,7 +102,7 @@ def static_coefficients(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
     return found[0], found[1]
 
 
-def friction_held(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+def friction_held(model: Mechanics) -> Pair:
     """μ where a share of the static coefficient is used, and its slope by that."""
     ahead, behind = static_coefficients(model)
     held = (ahead + behind) / 2 * HELD + (ahead - behind) / 2
@@ -118,7 +119,7 @@ def slope_at_rest(model: Mechanics) -> sp.Expr:
     return sp.factor_terms(sp.diff(_sides(model)[0], SLIP).subs(SLIP, model.belt))
 
 
-def slope_by_sizes(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...]:
+def slope_by_sizes(model: Mechanics) -> tuple[tuple[Pair, ...], ...]:
     """The slope as Σ c eᵃ, over each of its exponentials: c and a of all terms, once for each.
 
     Where exponentials are too small for floats the slope is, too, but its sign is not lost over the largest of them.

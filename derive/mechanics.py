@@ -18,7 +18,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from .algebra import expanded, fewest_terms
+from .algebra import Names, Pair, Row, Symbols, expanded, fewest_terms
 from .model import Datum, Element, Page, PageError, Point, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
@@ -50,7 +50,7 @@ class Line:
         """Its length, by the vector."""
         return sp.sqrt(self.dx**2 + self.dy**2)
 
-    def slopes(self, dx: sp.Expr, dy: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+    def slopes(self, dx: sp.Expr, dy: sp.Expr) -> Names:
         """How direction and length change when the vector changes by (dx, dy)."""
         turn = self.s * dx - self.c * dy
         return {self.l: self.c * dx + self.s * dy, self.c: self.s * turn / self.l, self.s: -self.c * turn / self.l}
@@ -109,7 +109,7 @@ class Angle:
     alone: bool
 
     @property
-    def parts(self) -> tuple[sp.Symbol, ...]:
+    def parts(self) -> Symbols:
         """What stands for it among the arguments of functions."""
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
@@ -119,16 +119,16 @@ class Mechanics:
     """What the equations of a dimensionless model are made of."""
 
     page: Page
-    coordinates: tuple[sp.Symbol, ...]
-    rates: tuple[sp.Symbol, ...]
+    coordinates: Symbols
+    rates: Symbols
     parameters: tuple[Datum, ...]
     angles: tuple[Angle, ...]
     lines: tuple[Line, ...]
     torsions: tuple[Turning, ...]
     kinetic: sp.Expr
     potential: sp.Expr  #: in coordinates, lengths and turnings, without the contact and the applied forces
-    stiffnesses: tuple[sp.Expr, ...]  #: of the spring along every line, 0 where there is none
-    applied: tuple[sp.Expr, ...]  #: generalized applied forces
+    stiffnesses: Row  #: of the spring along every line, 0 where there is none
+    applied: Row  #: generalized applied forces
     dissipation: sp.Expr  #: half of the power that the dampers take, in rates, directions and lengths
     gap: sp.Expr | None
     unilateral: bool
@@ -141,21 +141,21 @@ class Mechanics:
     # ------------------------------------------------------------------------------------------------ names
 
     @cached_property
-    def arguments(self) -> tuple[sp.Symbol, ...]:
+    def arguments(self) -> Symbols:
         """Symbols of all parameters, angles as their parts."""
         return tuple(symbol for datum in self.parameters for symbol in self.parts(number(datum)))
 
-    def parts(self, symbol: sp.Symbol) -> tuple[sp.Symbol, ...]:
+    def parts(self, symbol: sp.Symbol) -> Symbols:
         """A parameter as arguments of functions: an angle as its cosine and sine."""
         return next((angle.parts for angle in self.angles if angle.symbol == symbol), (symbol,))
 
     @cached_property
-    def directions(self) -> tuple[sp.Symbol, ...]:
+    def directions(self) -> Symbols:
         """c, s and l of every line."""
         return tuple(symbol for line in self.lines for symbol in (line.c, line.s, line.l))
 
     @cached_property
-    def turned(self) -> tuple[sp.Symbol, ...]:
+    def turned(self) -> Symbols:
         """φ of every torsion spring."""
         return tuple(torsion.phi for torsion in self.torsions)
 
@@ -250,18 +250,18 @@ class Mechanics:
         return PUSHING * (-self.gap) + (1 - PUSHING) ** 2 * TOUCH if self.unilateral else -self.gap
 
     @cached_property
-    def residuals(self) -> tuple[sp.Expr, ...]:
+    def residuals(self) -> Row:
         """Minus the generalized forces at rest, in MU and PUSHING."""
         return self._residuals(self.potential)
 
     @cached_property
-    def residuals_apart(self) -> tuple[sp.Expr, ...]:
+    def residuals_apart(self) -> Row:
         """The same without the springs along lines, each of which adds its tension times (c ∂dx + s ∂dy), and without torsion springs."""
         springs = [elastic(line, stiffness) for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)]
         springs += [torsion.energy for torsion in self.torsions]
         return self._residuals(expanded(self.potential - sum(springs, sp.S.Zero)))
 
-    def _residuals(self, potential: sp.Expr) -> tuple[sp.Expr, ...]:
+    def _residuals(self, potential: sp.Expr) -> Row:
         rows = []
         for symbol, force in zip(self.coordinates, self.applied, strict=True):
             row = self.derivative(potential, symbol) - force
@@ -273,7 +273,7 @@ class Mechanics:
         return tuple(rows)
 
     @cached_property
-    def resistance(self) -> tuple[sp.Expr, ...]:
+    def resistance(self) -> Row:
         """Forces of the dampers, on the side of the residuals."""
         return tuple(sp.expand(sp.diff(self.dissipation, rate)) for rate in self.rates)
 
@@ -283,7 +283,7 @@ class Mechanics:
         return sp.hessian(self.kinetic, self.rates)
 
 
-def waves(expression: sp.Basic) -> list[tuple[sp.Expr, sp.Expr]]:
+def waves(expression: sp.Basic) -> list[Pair]:
     """Cosine and sine of everything of which the expression takes one of them, in an order of their own."""
     arguments = {node.args[0] for node in expression.atoms(sp.cos, sp.sin)}
     return [(sp.cos(argument), sp.sin(argument)) for argument in sorted(arguments, key=sp.default_sort_key)]
@@ -363,7 +363,7 @@ def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
     return stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
 
 
-def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr, ...], tuple[Turning, ...], sp.Expr, sp.Expr]:
+def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], sp.Expr, sp.Expr]:
     """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs; half the power of the dampers."""
     found: list[Line] = []
     along: dict[Line, sp.Expr] = {}
@@ -420,7 +420,7 @@ def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turni
     return Turning(line, scaled(torsion.strength), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way)
 
 
-def _applied(page: Page, scaled: _Scaled) -> tuple[sp.Expr, ...]:
+def _applied(page: Page, scaled: _Scaled) -> Row:
     """Generalized forces by virtual work."""
     forces = [sp.S.Zero] * len(page.places)
     for force in page.forces:

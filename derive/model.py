@@ -18,6 +18,7 @@ from typing import Any, cast
 import sympy as sp
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
 
+from .algebra import Pair, Row, Symbols
 from . import limits
 from .emit.quantities import interval
 from .from_mechanics import page_from
@@ -37,7 +38,7 @@ FUNCTIONS = {
 WRITTEN = tuple(function for name, function in FUNCTIONS.items() if name not in ("cosh", "sinh"))
 
 #: A point of the plane: two lengths.
-Point = tuple[sp.Expr, sp.Expr]
+Point = Pair
 #: A law: a force or a friction coefficient for a penetration or a sliding speed.
 Law = Callable[[sp.Expr], sp.Expr]
 
@@ -114,8 +115,8 @@ class Element:
 class Force:
     """A force at a point, of two components, or one along a coordinate."""
 
-    components: tuple[sp.Expr, ...]
-    place: tuple[sp.Expr, ...]
+    components: Row
+    place: Row
     line: int
 
 
@@ -195,12 +196,12 @@ class Page:
         _check_texts(summary=self.summary)
 
     @property
-    def places(self) -> tuple[sp.Symbol, ...]:
+    def places(self) -> Symbols:
         """Symbols of the coordinates."""
         return tuple(entry.symbol for entry in self.coordinates)
 
     @property
-    def rates(self) -> tuple[sp.Symbol, ...]:
+    def rates(self) -> Symbols:
         """Symbols of their rates."""
         return tuple(entry.rate for entry in self.coordinates)
 

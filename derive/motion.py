@@ -6,12 +6,10 @@ from functools import cached_property
 import sympy as sp
 
 from . import laws
-from .algebra import difference
+from .algebra import Names, Row, Symbols, difference
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
 from .model import acceleration_of
-
-Row = tuple[sp.Expr, ...]
 
 #: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that holds.
 STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
@@ -49,7 +47,7 @@ class Motion:
         return self.rate(self.borders[1], self.accelerations).subs(FRICTION, 0) / self.mobility
 
     @cached_property
-    def dry_friction(self) -> dict[sp.Symbol, sp.Expr]:
+    def dry_friction(self) -> Names:
         """What STUCK and FRICTION are; nothing of a friction that does not hold.
 
         Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0 where the contact is lost.
@@ -134,18 +132,18 @@ class Motion:
         return sp.Matrix(n, n, lambda i, j: sp.Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True))
 
     @cached_property
-    def named(self) -> tuple[sp.Symbol, ...]:
+    def named(self) -> Symbols:
         """Symbols of the accelerations."""
         return tuple(sp.Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates)
 
     @cached_property
-    def solved(self) -> dict[sp.Symbol, sp.Expr]:
+    def solved(self) -> Names:
         """The accelerations by their symbols, where derivatives take them."""
         named = dict(zip(self.named, self.accelerations, strict=True))
         return {**self.inverted, **named} if self.is_coupled or self.holds else {}
 
     @cached_property
-    def inverted(self) -> dict[sp.Symbol, sp.Expr]:
+    def inverted(self) -> Names:
         """What the entries of the inverse of M are: M is inverted in numbers once, and never differentiated."""
         if not self.is_coupled:
             return {}
@@ -267,29 +265,29 @@ class Motion:
         it = self.model
         return any(not sp.hessian(border, (*it.coordinates, *it.rates)).is_zero_matrix for border in self.borders)
 
-    def rate(self, expression: sp.Expr, accelerations: tuple[sp.Symbol, ...]) -> sp.Expr:
+    def rate(self, expression: sp.Expr, accelerations: Symbols) -> sp.Expr:
         """d/dt of an expression in coordinates and rates."""
         it = self.model
         changes = zip((*it.coordinates, *it.rates), (*it.rates, *accelerations), strict=True)
         return sp.Add(*(it.derivative(expression, symbol) * value for symbol, value in changes))
 
 
-def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
+def _rows(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
     """Derivatives of the accelerations, a row for each."""
     columns = [motion.slopes(symbol) for symbol in symbols]
     return tuple(tuple(column[row] for column in columns) for row in range(len(motion.accelerations)))
 
 
-def _slopes(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
+def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
     """Derivatives of the sliding speed and, while it sticks, of the margins of the force of friction."""
     rows = motion.borders[1], *motion.margins(FRICTION)
     turns = {symbol: motion.friction_slope(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
     return tuple(tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items()) for row in rows)
 
 
-def directions(model: Mechanics) -> dict[sp.Symbol, sp.Expr]:
+def directions(model: Mechanics) -> Names:
     """Lengths and directions of all lines, and turnings of torsion springs, by the place."""
-    found: dict[sp.Symbol, sp.Expr] = {}
+    found: Names = {}
     for line in model.lines:
         found |= {line.l: line.length, line.c: line.dx / line.l, line.s: line.dy / line.l}
     return found | {torsion.phi: torsion.least for torsion in model.torsions}
@@ -309,7 +307,7 @@ def module(model: Mechanics) -> Module:
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
 
-    def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
+    def function(name: str, summary: str, taken: Symbols, results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, shorthands)
 
     def smooth(name: str, summary: str, results: Results, returns: str) -> Function:

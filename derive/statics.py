@@ -2,12 +2,13 @@
 
 import sympy as sp
 
+from .algebra import Row, Symbols
 from . import laws, balance_rows, symmetry
 from .emit.function import Function, Module, Results, rows
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
 
-def parameters(model: Mechanics) -> tuple[sp.Symbol, ...]:
+def parameters(model: Mechanics) -> Symbols:
     """Parameters of the balance of forces, an angle as the angle."""
     used = {symbol for row in model.residuals for symbol in row.free_symbols}
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
@@ -16,17 +17,17 @@ def parameters(model: Mechanics) -> tuple[sp.Symbol, ...]:
     return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.parts(symbol)))
 
 
-def arguments(model: Mechanics) -> tuple[sp.Symbol, ...]:
+def arguments(model: Mechanics) -> Symbols:
     """The same as arguments of functions, angles as pairs."""
     return tuple(part for symbol in parameters(model) for part in model.parts(symbol))
 
 
-def jacobian(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
+def jacobian(model: Mechanics) -> tuple[Row, ...]:
     """K: derivatives of the residuals by the coordinates."""
     return tuple(tuple(model.tidy(model.derivative(row, symbol)) for symbol in model.coordinates) for row in model.residuals)
 
 
-def by_parameters(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
+def by_parameters(model: Mechanics) -> tuple[Row, ...]:
     """Derivatives of the residuals by the parameters, and by μ as the last."""
     return tuple(
         tuple(_shortest(model, model.tidy(model.derivative(row, symbol))) for symbol in (*parameters(model), MU))
@@ -51,7 +52,7 @@ def module(model: Mechanics) -> Module:
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
 
-    def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
+    def function(name: str, summary: str, taken: Symbols, results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, shorthands)
 
     T = balance_rows.sums(model)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .algebra import Symbols
 from .mechanics import DEPTH, MU, Line, Mechanics, number
 
 #: Most parameters that have to be 0.
@@ -54,7 +55,7 @@ def mirror(model: Mechanics) -> Mirror:
     return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Mirror({}, ()))
 
 
-def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:
+def _about(model: Mechanics, turned: Symbols) -> Iterator[Mirror]:
     """The mirrors of these coordinates: the first line that they move is upright at the centre, or another one's image there."""
     for centre in _centres(model, turned):
         centres = {**dict.fromkeys(turned, sp.S.Zero), turned[0]: centre}
@@ -63,7 +64,7 @@ def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:
             yield Mirror(centres, sets)
 
 
-def _centres(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> list[sp.Expr]:
+def _centres(model: Mechanics, turned: Symbols) -> list[sp.Expr]:
     """Doubled centres of the first coordinate that put the first line that it moves in the mirrored place of itself or another."""
     others = [symbol for symbol in model.coordinates if symbol not in turned]
     moved = []
@@ -132,7 +133,7 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
     return ()
 
 
-def _at_zero(model: Mechanics, chosen: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, int]:
+def _at_zero(model: Mechanics, chosen: Symbols) -> dict[sp.Symbol, int]:
     values: dict[sp.Symbol, int] = {}
     for symbol in chosen:
         parts = model.parts(symbol)

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
+from ..algebra import Names, Symbols
+
 #: Nested results: an expression, or a tuple of such.
 Results = sp.Expr | tuple["Results", ...]
 
@@ -16,15 +18,15 @@ class Function:
     name: str
     summary: str
     equations: str
-    arguments: tuple[sp.Symbol, ...]
+    arguments: Symbols
     results: Results
     returns: str
-    shorthands: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    shorthands: Names = field(default_factory=dict)
     #: Arguments that the published model does not have and a changed assumption brings in: they come last and default to 0.
-    further: tuple[sp.Symbol, ...] = ()
+    further: Symbols = ()
 
     @property
-    def accepted(self) -> tuple[sp.Symbol, ...]:
+    def accepted(self) -> Symbols:
         """All arguments, in order."""
         return (*self.arguments, *self.further)
 

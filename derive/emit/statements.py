@@ -7,6 +7,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from ..algebra import Names, Row
 from .definitions import flat
 from .function import Function, Results
 
@@ -85,7 +86,7 @@ def straight_line(function: Function) -> Body:
     available = {second.get(symbol, symbol): expression.xreplace(second) for symbol, expression in available.items()}
     outputs = [sp.sympify(expression).xreplace(second) for expression in outputs]
 
-    ordered: dict[sp.Symbol, sp.Expr] = {}
+    ordered: Names = {}
     for root in [*(symbol for symbol, _ in named), *outputs]:
         _place(root, available, ordered)
     of_powers = {second.get(symbol, symbol) for symbol in definitions} | again.definitions.keys()
@@ -93,9 +94,9 @@ def straight_line(function: Function) -> Body:
     return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), frozenset(whole))
 
 
-def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
+def _needed(leaves: Row, function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
     """The shorthands that the results use; each comes after the shorthands that it uses itself."""
-    ordered: dict[sp.Symbol, sp.Expr] = {}
+    ordered: Names = {}
     shorthands = {symbol: value for symbol, value in function.shorthands.items() if symbol not in function.accepted}
     for leaf in leaves:
         _place(leaf, shorthands, ordered)
@@ -113,7 +114,7 @@ class _Powers:
     """
 
     def __init__(self, taken: set[str]) -> None:
-        self.definitions: dict[sp.Symbol, sp.Expr] = {}
+        self.definitions: Names = {}
         self.taken = taken
 
     def replace(self, expression: sp.Expr) -> sp.Expr:
@@ -163,7 +164,7 @@ class _Powers:
         return symbol
 
 
-def _place(root: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.Symbol, sp.Expr]) -> None:
+def _place(root: sp.Expr, available: Names, ordered: Names) -> None:
     """Put what an expression needs in its order, and the value of a symbol after what that needs."""
     if root.is_Symbol and (root in ordered or root not in available):
         return

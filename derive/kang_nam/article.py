@@ -16,6 +16,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..algebra import Row
 from .mechanics import AX, AY
 from .nomenclature import (F_L, L, L_0, N, V, alpha, b1, b2, b3, b4, beta, c, c0, creep, k, k_c, k_x, k_y, kappa, m_mass, mu, mu0, n, nbar, s, s0, sigma, vx, x, y)  # fmt: skip
 
@@ -23,7 +24,7 @@ from .nomenclature import (F_L, L, L_0, N, V, alpha, b1, b2, b3, b4, beta, c, c0
 Delta = sp.Symbol("Delta", real=True)
 lam = sp.Symbol("lambda")
 
-Expression = sp.Expr | tuple[sp.Expr, ...] | Callable[..., Any]
+Expression = sp.Expr | Row | Callable[..., Any]
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,7 @@ class Printed:
     expression: Expression
 
 
-def _linear(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, ...]:
+def _linear(D: sp.Matrix, b: sp.Matrix) -> Row:
     """D (cos θ, sin θ)ᵀ = b."""
     return tuple(D * sp.Matrix([c, s]) - b)
 

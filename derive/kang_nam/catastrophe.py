@@ -4,6 +4,7 @@ from functools import cache
 
 import sympy as sp
 
+from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, stability
 from . import nomenclature as nm
 from .elimination import f_form
@@ -46,7 +47,7 @@ def slope_identity() -> bool:
 
 
 @cache
-def fold_relations() -> dict[sp.Symbol, sp.Expr]:
+def fold_relations() -> Names:
     """b and d on a fold, from f = f′ = 0, which are linear in the two."""
     solution = sp.solve([f_form, slope], [nm.fb, nm.fd], dict=True)[0]
     arranged = {
@@ -60,14 +61,14 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
 
 
 @cache
-def fold_residuals() -> tuple[sp.Expr, sp.Expr]:
+def fold_residuals() -> Pair:
     """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ, α, σ and β."""
     coefficients = elimination.f_coefficients()
     return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())
 
 
 @cache
-def fold_angles() -> tuple[sp.Expr, sp.Expr]:
+def fold_angles() -> Pair:
     """sin θ₀ and cos θ₀ on the fold through θ at friction M: a line and a parabola in M. Needs α, B > 0."""
     along, across = fold_residuals()
     (s0,) = sp.solve(along, nm.s0)
@@ -76,7 +77,7 @@ def fold_angles() -> tuple[sp.Expr, sp.Expr]:
 
 
 @cache
-def fold_quartic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+def fold_quartic() -> tuple[Row, Names]:
     """Coefficients, lowest power first, of the polynomial in M whose roots are all folds at a given θ, and names in them.
 
     It is sin² θ₀ + cos² θ₀ − 1 with :func:`fold_angles`, u0 + u1 M and g0 + g1 M + g2 M²; α = 0 takes :func:`fold_quadratic`.
@@ -91,21 +92,21 @@ def fold_quartic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
 
 
 @cache
-def fold_quadratic() -> tuple[sp.Expr, ...]:
+def fold_quadratic() -> Row:
     """The same for α = 0: cos θ₀ drops out of f, and what is left of d − d(fold) is quadratic in M."""
     _, across = fold_residuals()
     s0, _ = fold_angles()
     return _coefficients_in_M(sp.cancel((nm.p * nm.B * across.subs(nm.s0, s0)).subs(nm.alpha, 0)))
 
 
-def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
+def _coefficients_in_M(condition: sp.Expr) -> Row:
     numerator, denominator = sp.fraction(sp.together(condition))
     unit_circles.require(not denominator.free_symbols, "the fold condition, a polynomial in M")
     return tuple(value / denominator for value in unit_circles.ascending(numerator, nm.M))
 
 
 @cache
-def fold_conic() -> tuple[sp.Expr, ...]:
+def fold_conic() -> Row:
     """E0, E1, E2, Ec of E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0: all folds at a given θ, friction eliminated.
 
     The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1. But for the last one, which has the factor cos θ, the
@@ -124,7 +125,7 @@ def fold_conic() -> tuple[sp.Expr, ...]:
     return conic
 
 
-def fold_events(conic: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def fold_events(conic: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """What vanishes where two folds of one θ meet, where one has θ₀ = 0 or π, and where one has no friction.
 
     The first two in E0, E1, E2 and Ec² of :func:`fold_conic`, which in v = tan(θ₀/2) is a quartic; the third is
@@ -147,7 +148,7 @@ CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
 
 
 @cache
-def fold_sextic() -> tuple[sp.Expr, ...]:
+def fold_sextic() -> Row:
     """Coefficients, lowest power first, of (1 + t²)³ (f′ f_v − f f_v′), t = tan(θ/2): its roots are all folds along v.
 
     With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any value of v gives the same.
@@ -157,7 +158,7 @@ def fold_sextic() -> tuple[sp.Expr, ...]:
     return unit_circles.in_half_angle(condition, 3)
 
 
-def fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def fold_cubics() -> tuple[Row, Row]:
     """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the fold through t at friction M."""
     s0, c0 = fold_angles()
     values = nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)
@@ -179,7 +180,7 @@ def cusp_friction() -> sp.Expr:
 
 
 @cache
-def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
+def cusp_angles() -> Pair:
     """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ with the factor 3 s² − 2 kept together."""
     s, S = nm.s, 3 * nm.s**2 - 2
     sine = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
@@ -192,7 +193,7 @@ def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
 
 
 @cache
-def cusp_polynomial() -> tuple[sp.Expr, ...]:
+def cusp_polynomial() -> Row:
     """Coefficients, lowest power first, of the polynomial in s = sin θ whose real roots in (−1, 1) are all the cusps.
 
     It is (B p α q)² (3 s² − 2)⁴ (sin² θ₀ + cos² θ₀ − 1) with :func:`cusp_angles`. Contact only, α > 0 and a ≠ 0; the terms of
@@ -205,7 +206,7 @@ def cusp_polynomial() -> tuple[sp.Expr, ...]:
 
 
 @cache
-def cusp_cubic() -> tuple[sp.Expr, ...]:
+def cusp_cubic() -> Row:
     """The same for α = 0, where cos θ₀ is free and what is left of d − d(fold) = 0 is a cubic in s.
 
     The numerator of cos θ₀ in :func:`cusp_angles`, which must vanish with α, over B − α.

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy as sp
@@ -16,6 +16,8 @@ from .free_body import DIGITS, Point
 SOUND = ("confirmed", "misprint", "approximation", "definition")
 #: The status of a row whose printed form is not the derived one, without an explanation that holds.
 FAILED = "failed"
+#: Expressions that are compared one by one.
+Components: TypeAlias = tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class Row:
 class Derived:
     """What the derivation gives where something is printed: its components, and what a printed relation is about."""
 
-    value: sp.Expr | tuple[sp.Expr, ...]
+    value: sp.Expr | Components
     #: The function that derives it.
     by: Callable[..., Any]
     about: tuple[Any, ...] = ()
@@ -58,7 +60,7 @@ class Derived:
     terms: tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...] = ((),)
 
     @property
-    def components(self) -> tuple[sp.Expr, ...]:
+    def components(self) -> Components:
         """Of a single one that one."""
         return _several(self.value)
 
@@ -111,7 +113,7 @@ def _failed(base: dict[str, str], note: str) -> Row:
     return Row(status=FAILED, **base | {"note": note})
 
 
-def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]) -> Row:
+def _misprint(id: str, components: Components, derived: Derived, differs: bool, base: dict[str, str]) -> Row:
     correction = explanations.CORRECTIONS[id]
     if not differs:
         return _failed(base, "explained as a misprint, but the difference is zero")
@@ -134,15 +136,15 @@ def _is_derived(expression: article.Expression, derived: Derived) -> bool:
     return not any(gap != 0 for gap in _differences(_components(expression, derived), derived))
 
 
-def _components(expression: article.Expression, derived: Derived) -> tuple[sp.Expr, ...]:
+def _components(expression: article.Expression, derived: Derived) -> Components:
     return _several(expression(*derived.about) if callable(expression) else expression)
 
 
-def _several(value: sp.Expr | tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+def _several(value: sp.Expr | Components) -> Components:
     return value if isinstance(value, tuple) else (value,)
 
 
-def _differences(components: tuple[sp.Expr, ...], derived: Derived) -> tuple[sp.Expr, ...]:
+def _differences(components: Components, derived: Derived) -> Components:
     gaps = []
     for terms in derived.terms:
         for left, right in zip(components, derived.components, strict=True):
@@ -152,7 +154,7 @@ def _differences(components: tuple[sp.Expr, ...], derived: Derived) -> tuple[sp.
     return tuple(gaps)
 
 
-def _latex(components: tuple[sp.Expr, ...]) -> str:
+def _latex(components: Components) -> str:
     texts = [nm.latex(component) for component in components]
     return texts[0] if len(texts) == 1 else r"\left(" + r",\; ".join(texts) + r"\right)"
 

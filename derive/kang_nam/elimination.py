@@ -8,6 +8,7 @@ from functools import cache
 
 import sympy as sp
 
+from ..algebra import Names, Row
 from . import unit_circles, equilibrium
 from . import nomenclature as nm
 from .equilibrium import spell_out
@@ -29,7 +30,7 @@ def cleared(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
 
 
 @cache
-def quartic_in_L() -> tuple[sp.Expr, ...]:
+def quartic_in_L() -> Row:
     """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in n̄, in c0, s0 and the parameters.
 
     This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
@@ -43,7 +44,7 @@ RIGHT_SIDE = {nm.b1: -nm.alpha * nm.c0 - nm.M * nm.s0, nm.b2: -nm.B * nm.s0 - nm
 
 
 @cache
-def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
+def quartic_in_L_shorthand() -> Row:
     """The same coefficients in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them."""
     coefficients = unit_circles.ascending(cleared(MATRIX, sp.Matrix([nm.b1, nm.b2])), nm.L)
     return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in coefficients)
@@ -53,7 +54,7 @@ def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
 
 
 @cache
-def state() -> dict[sp.Symbol, sp.Expr]:
+def state() -> Names:
     """L, y and x as functions of θ, from the balance across the belt, in which μ₀ does not occur."""
     _, across = equilibrium.balance()
     (length,) = sp.solve(across, nm.L)
@@ -69,7 +70,7 @@ f_form = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.fd * nm.s - nm.fm * nm.s**2
 
 
 @cache
-def f_coefficients() -> dict[sp.Symbol, sp.Expr]:
+def f_coefficients() -> Names:
     """a, b, d, m of f(θ) = q s F_x(θ, L(θ)), in shorthands; derived, then arranged so that few digits are lost."""
     along, _ = equilibrium.balance()
     f = sp.expand(sp.simplify(spell_out(nm.q * nm.s * along.subs(nm.L, state()[nm.L]))))
@@ -95,13 +96,13 @@ def f_in_parameters() -> sp.Expr:
 
 
 @cache
-def quartic_in_t() -> tuple[sp.Expr, ...]:
+def quartic_in_t() -> Row:
     """Coefficients, lowest power first, of (1 + t²)² f with t = tan(θ/2), in a, b, d, m."""
     return tuple(map(sp.factor_terms, unit_circles.in_half_angle(f_form, 2)))
 
 
 @cache
-def resolvent_cubic() -> tuple[sp.Expr, ...]:
+def resolvent_cubic() -> Row:
     """Coefficients, lowest power first, of the cubic in ℓ whose roots split f into two straight lines.
 
     On the unit circle f equals the conic f + ℓ (c² + s² − 1), which is a pair of lines where its determinant is zero.

@@ -9,6 +9,7 @@ from functools import cache
 
 import sympy as sp
 
+from ..algebra import Names, Pair
 from . import mechanics, unit_circles
 from . import nomenclature as nm
 
@@ -16,7 +17,7 @@ CONTACT = {nm.nbar: 1}
 LIFTOFF = {nm.nbar: 0}
 
 #: The shorthands of the elimination in terms of the parameters.
-SHORTHANDS: dict[sp.Symbol, sp.Expr] = {
+SHORTHANDS: Names = {
     nm.B: nm.beta + nm.nbar,
     nm.M: nm.mu0 * nm.nbar,
     nm.p: nm.alpha + nm.sigma,
@@ -38,13 +39,13 @@ def spell_out(expression: sp.Expr) -> sp.Expr:
     return expression
 
 
-def displacement() -> dict[sp.Symbol, sp.Expr]:
+def displacement() -> Names:
     """x and y from the spring's length and direction: (4) and (5)."""
     return {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
 
 
 @cache
-def balance_cartesian() -> tuple[sp.Expr, sp.Expr]:
+def balance_cartesian() -> Pair:
     """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady sliding."""
     equations = mechanics.motion()
     rest = {**mechanics.AT_REST, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
@@ -52,7 +53,7 @@ def balance_cartesian() -> tuple[sp.Expr, sp.Expr]:
 
 
 @cache
-def balance() -> tuple[sp.Expr, sp.Expr]:
+def balance() -> Pair:
     """F_x and F_y in c, s and L: (14) and (15) for n̄ = 1."""
     along, across = (sp.expand(force.subs(displacement())) for force in balance_cartesian())
     return along, across

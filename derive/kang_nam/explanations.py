@@ -10,6 +10,7 @@ from fractions import Fraction
 
 import mpmath
 import sympy as sp
+from mpmath import mpf
 from sympy.physics import units
 from sympy.physics.units.systems.si import dimsys_SI
 
@@ -48,18 +49,18 @@ class Approximation:
 # ------------------------------------------------------------------------------------------------ corrections
 
 
-def _below(value: mpmath.mpf) -> str:
+def _below(value: mpf) -> str:
     """A rounding error for the ledger: its size varies with machine and version, so a small one is reported as small, without its digits."""
-    return "below 1e-40" if abs(value) < mpmath.mpf(10) ** -40 else show(value, 3)
+    return "below 1e-40" if abs(value) < mpf(10) ** -40 else show(value, 3)
 
 
 def _length_evidence() -> tuple[bool, str]:
     point = Point(theta0_deg=Fraction(62))
-    x, y = mpmath.mpf(3) / 10, -mpmath.mpf(1) / 7
+    x, y = mpf(3) / 10, -mpf(1) / 7
     theta0 = point.number("theta0")
     pythagoras = mpmath.sqrt((mpmath.cos(theta0) - x) ** 2 + (mpmath.sin(theta0) - y) ** 2)
     gap = abs(pythagoras - free_body.spring_length(point, x, y))
-    return gap < mpmath.mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
+    return gap < mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
 
 
 def _length_consequence(point: Point) -> str:
@@ -74,15 +75,15 @@ def _length_consequence(point: Point) -> str:
 
 def _preload_evidence() -> tuple[bool, str]:
     point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
-    x, y, one = mpmath.mpf(2) / 7, -mpmath.mpf(1) / 9, mpmath.mpf(1)
+    x, y, one = mpf(2) / 7, -mpf(1) / 9, mpf(1)
     gap = abs(free_body.forces(point, x, y, one)[1] - free_body.energy_slope_y(point, x, y, one))
-    return gap < mpmath.mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
+    return gap < mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
 
 
 def _preload_consequence(point: Point) -> str:
     (with_preload,) = free_body.equilibria(point)
     # Without κ, (13) is solved by the undeformed state, where the contact force is zero as well.
-    residual = free_body.forces(Point(kappa=Fraction(0)), mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(1))
+    residual = free_body.forces(Point(kappa=Fraction(0)), mpf(0), mpf(0), mpf(1))
     return (
         f"the undeformed state x = y = 0 would be an equilibrium (residual {_below(max(map(abs, residual)))}) "
         f"without any contact force, where the base equilibrium (θ₀ = {point.theta0_deg}°) is "
@@ -110,7 +111,7 @@ def _force_scale_consequence(point: Point) -> str:
     )
 
 
-def _liftoff_polynomial(point: Point, constant: str) -> list[mpmath.mpf]:
+def _liftoff_polynomial(point: Point, constant: str) -> list[mpf]:
     """Lift-off coefficients d₄ … d₀ written out from A6–A9, with the constant term of either reading."""
     theta0 = point.number("theta0")
     alpha, sigma, beta, kappa, mu0 = (point.number(name) for name in ("alpha", "sigma", "beta", "kappa", "mu0"))
@@ -134,7 +135,7 @@ def _constant_evidence() -> tuple[bool, str]:
         for reading in ("right", "printed")
     }
     return (
-        bool(lengths) and residuals["right"] < mpmath.mpf(10) ** -40 and residuals["printed"] > 1e-6,
+        bool(lengths) and residuals["right"] < mpf(10) ** -40 and residuals["printed"] > 1e-6,
         f"at the lift-off equilibrium of the free body the quartic is {_below(residuals['right'])} with the right d_0 and "
         f"{show(residuals['printed'], 3)} with the printed one",
     )

@@ -12,6 +12,7 @@ from functools import cache
 from typing import Any
 
 import mpmath
+from mpmath import mpf
 
 from . import article
 from . import nomenclature as nm
@@ -30,7 +31,7 @@ class Point:
     sigma: Fraction = Fraction(str(article.BASE[nm.sigma]))
     beta: Fraction = Fraction(str(article.BASE[nm.beta]))
 
-    def number(self, name: str, arithmetic: Any = mpmath.mp) -> mpmath.mpf:
+    def number(self, name: str, arithmetic: Any = mpmath.mp) -> mpf:
         """A parameter in the working precision; the angle in radians."""
         value = getattr(self, "theta0_deg" if name == "theta0" else name)
         exact = arithmetic.mpf(value.numerator) / value.denominator
@@ -42,9 +43,7 @@ def anchor(point: Point, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
     return arithmetic.expj(point.number("theta0", arithmetic))
 
 
-def forces(
-    point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf, arithmetic: Any = mpmath.mp
-) -> tuple[mpmath.mpf, mpmath.mpf]:
+def forces(point: Point, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp) -> tuple[mpf, mpf]:
     """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact stiffness over k_c."""
     sigma, alpha, mu0, beta, kappa = (point.number(name, arithmetic) for name in ("sigma", "alpha", "mu0", "beta", "kappa"))
     spring = anchor(point, arithmetic) - arithmetic.mpc(x, y)
@@ -53,10 +52,10 @@ def forces(
     return alpha * x - pull.real - mu0 * push, beta * y - pull.imag - push + kappa
 
 
-def energy_slope_y(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf) -> mpmath.mpf:
+def energy_slope_y(point: Point, x: mpf, y: mpf, contact: mpf) -> mpf:
     """∂/∂y of the energy of springs, contact and preload, by numerical differentiation."""
 
-    def energy(height: mpmath.mpf) -> mpmath.mpf:
+    def energy(height: mpf) -> mpf:
         stretch = abs(anchor(point) - mpmath.mpc(x, height)) - 1
         springs = point.number("sigma") * stretch**2 + (point.number("beta") + contact) * height**2
         return springs / 2 + point.number("kappa") * height
@@ -65,7 +64,7 @@ def energy_slope_y(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.m
 
 
 @cache
-def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.mpf, mpmath.mpf]]:
+def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpf, mpf]]:
     """Rest positions (x, y) in contact, or in lift-off for ``contact=0``, sorted by x.
 
     Newton's method from a grid of starting points, first in floats, then in the precision of the first call. There may be states
@@ -76,7 +75,7 @@ def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.m
         stiffness = arithmetic.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
         return arithmetic.findroot(lambda x, y: forces(point, x, y, stiffness, arithmetic), start, **options)
 
-    found: list[tuple[mpmath.mpf, mpmath.mpf]] = []
+    found: list[tuple[mpf, mpf]] = []
     for start in _STARTS:
         position = anchor(point, mpmath.fp) - start
         try:
@@ -84,7 +83,7 @@ def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.m
         except (ValueError, ZeroDivisionError):
             continue
         if (rough[1] < 0) == (contact > 0) and all(abs(rough[0] - x) + abs(rough[1] - y) > 1e-7 for x, y in found):
-            found.append(tuple(root(mpmath.mp, tuple(map(mpmath.mpf, rough)))))
+            found.append(tuple(root(mpmath.mp, tuple(map(mpf, rough)))))
     return sorted(found)
 
 
@@ -92,11 +91,11 @@ def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.m
 _STARTS = [cmath.rect(length, (2 * step + 1) * cmath.pi / 8) for length in (1, 0.5) for step in range(8)]
 
 
-def spring_length(point: Point, x: mpmath.mpf, y: mpmath.mpf) -> mpmath.mpf:
+def spring_length(point: Point, x: mpf, y: mpf) -> mpf:
     """Distance from the anchor to the mass, as a distance in the complex plane."""
     return abs(anchor(point) - mpmath.mpc(x, y))
 
 
-def show(value: mpmath.mpf, digits: int = 12) -> str:
+def show(value: mpf, digits: int = 12) -> str:
     """A number for the ledger."""
     return str(mpmath.nstr(value, digits))

@@ -7,6 +7,7 @@ from functools import cache
 
 import sympy as sp
 
+from ..algebra import Pair, Row
 from . import unit_circles, mechanics, stability
 from . import nomenclature as nm
 
@@ -28,7 +29,7 @@ def stiffness() -> sp.Matrix:
 
 
 @cache
-def equilibrium() -> tuple[sp.Expr, sp.Expr]:
+def equilibrium() -> Pair:
     """x and y; both have the pole det = 0."""
     solution = sp.solve(list(balance()), [nm.x, nm.y], dict=True)[0]
     return sp.factor(solution[nm.x]), sp.factor(solution[nm.y])
@@ -44,7 +45,7 @@ def pole_friction() -> sp.Expr:
 
 
 @cache
-def pole_quadratic() -> tuple[sp.Expr, ...]:
+def pole_quadratic() -> Row:
     """Coefficients, lowest power first, of the quadratic in tan θ₀ whose roots are the poles."""
     numerator = sp.fraction(sp.cancel(pole_friction() - nm.mu0))[0]
     return tuple(map(sp.factor, unit_circles.ascending(numerator, nm.T)))

@@ -9,7 +9,7 @@ import sympy as sp
 
 from . import catastrophe, unit_circles, elimination, equilibrium, theorem
 from . import nomenclature as nm
-from ..algebra import manifestly_positive
+from ..algebra import Row, manifestly_positive
 from .equilibrium import POLES
 from .theorem import Step, alpha, beta, in_contact, kappa, s0, sigma
 from .unit_circles import by_inclination
@@ -42,7 +42,7 @@ def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return line
 
 
-def quadratics_in_parts() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def quadratics_in_parts() -> tuple[Row, Row]:
     """:func:`turning_quadratics` in terms of the parts."""
     middle = nm.sigma * nm.p * nm.B - threshold * lean - nm.q * nm.s * square * weight
     slope = nm.sigma * lean, middle, -nm.p * nm.B * threshold
@@ -50,7 +50,7 @@ def quadratics_in_parts() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
 
 
 @cache
-def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def turning_quadratics() -> tuple[Row, Row]:
     """Coefficients, lowest power first, of two quadratics in sin θ₀ that are 0 where folds turn back; polynomials in sin θ.
 
     The first is f_θ₀ with the friction of a fold and cos θ₀ of :func:`turning_line`, the second sin² θ₀ + cos² θ₀ = 1 with it.
@@ -66,14 +66,14 @@ def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     return slope, circle
 
 
-def minors(one: tuple[sp.Expr, ...], two: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def minors(one: Row, two: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """O, U and V of two quadratics: their resultant is O² − U V, and where it is 0, −O/U is the common root."""
     outer, upper, lower = (one[i] * two[j] - one[j] * two[i] for i, j in ((2, 0), (2, 1), (1, 0)))
     return outer, upper, lower
 
 
 @cache
-def turning_polynomial() -> tuple[sp.Expr, ...]:
+def turning_polynomial() -> Row:
     """Coefficients, lowest power first, of the polynomial in s = sin θ among whose roots in (0, 1] are all points of turning back.
 
     The resultant of :func:`turning_quadratics` is −κ (s² − 1) w² times it. Contact only, and α > 0.

@@ -6,6 +6,7 @@ and each of some pages, without what it adds, has the equations of the article's
 
 import sympy as sp
 
+from ..algebra import Row
 from .. import algebra, laws, linearization, pages, statics
 from ..emit.definitions import flat
 from ..mechanics import MU, Mechanics
@@ -39,7 +40,7 @@ def _polar(expression: sp.Expr) -> sp.Expr:
     return sp.expand(expression.subs(equilibrium.displacement(), simultaneous=True))
 
 
-def _equal(model: Mechanics, general: tuple[sp.Expr, ...], special: tuple[sp.Expr, ...]) -> bool:
+def _equal(model: Mechanics, general: Row, special: Row) -> bool:
     pairs = zip(general, special, strict=True)
     return all(unit_circles.equal(_polar(mechanics.in_article(model, ours)), _polar(theirs)) for ours, theirs in pairs)
 

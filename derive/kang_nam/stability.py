@@ -4,13 +4,14 @@ from functools import cache
 
 import sympy as sp
 
+from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, equilibrium, mechanics
 from . import nomenclature as nm
 
 lam = sp.Symbol("lambda")
 
 
-def _gradient(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+def _gradient(expression: sp.Expr) -> Pair:
     """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
     length = mechanics.spring_length()
     polar = equilibrium.displacement()
@@ -76,7 +77,7 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
 
 
 @cache
-def flutter_quadratic() -> tuple[sp.Expr, ...]:
+def flutter_quadratic() -> Row:
     """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring length L in direction θ."""
     discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
     coefficients = map(unit_circles.reduce_circles, unit_circles.ascending(discriminant, nm.L))
@@ -125,7 +126,7 @@ QUADRATIC = sp.symbols("e0 e1 e2")
 
 
 @cache
-def flutter_crossing() -> tuple[tuple[sp.Expr, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+def flutter_crossing() -> tuple[Pair, Names]:
     """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀; and names in them.
 
     By the implicit function theorem and Cramer's rule, in the derivatives of the balances along and across the belt and of the
@@ -168,7 +169,7 @@ def flutter_friction() -> sp.Expr:
 
 
 @cache
-def flutter_cubic() -> tuple[sp.Expr, ...]:
+def flutter_cubic() -> Row:
     """g0, g1, k0, k1, k2, k3: onsets at a given θ are where cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.
 
     The balance along the belt times 4 σ sin θ cos θ L, with L from the balance across it and μ₀ from

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from ..algebra import Row
 from .. import algebra
 from . import nomenclature as nm
 
@@ -33,7 +34,7 @@ def by_inclination(expression: sp.Expr) -> sp.Expr:
     return sp.diff(expression, nm.s0) * nm.c0 - sp.diff(expression, nm.c0) * nm.s0
 
 
-def ascending(polynomial: sp.Expr, variable: sp.Symbol) -> tuple[sp.Expr, ...]:
+def ascending(polynomial: sp.Expr, variable: sp.Symbol) -> Row:
     """Coefficients of a polynomial, lowest power first."""
     return tuple(reversed(sp.Poly(polynomial, variable).all_coeffs()))
 
@@ -43,7 +44,7 @@ def polynomial(coefficients: Iterable[sp.Expr], variable: sp.Expr) -> sp.Expr:
     return sp.Add(*(value * variable**power for power, value in enumerate(coefficients)))
 
 
-def in_half_angle(expression: sp.Expr, power: int) -> tuple[sp.Expr, ...]:
+def in_half_angle(expression: sp.Expr, power: int) -> Row:
     """Coefficients in t = tan(θ/2), lowest power first, of (1 + t²)^power times an expression in ``c`` and ``s``."""
     t = nm.tt
     turned = expression.subs({nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)})

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from operator import methodcaller
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -23,6 +24,8 @@ from . import article, equilibrium, mechanics, stability
 from . import nomenclature as nm
 
 HOLDS, FAILS, NO_MEANING = "holds", "fails", "no meaning"
+#: Differences, model less article, by what they are of.
+Gaps: TypeAlias = dict[str, sp.Expr]
 
 
 @dataclass(frozen=True)
@@ -111,16 +114,16 @@ class _Compared:
 
     # ------------------------------------------------------------------------------------------------ aspects
 
-    def geometry(self, row: int) -> dict[str, sp.Expr]:
+    def geometry(self, row: int) -> Gaps:
         """L cos θ or L sin θ."""
         name, ours, theirs = (("cos", self.line.dx, nm.c0 - nm.x), ("sin", self.line.dy, nm.s0 - nm.y))[row]
         return {f"L {name} θ": sp.expand(self.named(ours) - theirs)}
 
-    def rest(self) -> dict[str, sp.Expr]:
+    def rest(self) -> Gaps:
         """The undeformed length."""
         return {"undeformed length": sp.expand(self.line.rest - 1)}
 
-    def motion(self, row: int) -> dict[str, sp.Expr]:
+    def motion(self, row: int) -> Gaps:
         """x″ or y″."""
         equations = mechanics.motion()
         # Any law of contact and friction: both stand as n and μ, and are rows of their own.
@@ -129,7 +132,7 @@ class _Compared:
         ours = sp.expand(general.named[place] - general.balance(nm.n)[place] / self.model.mass[place, place])
         return {"xy"[row] + "″": self.gap(ours, theirs)}
 
-    def contact(self) -> dict[str, sp.Expr]:
+    def contact(self) -> Gaps:
         """n(y) in contact, and that there is none in lift-off."""
         it = self.model
         if it.gap is None:
@@ -137,23 +140,23 @@ class _Compared:
         lift = sp.S.Zero if it.unilateral else it.law
         return {"n(δ)": sp.expand(it.law - DEPTH), "n in lift-off": sp.expand(lift), "gap": sp.expand(self.named(it.gap) - nm.y)}
 
-    def friction(self) -> dict[str, sp.Expr]:
+    def friction(self) -> Gaps:
         """μ at the sliding speed."""
         if self.model.slide is None:
             raise NoMeaning("there is no friction")
         ours = self.named(laws.smooth_friction(self.model, felt=True))
         return {"μ": _law_gap(ours - mechanics.smooth_friction(nm.side))}
 
-    def steady(self) -> dict[str, sp.Expr]:
+    def steady(self) -> Gaps:
         """μ at rest."""
         return {"μ at rest": _law_gap(self.named(laws.friction_at_rest(self.model)) - nm.mu0)}
 
-    def balance(self, row: int, pushing: int) -> dict[str, sp.Expr]:
+    def balance(self, row: int, pushing: int) -> Gaps:
         """F_x or F_y."""
         theirs = equilibrium.balance_cartesian()[row].subs(nm.nbar, pushing)
         return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(self.at_rest(row, pushing), theirs)}
 
-    def linear(self, pushing: int) -> dict[str, sp.Expr]:
+    def linear(self, pushing: int) -> Gaps:
         """That the balance is linear in cos θ and sin θ, without which there are no D and b."""
         it = self.model
         if not pushing and not it.unilateral:
@@ -168,14 +171,14 @@ class _Compared:
                 raise NoMeaning("the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L")
         return {}
 
-    def matrix(self, pushing: int) -> dict[str, sp.Expr]:
+    def matrix(self, pushing: int) -> Gaps:
         """D: the part of the balance that is linear in cos θ and sin θ."""
         self.linear(pushing)
         D = equilibrium.matrix_form()[0].subs(nm.nbar, pushing)
         ours = sp.Matrix([self.polar(self.at_rest(row, pushing)) for row in (0, 1)]).jacobian([nm.c, nm.s])
         return {f"D_{i + 1}{j + 1}": sp.factor_terms(sp.expand(ours[i, j] - D[i, j])) for i in (0, 1) for j in (0, 1)}
 
-    def side(self, row: int, pushing: int) -> dict[str, sp.Expr]:
+    def side(self, row: int, pushing: int) -> Gaps:
         """A component of the right side."""
         self.linear(pushing)
         theirs = equilibrium.matrix_form()[1].subs(nm.nbar, pushing)[row]
@@ -183,13 +186,13 @@ class _Compared:
         same = algebra.difference(ours, theirs, nm.UNIT_CIRCLES) == 0
         return {f"b_{row + 1 if pushing else row + 3}": sp.S.Zero if same else sp.simplify(ours - theirs)}
 
-    def stiffness(self) -> dict[str, sp.Expr]:
+    def stiffness(self) -> Gaps:
         """K."""
         rows = statics.jacobian(self.model)
         found = {f"K_{index}": rows[i][j].subs(MU, nm.mu0) for index, i, j in self.pairs()}
         return dict(zip(found, map(self.gap, found.values(), stability.stiffness()), strict=True))
 
-    def damping(self) -> dict[str, sp.Expr]:
+    def damping(self) -> Gaps:
         """C, and the masses."""
         damped, found = linearization.damping(self.model), {}
         for (index, i, j), theirs in zip(self.pairs(), stability.damping(), strict=True):
@@ -197,13 +200,13 @@ class _Compared:
             found[f"M_{index}"] = sp.expand(self.named(self.model.mass[i, j]) - int(i == j))
         return found
 
-    def alone(self) -> dict[str, sp.Expr]:
+    def alone(self) -> Gaps:
         """That there are no unknowns besides x and y."""
         if len(self.model.coordinates) != 2:
             raise NoMeaning(f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order")
         return {}
 
-    def group(self, name: str) -> dict[str, sp.Expr]:
+    def group(self, name: str) -> Gaps:
         """A dimensionless quantity, or a scale, by the quantities with units."""
         ours = physical_checks.groups(self.model.page).get(name)
         if ours is None:
@@ -211,7 +214,7 @@ class _Compared:
         dimensional, scale = mechanics.groups()[nm.quantities()[name].symbol]
         return {name: _quotient_gap(ours, dimensional / scale)}
 
-    def length_of(self, name: str) -> dict[str, sp.Expr]:
+    def length_of(self, name: str) -> Gaps:
         """The unit of a coordinate, or of the length of the inclined spring."""
         if name == "L":
             _ = self.line
@@ -219,7 +222,7 @@ class _Compared:
             self.row(name)
         return self.scale("length")
 
-    def scale(self, name: str) -> dict[str, sp.Expr]:
+    def scale(self, name: str) -> Gaps:
         ours = physical_checks.scale(self.model.page, getattr(units, name.upper()))
         if ours is None:
             raise NoMeaning(f"the model has no unit of {name}")
@@ -240,7 +243,7 @@ def _law_gap(gap: sp.Expr) -> sp.Expr:
     return sp.factor_terms(gap) if value.is_comparable and abs(value) > sp.Rational(1, 10**20) else sp.simplify(gap)
 
 
-_Aspect = Callable[[_Compared], dict[str, sp.Expr]]
+_Aspect = Callable[[_Compared], Gaps]
 
 
 _C = _Compared

@@ -17,10 +17,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
+from typing import TypeAlias
 
 from ..definitions import Definition, symbols
 from ..language import NOTHING, Source, joined
 from ..quantities import Interval, Quantity
+
+#: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
+Angles: TypeAlias = Mapping[str, tuple[str, ...]]
 
 
 @dataclass(frozen=True)
@@ -68,8 +72,7 @@ class Material:
     counts: Mapping[str, float] = field(default_factory=dict)  #: counts of roundings that the kernel's error bounds name
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
-    #: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
-    angles: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    angles: Angles = field(default_factory=dict)
     of_a_page: bool = False  #: whether names are a page's, each of which ends with an underscore, and not known here
     asked: tuple[str, ...] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
     arithmetic: Source = NOTHING  #: double-double numbers
@@ -121,7 +124,7 @@ def spoken(text: str, words: Mapping[str, str]) -> str:
     return re.sub(r"@([\w:]+)@", lambda place: words.get(place[1], place[0]), text)
 
 
-def taken(function: Definition, angles: Mapping[str, tuple[str, ...]]) -> list[str]:
+def taken(function: Definition, angles: Angles) -> list[str]:
     """Arguments of the algebra, an angle in the place of its cosine and sine."""
     angle_of = {part: angle for angle, parts in angles.items() for part in parts}
     return list(dict.fromkeys(angle_of.get(name, name) for name in function.arguments))

@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Mapping
 
 from ..definitions import NAMES, Definition, nested, ported
-from . import Material, taken
+from . import Angles, Material, taken
 
 _WIDTH = 126
 #: Kinks are choices: both sides have derivatives, and the one that is taken gives its own.
@@ -39,7 +39,7 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
     return {f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
 
 
-def _function(function: Definition, angles: Mapping[str, tuple[str, ...]], ports: Mapping[str, str]) -> str:
+def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) -> str:
     names = taken(function, angles)
     given = [*names, *(f"{name}=0" for name in function.further)]
     said = (

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from ...algebra import Names, Row, Symbols
 from .. import unit_circles, elimination, equilibrium, mechanics
 from .. import nomenclature as nm
 
@@ -13,9 +14,7 @@ F_COEFFICIENTS = (nm.fa, nm.fb, nm.fd, nm.fm)
 F_AT = (*ANGLE, *F_COEFFICIENTS)
 
 
-def require_same(
-    what: str, arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...], names: dict[sp.Symbol, sp.Expr] | None = None
-) -> None:
+def require_same(what: str, arranged: Row, derived: Row, names: Names | None = None) -> None:
     """Raise unless the form arranged for emission equals, exactly, the form that was derived; ``names`` are shorthands in the first."""
     for ours, theirs in zip(arranged, derived, strict=True):
         for _ in range(3):  # a shorthand may stand in another one
@@ -24,18 +23,18 @@ def require_same(
             raise ArithmeticError(f"{what}: the arrangement for emission is not what was derived")
 
 
-def shorthands(case: dict[sp.Symbol, int] | None = None) -> dict[sp.Symbol, sp.Expr]:
+def shorthands(case: dict[sp.Symbol, int] | None = None) -> Names:
     """Definitions of the shorthands: in contact, in lift-off, or with n̄ as a symbol where no case is given."""
     definitions = {**equilibrium.SHORTHANDS, **elimination.f_coefficients()}
     return {symbol: value.subs(case or {}) for symbol, value in definitions.items()}
 
 
-def in_contact() -> dict[sp.Symbol, sp.Expr]:
+def in_contact() -> Names:
     """Those in contact."""
     return shorthands(equilibrium.CONTACT)
 
 
-def further(listed: tuple[sp.Symbol, ...], result: sp.Expr) -> tuple[sp.Symbol, ...]:
+def further(listed: Symbols, result: sp.Expr) -> Symbols:
     """Speeds, and parameters of a changed model, on which the result depends and which are not among the arguments ``listed``."""
     free = result.free_symbols - set(listed)
     return tuple(symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free)

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module
 from .. import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
@@ -9,7 +10,7 @@ from . import lowest_fold
 from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, POINT, WITHOUT_FRICTION, require_same, in_contact
 
 
-def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+def _line(relation: sp.Expr, symbol: sp.Symbol) -> Pair:
     """u and w of ``relation = u + w · symbol``."""
     slope = sp.diff(relation, symbol)
     if slope.has(symbol):
@@ -89,7 +90,7 @@ def module() -> Module:
     )  # fmt: skip
 
 
-def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+def _fold_events() -> tuple[Row, Row, Names, Names]:
     """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names for these.
 
     With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the cosine enters by its square.
@@ -118,7 +119,7 @@ def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Sy
     return events, without_alpha, names, kept
 
 
-def _changes() -> tuple[tuple[sp.Expr, ...], ...]:
+def _changes() -> tuple[Row, ...]:
     """How a, b, d and m change with each parameter, in the order of f."""
     rows = []
     for parameter in (nm.theta0, *nm.PARAMETERS):
@@ -131,7 +132,7 @@ def _changes() -> tuple[tuple[sp.Expr, ...], ...]:
     return tuple(rows)
 
 
-def _in_differences() -> tuple[sp.Expr, ...]:
+def _in_differences() -> Row:
     """q sin θ F_x as a sum over springs: the inclined one, the one along the belt, and friction."""
     if not all(step.holds for step in theorem.smallest_without_friction()):
         raise ArithmeticError("the reference state without friction is not what certificates over boxes take it to be")
@@ -150,7 +151,7 @@ def _in_differences() -> tuple[sp.Expr, ...]:
     return arranged
 
 
-def _fold_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+def _fold_sextic() -> tuple[Row, Names]:
     """In the six minors of the coefficients of f and of f_v: c³ ab − s³ ad + s² am − bd + s (2 − s²) bm + s² c dm."""
     pairs = (("ab", nm.fa, nm.fb), ("ad", nm.fa, nm.fd), ("am", nm.fa, nm.fm), ("bd", nm.fb, nm.fd), ("bm", nm.fb, nm.fm),
              ("dm", nm.fd, nm.fm))  # fmt: skip
@@ -170,7 +171,7 @@ def _fold_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     return sextic, names
 
 
-def _fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def _fold_cubics() -> tuple[Row, Row]:
     """With p B sin θ₀ = a s³ + m s² c − p κ = S, p B q α cos θ₀ = p B (m s (1 + c²) − a c³ + M κ) − m S."""
     a, m, width, load = nm.fa, nm.fm, nm.p * nm.B, nm.p * nm.kappa
     sine = (-load, sp.S.Zero, 4 * m - 3 * load, 8 * a, -4 * m - 3 * load, sp.S.Zero, -load)
@@ -184,7 +185,7 @@ def _fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     return sine, cosine
 
 
-def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+def _unfolding() -> tuple[Pair, ...]:
     """How f and f′ in contact change with each parameter: what makes a cusp a versal one."""
     pairs = []
     for row in _changes():
@@ -194,7 +195,7 @@ def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     return tuple(pairs)
 
 
-def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+def _cusp_polynomial() -> tuple[Row, Names]:
     """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and G of cos θ₀; degree 9."""
     g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
     s = nm.s

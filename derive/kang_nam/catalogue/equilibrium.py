@@ -2,13 +2,14 @@
 
 import sympy as sp
 
+from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module, rows
 from .. import catastrophe, elimination, equilibrium
 from .. import nomenclature as nm
 from .arrangement import ANGLE, ANGLE0, F_AT, F_COEFFICIENTS, POINT, STIFFNESS, WITHOUT_FRICTION, require_same, shorthands
 
 
-def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+def _quartic(case: dict[sp.Symbol, int]) -> tuple[Row, Names]:
     """The quartic in L in the arrangement that keeps its squares together, and its shorthands."""
     b1, b2, p, q, M, sigma = nm.b1, nm.b2, nm.p, nm.q, nm.M, nm.sigma
     arranged = (
@@ -32,7 +33,7 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.S
     return arranged, names
 
 
-def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], ...]:
+def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[Row, ...]:
     """D of (18) or (24) with p and q kept together."""
     require_same("D", tuple(elimination.MATRIX), tuple(D))
     return rows(elimination.MATRIX if case[nm.nbar] else elimination.MATRIX.subs(nm.M, 0))
@@ -88,7 +89,7 @@ def module() -> Module:
     )  # fmt: skip
 
 
-def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+def _residuals(along: sp.Expr, across: sp.Expr) -> Pair:
     x, y = equilibrium.displacement().values()
     arranged = (
         nm.sigma * (1 - nm.L) * nm.c + nm.alpha * x + nm.mu0 * nm.nbar * y,

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
 from .. import stability
 from .. import nomenclature as nm
@@ -60,14 +61,14 @@ def module() -> Module:
     )  # fmt: skip
 
 
-def _flutter_names() -> dict[sp.Symbol, sp.Expr]:
+def _flutter_names() -> Names:
     """The coefficients in terms of which the elimination is written."""
     return dict(
         zip((*stability.LINES, *stability.QUADRATIC), (*stability.reference_lines(), *stability.flutter_quadratic()), strict=True)
     )
 
 
-def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+def _flutter_cubic() -> tuple[Row, Names]:
     """With L = l0 + l1 sin θ₀ and y = y0 + y1 sin θ₀: the discriminant without friction times y, and the spring's pull along."""
     l0, l1, y0, y1, e0, e1, e2, m1, m2 = sp.symbols("l0 l1 y0 y1 e0 e1 e2 m1 m2")
     c, s, sigma = nm.c, nm.s, nm.sigma

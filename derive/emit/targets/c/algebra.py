@@ -6,11 +6,8 @@ from collections.abc import Iterable, Mapping
 
 from ...definitions import NAMES, SPELLED, Definition, ported
 from ...quantities import Quantity
-from .. import taken
+from .. import Angles, taken
 from .layout import WIDTH, broken, comment, definition, plain
-
-#: Angles by their names, and the arguments of the algebra that stand for one, cosine and sine last.
-Angles = Mapping[str, tuple[str, ...]]
 
 _FUNCTIONS = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
 _LARGEST_EXACT = 2**53

@@ -17,7 +17,7 @@ from ..errors import ParameterError
 from ..progress import show_progress
 from ..results.points import after_if_known
 from . import options as o
-from .case import Case
+from .case import Case, Row
 from .output import drawn, print_rows
 
 
@@ -180,7 +180,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
 BESIDE = ("lyapunov", "lyapunov_error", "crossing", "why")
 
 
-def points_of(case: Case, found: Any, after: bool = False) -> dict[str, Any]:
+def points_of(case: Case, found: Any, after: bool = False) -> Row:
     """A row for each point, whether these are all, what was searched, and the undecided boxes; ``after`` at any cost."""
     names, following = [*found.vary, "kind", *found.columns], {}
     if hasattr(found, "criticality"):
@@ -233,7 +233,7 @@ def lengths(columns: Sequence[str] | Mapping[str, Any]) -> list[str]:
     return [name for name in columns if name == "L" or name.startswith("L_")]
 
 
-def summed(boxes: Sequence[dict[str, Any]]) -> str:
+def summed(boxes: Sequence[Row]) -> str:
     """How many boxes are undecided, and what holds them all; ``--json`` lists each."""
     titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
     hull = ", ".join(

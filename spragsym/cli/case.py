@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 import numpy as np
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
     from ..report import Study
 
+#: What JSON and a table say of one thing, by its columns; a title, and what one of the model's own units is there.
+Row: TypeAlias = dict[str, Any]
+Titled: TypeAlias = tuple[str, float]
 #: What is measured of a motion in the unit of its first component; forces; and rates.
 MEASURED = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error")
 FORCES, RATES = ("spring_force", "contact_force"), ("growth", "omega", "eigenvalues", "damped_eigenvalues")
@@ -104,16 +107,16 @@ class Case:
             typed = self.span.typed if self.spans else self.model.axes[-1]
             raise click.UsageError(f"--vary {typed}: from where to where? Give it as {typed}=FROM:TO")
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> Row:
         """The parameters, angles in degrees."""
         titles = ((*self.parameter(name), value) for name, value in self.values.items())
         return {title: None if value is None else unit * value for title, unit, value in titles}
 
-    def parameter(self, name: str) -> tuple[str, float]:
+    def parameter(self, name: str) -> Titled:
         """What a parameter is called, and what one of it is there."""
         return self._titled(name, "rad" if self.model.is_angle(name) else "1")
 
-    def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
+    def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[Row]:
         """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
         return [{**about, **self.row(dict(zip(names, box, strict=True)))} for box in boxes]
 
@@ -188,7 +191,7 @@ class Case:
         """What one of a time is in the answer: seconds, with a file."""
         return 1.0 if self.study is None else self.study.scales.time
 
-    def of(self, name: str, end: str = "") -> tuple[str, float]:
+    def of(self, name: str, end: str = "") -> Titled:
         """The title of a column of states or of a measure of motions, and what one of the model's own units is, printed or typed.
 
         Angles are degrees, their rates are not.
@@ -201,14 +204,14 @@ class Case:
         of_spring = {"theta": "rad", "L": "m"}.get(name.partition("_")[0], "1")
         return self._titled(name + end, self.si.get(name, of_spring))
 
-    def row(self, values: Mapping[str, Any], end: str = "") -> dict[str, Any]:
+    def row(self, values: Mapping[str, Any], end: str = "") -> Row:
         """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
         if "stability" in values:
             values = {**values, "stability": [Stability(code).name.lower() for code in values["stability"]]}
         titles = ((self.of(name, end), value) for name, value in values.items())
         return {title: _scaled(value, size) for (title, size), value in titles}
 
-    def rows(self, columns: Mapping[str, Any], **more: Sequence[Any]) -> list[dict[str, Any]]:
+    def rows(self, columns: Mapping[str, Any], **more: Sequence[Any]) -> list[Row]:
         """Rows of columns of one length, and of those that have no unit."""
         told = {**self.row(columns), **more}
         return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
@@ -230,7 +233,7 @@ class Case:
         known = list(dict.fromkeys([*self.model.parameters, *(kind.parameters if self.study else ())]))
         raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
 
-    def axis(self, name: str, before: str = "", after: str = "") -> tuple[str, float] | None:
+    def axis(self, name: str, before: str = "", after: str = "") -> Titled | None:
         """What an axis of a figure says of a parameter or a coordinate, and what one of the model's own is there.
 
         None without a file, and of angles, which figures show in degrees.
@@ -248,12 +251,12 @@ class Case:
         """Remarks with what they say of parameters and coordinates in the units of the file."""
         return [text.told(self._named) if self.study is not None and isinstance(text, Remark) else str(text) for text in remarks]
 
-    def _named(self, name: str) -> tuple[str, float]:
+    def _named(self, name: str) -> Titled:
         """A parameter, by its quantity, or a coordinate."""
         quantity = self.quantity_of.get(name)
         return self.varied(quantity)[1:] if quantity else self.of(name)
 
-    def _titled(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
+    def _titled(self, title: str, si: str, quantity: str = "") -> Titled:
         """A title with its unit, and what one of the model's own units is there."""
         if si == "rad":
             return f"{title}_deg", math.degrees(1.0)

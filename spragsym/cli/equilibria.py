@@ -20,7 +20,7 @@ from ..progress import show_progress
 from ..remarks import At, Remark
 from . import options as o
 from .bifurcation import lengths, summed
-from .case import Case, Span
+from .case import Case, Row, Span
 from .output import drawn, print_rows
 
 #: Points of a table.
@@ -69,7 +69,7 @@ def equilibria(case: Case, plot: Path | None) -> Any:
     return {"points": points} if many else points[0], lambda: _print(case, points, [titles[name][0] for name in many])
 
 
-def _print(case: Case, points: list[dict[str, Any]], many: list[str]) -> None:
+def _print(case: Case, points: list[Row], many: list[str]) -> None:
     rows = [
         {title: point["parameters"][title] for title in many}
         | {name: value for name, value in row.items() if "eigenvalues" not in name and name != "marginal"}
@@ -102,7 +102,7 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
     drawn(plot, f"drawing eigenvalues over {name}", figure, lambda: axes)
 
 
-def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str, Any]]:
+def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
     """A row for each equilibrium of every point, whether these are all, and what is not known.
 
     All points are asked in one call, and one by one where that does not answer completely; of one alone an error is the answer.
@@ -110,7 +110,7 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str
     p = case.model.Parameters(**{name: np.array([point[name] for point in points]) for name in points[0]})
     every = {contact: ss.equilibria(p, contact=contact, **case.ask) for contact in case.model.regimes if len(points) > 1}
     for at, point in enumerate(points):
-        told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
+        told: Row = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
         for contact, state in case.model.regimes.items():
             if every and (every[contact].decided & every[contact].whole)[at]:
                 told["equilibria"] += _rows(case, every[contact], (at,))
@@ -130,7 +130,7 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str
         yield told
 
 
-def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[dict[str, Any]]:
+def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
     """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of each state.
 
     ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
@@ -212,7 +212,7 @@ def critical(case: Case, near: tuple[str, ...]) -> Any:
         jumps = [{"way": way, **_first(case, p, along, way, jumped)} for way in ways]
 
     def tables() -> None:
-        rows: list[dict[str, Any]] = []
+        rows: list[Row] = []
         for jump in jumps:
             low, high = jump["searched"]
             where = f"from {low:g} to {high:g}" if math.isfinite(high - low) else jump["way"]
@@ -233,7 +233,7 @@ def _or(value: float | None, word: str) -> float | str:
     return value if value is not None and math.isfinite(value) else word
 
 
-def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str, Any]:
+def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> Row:
     """Where the state ends first; ``searched`` says from where to where, infinite if that is everywhere."""
     name, ends, searched, at, error = along.name, along.ends, (math.nan, math.nan), math.nan, math.nan
     kind, before = None, dict.fromkeys(case.model.coordinates, math.nan)
@@ -251,7 +251,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
     return row | {along.title: along.unit * at, "kind": kind, **case.row(before), "error": error}
 
 
-def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
+def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
     """The frictions that decide; None for what can't be told, with the reason."""
     model, remarks = case.model, list[str]()
 
@@ -288,7 +288,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     }, case.said(remarks)  # fmt: skip
 
 
-def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str]:
+def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
     """What each friction is, of those that the model has."""
     kind, known = frictions["kind_lowest"], {"theta0", "mu0"} & set(case.model.parameters)
     place = f" ({'to' if kind == 'infinity' else 'a'} {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""

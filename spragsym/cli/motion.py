@@ -15,7 +15,7 @@ from ..errors import ParameterError
 from ..models.parameters import FloatArray
 from ..progress import show_progress
 from . import options as o
-from .case import Case, is_typed
+from .case import Case, Row, is_typed
 from .output import drawn, print_rows, refuse, resumed
 
 if TYPE_CHECKING:
@@ -220,7 +220,7 @@ def cycles(
         return _diagram(case, p, [] if start is None else [start], points, plot)
     with show_progress("looking for a cycle"):
         found = ss.cycle(p, start)
-    summary: dict[str, Any] = case.row({
+    summary: Row = case.row({
         "period": found.period, "stable": found.stable, "state": None, "multipliers": found.multipliers, "error": found.error,
         "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude, **found.forces,
         "crossings": len(found.events), "backend": found.backend,
@@ -296,7 +296,7 @@ def _state(text: str, names: Sequence[str]) -> FloatArray:
     return np.array(numbers)
 
 
-def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[str, Any]:
+def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
     """The branch of a cycle within a range, which must hold the cycle itself, and what happens on it."""
     from ..orbits import cycle_branch
 

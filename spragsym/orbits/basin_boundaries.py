@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import magnitude, norm
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
+from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
 from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .attractors import attractor, same
 from .system import Saddle, System, Verdict, judged, saddle_near, surely
 
 #: Equilibria that differ by less than this are one.
@@ -170,12 +170,7 @@ def _surely(system: System, start: FloatArray) -> Verdict:
 
 def _differ(system: System, one: Verdict, other: Verdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
-    if not (one.decided and other.decided):
-        return False
-    try:
-        return not same(*(attractor(system, each) for each in (one, other)))
-    except ConvergenceError:  # one that Newton's method does not find again decides nothing
-        return False
+    return one.decided and other.decided and not same_limit(one.outcome, other.outcome, system.field.around)
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:

@@ -298,7 +298,8 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))
         lost = sizes <= LOST * sizes.max()
-        if lost.sum() <= any(map(sticks, (state, *(crossing.state for crossing in passage.crossings)))):
+        met = (state, *(crossing.state for crossing in passage.crossings))
+        if not lost.any() or (lost.sum() == 1 and any(map(sticks, met))):
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
             volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
             return passage.state, turned[:, back], np.log(sizes[back]), volume

@@ -52,7 +52,7 @@ LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$"}
 States: TypeAlias = tuple[IntArray, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Branch(Named):
     """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
 

@@ -75,7 +75,7 @@ def flutter_onsets(
 # ---------------------------------------------------------------------------------------------------- boundary
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FlutterBoundary(Result):
     """Points of the surface at which flutter sets in or ends, in contact with μ₀ > 0 and 0 < θ₀ < π.
 

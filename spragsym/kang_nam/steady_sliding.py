@@ -23,7 +23,7 @@ from . import kernel
 from .kernel import FIXED
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Surface(Result):
     """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite.
 
@@ -123,7 +123,7 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
     return np.asarray(laws.friction(0.0, as_numbers("mu0", mu0, NOT_NEGATIVE), speed, as_numbers("d", d, POSITIVE)))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LinearSprag(Result):
     """Steady sliding with the spring's angle held at θ₀, the article's reference [17].
 

@@ -69,7 +69,7 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Spectrum(Result):
     """Amplitudes over frequency, in cycles per unit of time: a sine of amplitude A has the peak A, if it lies on a bin."""
 

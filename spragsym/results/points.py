@@ -17,7 +17,7 @@ from ..numerics.interval_arrays import BoolArray
 from .result import Named, OfStates, Result, Rows
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Ended(Result):
     """What happens at folds: columns of :class:`Points` under these names; ``after``, or what makes it when asked."""
 

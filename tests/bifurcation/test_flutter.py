@@ -11,6 +11,7 @@ import pytest
 import spragsym as ss
 from spragsym.generated import stability
 from spragsym.kang_nam import flutter, kernel
+from spragsym.numerics import balls
 from tests.oracles.families import random_fluttering
 from tests.oracles.forces_by_hand import DRAWN
 from tests.support import exact_onsets, middle_of
@@ -104,8 +105,6 @@ def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fractio
     mu0 = -(1 + 2 * L * difference * (c * c - s * s) + (difference * L) ** 2) / (4 * L * s * c)
     alpha = (c * (L - 1) + mu0 * L * s) / (cosine - c * L)
     kappa = ((alpha - difference + 1) * L - 1) * s
-    assert alpha > 0
-    assert kappa > 0
     values = mu0, kappa, alpha, 1, alpha - difference - 1
     near = sorted(len(exact_onsets(values[0], values[1] * (1 + way * Fraction(1, 10**9)), *values[2:])) for way in (-1, 1))
     assert near[1] == near[0] + 1
@@ -123,6 +122,13 @@ def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
     # Next to it two onsets, or none.
     near = [len(exact_onsets(values[0] * (1 + way * Fraction(1, 10**9)), *values[1:])) for way in (-1, 1)]
     assert sorted(np.subtract(near, len(exact_onsets(*values)))) == [-1, 1]
+
+
+def test_an_onset_beside_one_other_equilibrium_is_not_believed() -> None:
+    """There are one or three; (3 t − 1) (3 t − 5) (t² + 1) has two real roots."""
+    quartic, t, below = (tuple(balls.exact(Fraction(one, 3)) for one in each) for each in ((15, -54, 42, -54, 27), (1,), (-3,)))
+    with pytest.raises(balls.Undecided, match="1 there"):
+        flutter.rank(quartic, *t, *below, 16)
 
 
 def test_no_onset_is_a_fold() -> None:

@@ -1,6 +1,7 @@
 """Every set of parameters knows its model, and a function asked for one model never answers for another."""
 
 import copy
+import functools
 import math
 import pickle
 import subprocess
@@ -86,8 +87,9 @@ def test_two_ways_to_one_answer() -> None:
     assert (folds.kind.size, folds.complete) == (0, True)
     assert ss.folds(one, between={"theta0": (0.5, 1.5)}).theta0.size == 1
     assert ss.cusps(one.replace(theta0=1.2), vary=("kappa", "mu0"), between={"kappa": (0.006, 0.008)}).vary == ("kappa", "mu0")
-    for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped"))):
-        with pytest.raises(ss.ModelError, match=r"damped answers .* by no closed form"):
+    rises = functools.partial(ss.certify, one, claim="no jump", vary="theta0")
+    for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped")), (rises, one)):
+        with pytest.raises(ss.ModelError, match=rf"{p.model.name} answers .* by no closed form"):
             function(p, method="closed")
     with pytest.raises(ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"):
         ss.equilibria(p, method="guess")

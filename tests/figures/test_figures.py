@@ -72,6 +72,8 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     assert "assumption" in figure.caption or "our choice" in figure.caption or name in without
     if name.isdigit():
         assert figure.caption.startswith(f"Figure {name}. ")
+    if name == "5":
+        assert (np.diff(figure.tables["a_linear"]["theta0_deg"]) > 0).all()
     target = io.BytesIO()
     figure.savefig(target, dpi=40)
     assert len(target.getvalue()) > 3000

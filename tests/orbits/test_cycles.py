@@ -12,6 +12,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+import scipy.stats
 
 import spragsym as ss
 from benchmarks import bench_auto
@@ -271,7 +272,6 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
 
 @pytest.mark.thorough
 def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -> None:
-    assert [event.kind for event in branch.events].count("grazing") == 1
     (doubling,) = branch.of("period_doubling")
     assert min(abs(doubling.cycle.multipliers + 1)) < 1e-8
     assert {event.how for event in branch.of("end")} == {"the range ends"}
@@ -353,9 +353,6 @@ def test_small_multipliers_keep_their_digits_beside_large_ones(large: float) -> 
     assert np.abs(found.others / wanted - 1).max() < 1e-9
     assert (np.abs(found.others - wanted) <= found.errors).all()
     assert (found.errors < 1e-7 * np.abs(wanted)).all()
-    if large > 1e9:
-        plain = np.linalg.eigvals(np.linalg.multi_dot(parts[::-1]))
-        assert min(abs(plain - 1e-3)) > 1e-10  # ours is within 1e-12
 
 
 def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
@@ -428,6 +425,7 @@ def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> No
     expected = np.sort(np.log(np.abs(slow.multipliers)) / slow.period)[::-1]
     assert found.exponents == pytest.approx(expected, abs=2e-3)
     assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
+    assert found.t[-1] == pytest.approx(80 * slow.period)
     assert expected.sum() == pytest.approx(found.trace, abs=1e-4)
     p = ss.load("coulomb").Parameters(theta0=np.radians(42.0), V=0.41)
     stuck = ss.cycle(p, near=ss.cycle(p.replace(V=0.5)))  # it sticks once a round, which ends all deviations of its speed
@@ -443,6 +441,14 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     assert still.span == 200.0  # of stretches that are not all as long
     assert not still.moves
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
+
+
+def test_errors_of_exponents_are_those_of_batch_means() -> None:
+    """Of six parts whose means are 1 and −1 in turn: Student's quantile over √5. Twice that is told from 0."""
+    logs, width = np.tile(np.repeat([1.0, -1.0], 4), 3), scipy.stats.t.ppf(0.975, 5) / 5**0.5
+    assert exponents.half_widths(logs[:, None], 1.0) == pytest.approx([width])
+    found = exponents.Rates(np.array([0 * logs, logs + 2.5 * width]).T, logs, 24.0, np.zeros(25), np.zeros(2))
+    assert "deviations grow" in found.undecided(100.0)
 
 
 @pytest.mark.thorough

@@ -28,13 +28,6 @@ def test_counts_digits_and_bounds(name: str) -> None:
         assert np.nanmax(found.error, initial=0) <= 1e-12
 
 
-def test_families_reach_what_they_are_named_for() -> None:
-    rng = np.random.default_rng(3)
-    folds, wedge = FAMILIES["near folds"](rng, 500), FAMILIES["cusp wedge"](rng, 500)
-    assert ss.equilibria(folds).escalated.mean() > 0.2
-    assert 0.2 < (ss.equilibria(wedge).count == 3).mean() < 0.9
-
-
 def test_three_equilibria_need_a_positive_sum() -> None:
     """Three imply a + d > 0; the converse is not so."""
     for number, family in enumerate(("random", "near folds", "cusp wedge")):

@@ -370,6 +370,7 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: ss.jump_probability(TOLERANCES, n=16, rng=-1), "rng = -1"),
     (lambda: with_correlation({("sigma", "beta"): 0.5}), "beta.*two of the quantities that vary"),
     (lambda: with_correlation({("sigma", "mu0"): 1.5}), "is not in"),
+    (lambda: with_correlation({("sigma", "mu0"): -1.5}), "is not in"),
     (lambda: with_correlation({("sigma", "mu0"): 0.5, ("mu0", "sigma"): 0.5}), "twice"),
     (lambda: with_correlation({("sigma", "mu0"): 0.9, ("mu0", "kappa"): 0.9, ("sigma", "kappa"): -0.9}), "all be true at once"),
 ]  # fmt: skip

@@ -102,6 +102,7 @@ def test_small_oscillations_follow_the_linearization(theta0_deg: float, slot: in
     tr = simulate(p, V=V, d=d, **dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True)), t_end=t_end, rtol=1e-13)
     linear = size * (vector[:, None] * np.exp(value * tr.t)).real
     deviation = tr.state - np.array([x, y, 0, 0])[:, None] - linear
+    assert tr.decay_rate() == pytest.approx(-value.real, rel=1e-3, abs=1e-8)
     # Quadratic terms are 1e-7 of the linear ones, and add up over hundreds of periods.
     assert np.abs(deviation).max() < 1e-3 * size
     assert len(tr.events) == 0

@@ -62,11 +62,12 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
     shares = np.random.default_rng(2).random((3, 200))
     values = box.whole.low + shares * (box.whole.high - box.whole.low)
-    outcome = box.settled(box.points(values))[0].outcome
+    found = box.settled(box.points(values))[0]
     names = dict(zip((*box.free, "mu0"), values, strict=True))
-    jumps = ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])) < names["mu0"]
-    assert (outcome != OPEN).mean() > 0.98
-    assert np.array_equal(outcome[outcome != OPEN] == ENDS, jumps[outcome != OPEN])
+    jump, known = ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])), found.outcome != OPEN
+    assert known.mean() > 0.98
+    assert np.array_equal((found.outcome == ENDS)[known], (jump < names["mu0"])[known])
+    assert ((found.safe <= jump) & (jump <= found.top)).all()
 
 
 @pytest.mark.validate

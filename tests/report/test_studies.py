@@ -1,5 +1,6 @@
 """A brake in, a verdict out: units, files, and the report's numbers against direct calls."""
 
+import dataclasses
 import json
 import math
 from collections.abc import Mapping
@@ -12,7 +13,7 @@ import pytest
 import spragsym as ss
 from spragsym import figures
 from spragsym.files.text import filled
-from spragsym.report import redesigns, tolerances
+from spragsym.report import redesigns, reports, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
 from tests.oracles import user_pages
@@ -241,6 +242,13 @@ def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
     assert len(found.next_steps) <= 5
     plain = ss.Study(brake()).report(**QUICKLY)
     assert not any(part in one for one in plain.warnings)
+
+
+def test_folds_that_are_undecided_are_said_to_be_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    study = ss.Study(brake())
+    left = dataclasses.replace(ss.folds(study.at_work, "mu0"), undecided=np.zeros((1, 3, 2)), remarks=("one box is left",))
+    monkeypatch.setattr(reports, "folds", lambda p, vary: left)
+    assert any(one.endswith("may be missing: one box is left") for one in study.report(**QUICKLY).remarks)
 
 
 @pytest.mark.thorough

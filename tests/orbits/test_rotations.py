@@ -9,6 +9,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import spragsym as ss
+from spragsym.motion.regimes import Outcome
+from spragsym.orbits import basin_boundaries
+from spragsym.orbits.system import Verdict
 from tests.oracles.user_pages import model_of
 from tests.support import needs_a_quick_integrator
 
@@ -77,7 +80,7 @@ def test_fates_change_where_a_motion_ends_at_the_saddle() -> None:
     assert [*found.state, found.growth] == pytest.approx([SADDLE, 0.0, growing(found.value)], abs=1e-9)
 
 
-def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation() -> None:
+def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation(monkeypatch: pytest.MonkeyPatch) -> None:
     p = model_of(PENDULUM, "driven_pendulum").Parameters()
     found = ss.basin_boundary(p, step=0.2, points=2)
     assert found.boundary.tolist() == [True] * 5
@@ -85,3 +88,7 @@ def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation() 
         assert motion(0.3, point, 15.0).y[:, -1] == pytest.approx([SADDLE, 0.0], abs=1e-5)
         ends = [motion(0.3, point + aside, 60.0).y[0, -1] for aside in (-1e-6, 1e-6)]  # across the curve, which falls
         assert [end > 2 * math.pi for end in ends] == ["cycle" in side for side in sides] == [False, True]
+    monkeypatch.setattr(basin_boundaries, "judged", lambda system, start: Verdict(Outcome(), start, 1.0))
+    undecided = ss.basin_boundary(p, step=0.2, points=1)
+    assert not undecided.boundary.any()
+    assert set(undecided.sides.flat) == {"nothing that is decided by t = 1"}

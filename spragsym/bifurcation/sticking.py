@@ -8,20 +8,18 @@ there the slopes of the forces by the other coordinates and h are singular.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from scipy.sparse.csgraph import connected_components
 
-from ..errors import ConvergenceError, ModelError, ParameterError
+from ..errors import ModelError, ParameterError
 from ..models.field import TURN, apart
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
-from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
+from ..numerics.interval_arrays import Intervals
 from ..questions import Method, question
 from ..results.points import Points, StickingStates
 from ..statics.balance import NOTHING
@@ -59,7 +57,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     ParameterError
         Where the belt moves, or a parameter is missing or an array.
     ConvergenceError
-        Where points at which a set ends or turns back are not all decided.
+        Where folds, or states at a limit of the force, are not all decided.
 
     Notes
     -----
@@ -117,11 +115,7 @@ def _turns(own: Any, place: int) -> Points:
     small = Intervals.between(*(np.full((system.n, 1), end) for end in SMALL))
     if system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NOTHING:  # the others and h do not move it
         return arranged(family, nothing(family), "turn")
-    found = isolated(family, system.condition, "turn")
-    if not found.decided:
-        name = family.balance.coordinates[place]
-        raise ConvergenceError(f"where {name} turns back along the states is not all decided: {'; '.join(found.remarks)}")
-    return found
+    return isolated(family, system.condition, "turn")
 
 
 def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
@@ -129,14 +123,20 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
     eq, balance = way.eq, way.balance
     first = np.concatenate([[0], np.cumsum(eq.count)])  # numbers of states, stop by stop, then those of folds and borders
     q = np.concatenate([np.array([column[eq.states] for column in eq.coordinates.values()]), way.q], axis=1)
-    links, moved = [], []
+    labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=np.bool_)
 
     def link(stop: int, slot: int, goal: int, place: int) -> None:
-        """A state and another one on its curve, or the point at which it vanishes."""
+        """Join the sets of a state and of another one on its curve, or of the point at which it vanishes; angles go on there."""
         one, other = (int(first[at] + there if there >= 0 else first[-1] + ~there) for at, there in ((stop, slot), (goal, place)))
-        links.append((one, other))
         follow = balance.around and place >= 0
-        moved.append(way.moved(stop, slot, goal) if follow else apart(q[:, other], q[:, one], balance.around))
+        moved = way.moved(stop, slot, goal) if follow else apart(q[:, other], q[:, one], balance.around)
+        off = TURN * np.round((q[:, one] + moved - q[:, other]) / TURN)
+        behind = labels == labels[other]
+        if behind[one]:
+            comes_around[:, one] |= off != 0
+        else:
+            q[:, behind] += off[:, None]
+        labels[behind] = labels[one]
 
     for stop in range(1, way.stops.size):
         goals = [way.followed(stop, slot) for slot in range(eq.count[stop - 1])]
@@ -144,33 +144,19 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
             link(stop - 1, slot, stop, goal)
         for slot in sorted({*range(eq.count[stop])} - {*goals}):
             link(stop, slot, stop - 1, ~way.vanishing(stop, stop - 1, slot))
-    signs = np.zeros((len(links), q.shape[1]))
-    for row, ends in enumerate(links):
-        signs[row, ends] = -1.0, 1.0
-    count, labels = connected_components(signs.T @ signs, directed=False)
-    sets = [np.flatnonzero(labels == label) for label in range(count)]
-    if balance.around:
-        _go_on(q, sets, signs, np.array(moved), balance.around)
+    sets = [labels == label for label in np.unique(labels)]
     error = np.concatenate([eq.error[eq.states], way.turns.error])
-    found = {
-        f"{name}_{end}": np.array([most(q[k, one]) for one in sets])
-        for k, name in enumerate(balance.coordinates)
-        for end, most in (("low", np.min), ("high", np.max))
-    }
-    order = np.lexsort([*found.values()][::-1])
+    low, high = (np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q)) for most in (np.min, np.max))
+    for k in balance.around:
+        before = TURN * np.floor(low[:, k] / TURN + 0.5)
+        low[:, k], high[:, k] = low[:, k] - before, high[:, k] - before
+        whole = [bool(comes_around[k, one].any()) for one in sets]
+        low[whole, k], high[whole, k] = -0.5 * TURN, 0.5 * TURN
+    order = np.lexsort(low.T[::-1])
+    both = zip(balance.coordinates, low[order].T, high[order].T, strict=True)
+    ends = {f"{name}_{end}": column for name, *columns in both for end, column in zip(("low", "high"), columns, strict=True)}
     parts = [way.turns, *turns]
     remarks = dict.fromkeys([*eq.remarks, *(remark for points in parts for remark in points.remarks)])
     complete = bool(eq.whole.all()) and all(points.complete for points in parts)
-    largest = np.array([error[one].max() for one in sets])
-    return StickingStates(p, largest[order], complete, tuple(remarks), {name: end[order] for name, end in found.items()})
-
-
-def _go_on(q: FloatArray, sets: Sequence[IntArray], signs: FloatArray, moved: FloatArray, around: Sequence[int]) -> None:
-    """Angles that come around are put where they go on from the first of their set; all of the turn where a set goes around."""
-    seen = np.linalg.lstsq(signs, moved)[0].T
-    strays = np.abs(signs @ seen.T - moved) > 1.0
-    for k, one in itertools.product(around, sets):
-        q[k, one] += TURN * np.round((seen[k, one] - seen[k, one[0]] - (q[k, one] - q[k, one[0]])) / TURN)
-        q[k, one] -= TURN * np.floor(q[k, one].min() / TURN + 0.5)
-        if signs[strays[:, k]][:, one].any():
-            q[k, one] = np.where(one == one[0], -0.5 * TURN, 0.5 * TURN)
+    largest = np.array([error[sets[place]].max() for place in order])
+    return StickingStates(p, largest, complete, tuple(remarks), ends)

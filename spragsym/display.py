@@ -257,7 +257,7 @@ def _is_single(value: Any) -> bool:
 
 
 def _size(shape: tuple[int, ...]) -> str:
-    return f"{shape[0]} rows" if len(shape) == 1 else f"{' × '.join(map(str, shape))} points"
+    return counted(shape[0], "row", "rows") if len(shape) == 1 else f"{' × '.join(map(str, shape))} points"
 
 
 # ------------------------------------------------------------------------------------------------- as HTML, as text

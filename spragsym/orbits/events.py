@@ -260,10 +260,13 @@ def _located(
 def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:
     """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
     own = uncertainty(point)
-    if kind in ("fold", *SLIDING):
-        return own  # the parameter is extremal there, or the orbit itself tells
+    if kind == "fold":
+        return own  # the parameter is extremal there
+    own += abs(turning(point)) * LOCATED
+    if kind in SLIDING:
+        return own  # the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))
-    place = LOCATED + unsure(point.loop, kind) * length / change
+    place = unsure(point.loop, kind) * length / change
     # By how much it scatters where orbits at one parameter are found from either side, times the step in that: near a grazing
     # multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
     scatter = [0.0]

@@ -15,6 +15,10 @@ FALLING = {"P": 0.1, "mu0": 1.5, "fall": 1.0, "V": 1.0, "w": 1.7095}
 #: J. P. Den Hartog 1931: the friction from which on the motion under w = 1.5 stops in between.
 STOPS = 1.5**2 / (1.5**2 - 1) / math.hypot(1, 1.5 * math.tan(math.pi / 3))
 
+#: Friction of 0.4 on a belt that stands holds the mass at x = 0.6 until the push has fallen to 0.2, and then at x = -0.6: its
+#: harmonic motion comes there at this speed of the rotor.
+ADDS = 0.207334408814384165
+
 #: Model, values, parameter with its range, and what happens there: kind, value and how often at once.
 BRANCHES: dict[str, Any] = {
     "fast": ("forced", {"w": 0.5, "V": 0.05}, "w", (0.5, 0.6), [
@@ -25,7 +29,7 @@ BRANCHES: dict[str, Any] = {
     "brake": ("coulomb", {"theta0": math.radians(42)}, "V", (0.412, 0.5),
               [("grazing", 0.4161207539, 1), ("crossing-sliding", 0.4348565518, 1)]),  # it touches in lift-off
     "falling": ("forced", FALLING, "w", (1.7068, 1.7105), [("grazing-sliding", 1.7077997149, 1)]),
-    "still": ("forced", {"w": 0.19, "V": 0.0}, "w", (0.19, 0.22), [("adding-sliding", 0.2073344088, 2)] * 2),
+    "still": ("forced", {"w": 0.19, "V": 0.0}, "w", (0.19, 0.22), [("adding-sliding", ADDS, 2)] * 2),
     "stops": ("forced", {"w": 1.5, "V": 0.0, "mu0": 0.6}, "mu0", (0.58, 0.7), [("crossing-sliding", STOPS, 2)] * 2),
 }  # fmt: skip
 
@@ -67,7 +71,8 @@ def test_sliding_bifurcations_are_where_and_what_their_names_say(branch: str, lo
     begun = None if name == "coulomb" else ss.simulate(p, start=(0.0, 1.5, values["w"], 0.9), t_end=700.0)
     events = ss.cycle_branch(ss.cycle(p, near=begun), vary, to).of(*NAMES)
     for event, (kind, value, times) in zip(events, expected, strict=True):
-        assert (event.kind, event.value) == (kind, pytest.approx(value, abs=1e-9))
+        assert event.kind == kind
+        assert abs(event.value - value) <= event.error + 1e-10 * (branch not in ("still", "stops"))
         assert event.error < 1e-10
         sticks, overtakes, short = NAMES[kind]
         for driver in (motion, dry_friction.along) if longest else (motion,):

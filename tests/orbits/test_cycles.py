@@ -367,6 +367,32 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     assert not multipliers.is_lost(loop, "fold")
 
 
+MISTAKES = [
+    (lambda _: ss.cycle(), "p is missing"),
+    (lambda _: ss.cycle(at(42.0), onset=1), "leave out p and near, or the onset"),  # type: ignore[call-overload]
+    (lambda slow: ss.cycle(ss.load("stick_slip").Parameters(V=0.2), near=slow), "near is a cycle of kang_nam, not of stick_slip"),
+    (
+        lambda slow: ss.diagram(at(42.0, mu0=0.4, **BELT), "theta0", (0.7, 0.75), starts=[slow]),
+        "a cycle at mu0 = 0.5, the diagram",
+    ),
+    (lambda _: cycle_near(CIRCLE, (0.25,), (0.5, 0.0)).spring_force, "no force of this model, which has none"),
+    (lambda _: ss.fate_boundary(at(42.0), vary="theta0", bracket=(0.7,)), "is no range"),
+    (lambda _: ss.basin_boundary(at(40.0), **BELT, plane=("x", "x")), "is not two of x, y, vx, vy"),
+    (lambda _: ss.basin_boundary(at(40.0), **BELT, saddle=(0.0,)), "give the 2 coordinates"),
+]
+
+
+@pytest.mark.parametrize(("call", "named"), MISTAKES)
+def test_a_mistake_is_named(call: Any, named: str, slow: ss.Cycle) -> None:
+    with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match=named):
+        call(slow)
+
+
+def test_a_cycle_of_a_field_without_a_model_is_not_proved() -> None:
+    pytest.importorskip("flint")
+    assert "can't be made again" in ss.precise.prove_cycle(cycle_near(CIRCLE, (0.25,), (0.5, 0.0))).reason
+
+
 # --------------------------------------------------------------------------------------------- fates and exponents
 
 
@@ -443,12 +469,28 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
 
 
-def test_errors_of_exponents_are_those_of_batch_means() -> None:
-    """Of six parts whose means are 1 and −1 in turn: Student's quantile over √5. Twice that is told from 0."""
-    logs, width = np.tile(np.repeat([1.0, -1.0], 4), 3), scipy.stats.t.ppf(0.975, 5) / 5**0.5
-    assert exponents.half_widths(logs[:, None], 1.0) == pytest.approx([width])
-    found = exponents.Rates(np.array([0 * logs, logs + 2.5 * width]).T, logs, 24.0, np.zeros(25), np.zeros(2))
-    assert "deviations grow" in found.undecided(100.0)
+#: Logarithms of growth in 24 stretches, means over six parts are 1 and −1 in turn; the error is Student's quantile over √5.
+SWINGS, WIDTH = np.tile(np.repeat([1.0, -1.0], 4), 3), scipy.stats.t.ppf(0.975, 5) / 5**0.5
+
+
+@pytest.mark.parametrize(
+    ("across", "before", "part"),
+    [
+        ((SWINGS,), 100.0, "is not told from 0: a longer motion"),
+        ((0.0 * SWINGS,), 100.0, "errors of integration may be as large"),
+        ((SWINGS - 2.5 * WIDTH,), 100.0, "all exponents but the trivial one are negative"),
+        ((SWINGS + 2.5 * WIDTH,), 100.0, "deviations grow, but"),  # by more than twice the error
+        ((SWINGS + 2.5 * WIDTH, SWINGS - 2.5 * WIDTH), 1.0, "it may not have settled"),
+        ((SWINGS + 2.5 * WIDTH, SWINGS - 2.5 * WIDTH), 100.0, ""),
+    ],
+)
+def test_why_exponents_prove_nothing(across: tuple[Any, ...], before: float, part: str) -> None:
+    assert exponents.half_widths(SWINGS[:, None], 1.0) == pytest.approx([WIDTH])
+    logs = np.array([0 * SWINGS, *across]).T
+    found = exponents.Rates(logs, SWINGS, 24.0, np.zeros(25), np.zeros(2))
+    assert part in found.undecided(before)
+    assert bool(found.undecided(before)) == bool(part)
+    assert "at rest" in dataclasses.replace(found, flow=np.full(25, -np.inf)).undecided(before)
 
 
 @pytest.mark.thorough

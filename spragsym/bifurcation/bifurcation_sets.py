@@ -17,7 +17,7 @@ from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.certified_roots import concatenated
 from ..numerics.chains import link, walked
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, scale_of
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
@@ -387,7 +387,7 @@ class FoldCurves:
         """
         count, columns = len(self.scale), np.arange(states.shape[1])
         free = np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64).reshape(-1, count - 1).T
-        room = ROOM * np.maximum(1.0, np.abs(states))
+        room = ROOM * scale_of(states)
         room[fixed, columns] = 0.0
         wide = np.stack([-states, states]) + room
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]

@@ -15,7 +15,7 @@ from scipy.optimize import linear_sum_assignment
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, distinct
-from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals
+from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, scale_of
 from ..questions import Method, question
 from ..results.points import Points
 from ..statics import stability
@@ -254,7 +254,7 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
     fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
-    room = ROOM * np.maximum(1.0, np.abs(candidates))
+    room = ROOM * scale_of(candidates)
     tried = refined(system, fixed, Roots.at(np.stack([room - candidates, room + candidates])))
     sure = tried.error <= TOLERANCE
     proved, open_ = (on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure))
@@ -289,7 +289,7 @@ def _states(found: Roots) -> tuple[FloatArray, IntArray]:
     """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
     ends, point = found.every
     boxes = Intervals(ends)
-    small = np.asarray((boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0))
+    small = np.asarray((boxes.width <= SMALL * scale_of(boxes.middle)).all(axis=0))
     small[: found.point.size] = True
     hulls, point = clusters(ends[:, :, small], point[small])
     return Intervals(hulls).middle, point
@@ -418,7 +418,7 @@ class Onsets(Points):
             return NO_DAMPING
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
-        radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
+        radii = self.error[row] * scale_of([*state, getattr(self, vary)[row]]) * (1 + 2.0**-50)
         return form_or_why(self.parameters.model, self.given(row), state, vary, radii)
 
     def given(self, row: int) -> FloatArray:

@@ -33,7 +33,7 @@ from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
 from ..results.equilibria import Stability
@@ -271,7 +271,7 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     """Outcome of one fold: which of the two states is stable, and in which direction they vanish."""
     family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
     z = np.array([float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)])
-    size = points.error[row] * np.maximum(1.0, np.abs(z))
+    size = points.error[row] * scale_of(z)
     side, lower = _normal_form(family, Intervals(np.stack([size - z, size + z])[:, :, None]))
     when = "up" if side < 0 else "down"
     if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != Stability.STABLE:

@@ -25,7 +25,7 @@ from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, scale_of, stacked
 from ..statics.balance import Balance
 from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
@@ -340,7 +340,7 @@ class Tubes(ByColumn):
         others, forces = self.others, self._forces(z)
         moved = np.where(half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0)  # the middle is rounded
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * UP
-        least = 2 * NARROW * np.maximum(1.0, np.abs(z[others]))
+        least = 2 * NARROW * scale_of(z[others])
         reach = np.maximum(least, (1 + ROOM) * beside[others] * self.half.any(axis=0))
         most, rows = np.zeros_like(reach), np.arange(half.size)
         out = Place(z, along, moved, by_p, swing.copy(), np.zeros_like(z), np.zeros_like(z), np.zeros(half.size, dtype=np.bool_))

@@ -24,7 +24,7 @@ from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of
 from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from ..results.result import Result
@@ -324,6 +324,6 @@ class ClaimOfStates(Claim):
                 low, high = middle[:, point], middle[:, point]
                 low[row], high[row] = parts.low[row, point], parts.high[row, point]
                 pushed = balance.residuals(Intervals.point(q), balance.prepared(Intervals.between(low, high))).width
-                moved = np.einsum("Nij,jN->iN", back, pushed) / np.maximum(1.0, np.abs(q))
+                moved = np.einsum("Nij,jN->iN", back, pushed) / scale_of(q)
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
         return out

@@ -23,7 +23,7 @@ from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import Undecided
-from ..numerics.interval_arrays import BoolArray, IndexArray
+from ..numerics.interval_arrays import BoolArray, IndexArray, scale_of
 from ..questions import NotInClosedForm
 from ..results.equilibria import Equilibria, Stability
 from . import fold_arrays, kernel
@@ -115,7 +115,7 @@ def _block(
     theirs = {name: column[points] if column.ndim else column for name, column in others.items()}
     t, best = fold_arrays.sharpened(vary, theirs, there)
     value[points] = best.value
-    for k in np.flatnonzero(~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))):
+    for k in np.flatnonzero(~(best.error <= _LARGEST_ERROR * scale_of(best.value))):
         point = point_at(given, points[k])
         try:
             value[points[k]] = fold_arrays.with_more_digits(vary, point, t.rows(k), best.rows(k))

@@ -16,7 +16,7 @@ import numpy as np
 
 from . import contractors
 from .columns import ByColumn
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, scale_of
 from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
@@ -175,7 +175,7 @@ class _Search:
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs, parameters = self._contracted(pairs)
         # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
-        room = MARGIN * Intervals(pairs.ends).width + NARROW * np.maximum(1.0, np.abs(pairs.ends).max(axis=0))
+        room = MARGIN * Intervals(pairs.ends).width + NARROW * scale_of(pairs.ends).max(axis=0)
         wide = np.minimum(pairs.ends + room, self.limits)
         middle = Intervals(pairs.ends).middle
         at_middle = self.system.residuals(Intervals.point(middle), parameters)
@@ -215,7 +215,7 @@ class _Search:
         widths = now.ends[0] + now.ends[1]
         single = self.points.size[now.nodes] == 1
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
-        scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
+        scale = scale_of(now.ends).max(axis=0)
         # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
         ratio = np.where(widths <= NARROW * scale, 1.0, widths / (before.ends[0] + before.ends[1]))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
@@ -262,7 +262,7 @@ def _halves(pairs: Pairs, slopes: Intervals, closed: BoolArray) -> Pairs:
     share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
     known = np.isfinite(share).all(axis=0)
     # What is as narrow as rounding allows gets no narrower by halving.
-    done = closed | (widths <= NARROW * np.maximum(1.0, np.abs(pairs.ends).max(axis=0)))
+    done = closed | (widths <= NARROW * scale_of(pairs.ends).max(axis=0))
     return _cut(pairs, np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0))
 
 

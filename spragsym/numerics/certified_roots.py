@@ -10,7 +10,7 @@ import numpy as np
 
 from . import boxes, contractors
 from .boxes import Outcome, System
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
@@ -86,7 +86,7 @@ def concatenated(parts: Sequence[Roots], n: int) -> Roots:
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the components."""
-    return raised((contractors.distance(ends, middle) / np.maximum(1.0, np.abs(middle))).max(axis=0))
+    return raised((contractors.distance(ends, middle) / scale_of(middle)).max(axis=0))
 
 
 def search(system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any) -> Roots:
@@ -143,7 +143,7 @@ def _refined(system: System, ends: FloatArray, parameters: Intervals, point: Int
             new = np.fmin(step.ends, before)
             ends[:, :, rows] = new
             widths = new[0] + new[1]
-            wide = widths > DONE * np.maximum(1.0, np.abs(new).max(axis=0))
+            wide = widths > DONE * scale_of(new).max(axis=0)
             narrower = (wide & (widths < 0.75 * (before[0] + before[1]))).any(axis=0)
             rows, at = rows[narrower], at[:, narrower]
             if not rows.size:

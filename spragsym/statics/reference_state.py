@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import undecorated
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, scale_of, stacked
 from ..numerics.jets import gradient, variables
 from ..results.equilibria import Equilibria, Stability
 from .equilibria import equilibria
@@ -109,7 +109,7 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> In
     >>> int(least_slot(np.abs(x), np.array([x, h]), np.full(3, 1e-16)))
     1
     """
-    sizes = np.maximum(1.0, np.abs(states).max(axis=0))
+    sizes = scale_of(states).max(axis=0)
     room = ALIKE * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
     left = np.isfinite(measure)
     for one in (measure, *(-row for row in states)):
@@ -128,7 +128,7 @@ def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray
     keys = []
     for row in rows:
         order = np.lexsort((row, point))
-        near = EQUAL * (1 + np.abs(row[order])) + error[order] * np.maximum(1.0, np.abs(row[order]))
+        near = EQUAL * (1 + np.abs(row[order])) + error[order] * scale_of(row[order])
         begins = np.diff(row[order], prepend=-np.inf) > near + np.roll(near, 1)
         ranks = np.empty(order.size, dtype=np.intp)
         ranks[order] = np.cumsum(begins | (np.diff(point[order], prepend=-1) != 0))

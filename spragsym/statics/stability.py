@@ -17,7 +17,17 @@ from numpy.typing import NDArray
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz, is_zero
 from ..numerics.balls import Undecided, ball
-from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, Intervals, matrix, stacked
+from ..numerics.interval_arrays import (
+    BoolArray,
+    ComplexArray,
+    FloatArray,
+    Int8Array,
+    IntArray,
+    Intervals,
+    matrix,
+    scale_of,
+    stacked,
+)
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results.equilibria import Equilibria, Stability
 from .balance import NOTHING, Balance, PreciseBalance
@@ -73,7 +83,7 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray 
     given = np.array([value[states] for value in columns]).reshape(len(balance.parameters), states[-1].size)
     q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
     if around is None:
-        off = eq.error[states] * np.maximum(1.0, np.abs(q))
+        off = eq.error[states] * scale_of(q)
         with np.errstate(all="ignore"):
             ends = np.nextafter(np.stack([off - q, q + off]), np.inf)
     else:

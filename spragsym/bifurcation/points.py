@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant, is_zero
 from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, stacked, width_of
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..progress import doing
 from ..remarks import At, Remark
@@ -201,7 +201,7 @@ def shared(system: Augmented, left: FloatArray) -> BoolArray:
     out = np.zeros(left.shape[2], dtype=np.bool_)
     if system.condition.order or not out.size:
         return out
-    wide = left + (WIDER * (left[0] + left[1]) + ROOM * scale_of(left).max(axis=0))
+    wide = left + (WIDER * width_of(left) + ROOM * scale_of(left).max(axis=0))
     with np.errstate(all="ignore"):
         alone = _one_root(system, system.fixed(out.size), wide)
         for end in system.family.spans[0]:

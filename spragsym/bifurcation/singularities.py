@@ -33,7 +33,7 @@ from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, stacked, width_of
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
 from ..results.equilibria import Stability
@@ -127,7 +127,7 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
         sides = Intervals(box[:, :-1, None])
         image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
         wide = np.maximum(box[:, :-1], image)
-        wide = wide + 0.25 * (wide[0] + wide[1]) + 1e-9
+        wide = wide + 0.25 * width_of(wide) + 1e-9
         slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
     if not np.isfinite(slopes).all():
         return False

@@ -24,7 +24,7 @@ from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of, width_of
 from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from ..results.result import Result
@@ -306,7 +306,7 @@ class ClaimOfStates(Claim):
         states = Roots(ends[:, :, kept], ends[:, :, kept], point[kept], ends[:, :, left], point[left])
         where = np.full(around.shape, -np.inf)
         np.maximum.at(np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0))
-        room = ROOM + boxes.MARGIN * np.maximum(where[0] + where[1], 0.0)
+        room = ROOM + boxes.MARGIN * np.maximum(width_of(where), 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
         with np.errstate(all="ignore"):
             holds = whole & self.true(balance, bounds, states)

@@ -16,7 +16,7 @@ import numpy as np
 
 from . import contractors
 from .columns import ByColumn
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, scale_of
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, scale_of, width_of
 from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
@@ -191,7 +191,7 @@ class _Search:
             reach = contractors.distance(before, middle)
             by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes[:, :, rest], middle, reach)
             ends = np.fmin(ends, by_rows)
-            some = np.flatnonzero(~(none | np.logical_or.reduce(ends[0] + ends[1] < 0) | contractors.apart(ends, before)))
+            some = np.flatnonzero(~(none | np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before)))
             ends, rest = ends[:, :, some], rest[some]
         given, pairs, noise, slopes = given[rest], pairs[rest], step.noise[:, rest], slopes[:, :, rest]
         closed = np.logical_and.reduce(step.ends[:, :, rest] < wide[:, :, rest])
@@ -203,7 +203,7 @@ class _Search:
         after = self.system.contracted(Intervals(given.ends), parameters)
         boxes = Intervals(_with_room(after, given.ends, 0.0))
         keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
-        keep &= ~np.logical_or.reduce(after[0] + after[1] < 0)
+        keep &= ~np.logical_or.reduce(width_of(after) < 0)
         rows = np.flatnonzero(keep)
         ends, parameters = boxes.ends[:, :, rows], parameters[:, rows]
         left = np.flatnonzero(~self.system.hopeless(Intervals(ends), parameters)) if rows.size else rows
@@ -212,12 +212,12 @@ class _Search:
 
     def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
-        widths = now.ends[0] + now.ends[1]
+        widths = width_of(now.ends)
         single = self.points.size[now.nodes] == 1
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
         scale = scale_of(now.ends).max(axis=0)
         # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
-        ratio = np.where(widths <= NARROW * scale, 1.0, widths / (before.ends[0] + before.ends[1]))
+        ratio = np.where(widths <= NARROW * scale, 1.0, widths / width_of(before.ends))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
@@ -237,7 +237,7 @@ class _Search:
         if self.regions is None:
             return pairs
         ends = np.minimum(pairs.ends, self.regions[:, :, pairs.nodes])
-        return Pairs(ends, pairs.nodes)[np.logical_and.reduce(ends[0] + ends[1] >= 0)]
+        return Pairs(ends, pairs.nodes)[np.logical_and.reduce(width_of(ends) >= 0)]
 
 
 def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
@@ -248,7 +248,7 @@ def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -
 def _parted(pairs: Pairs) -> Pairs:
     """Pieces of boxes, halved where they are widest."""
     while 0 < len(pairs) < PIECES:
-        pairs = _cut(pairs, (pairs.ends[0] + pairs.ends[1]).argmax(axis=0))
+        pairs = _cut(pairs, width_of(pairs.ends).argmax(axis=0))
     return pairs
 
 
@@ -257,7 +257,7 @@ def _halves(pairs: Pairs, slopes: Intervals, closed: BoolArray) -> Pairs:
 
     A component that interval Newton maps into the interior is not what keeps the box open.
     """
-    widths = pairs.ends[0] + pairs.ends[1]
+    widths = width_of(pairs.ends)
     change = slopes.magnitude * widths[None]
     share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
     known = np.isfinite(share).all(axis=0)

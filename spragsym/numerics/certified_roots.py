@@ -10,7 +10,7 @@ import numpy as np
 
 from . import boxes, contractors
 from .boxes import Outcome, System
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of, width_of
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
@@ -142,9 +142,9 @@ def _refined(system: System, ends: FloatArray, parameters: Intervals, point: Int
             empty[rows] |= contractors.apart(step.ends, before)
             new = np.fmin(step.ends, before)
             ends[:, :, rows] = new
-            widths = new[0] + new[1]
+            widths = width_of(new)
             wide = widths > DONE * scale_of(new).max(axis=0)
-            narrower = (wide & (widths < 0.75 * (before[0] + before[1]))).any(axis=0)
+            narrower = (wide & (widths < 0.75 * width_of(before))).any(axis=0)
             rows, at = rows[narrower], at[:, narrower]
             if not rows.size:
                 break

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, raised, scaled
+from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, raised, scaled, width_of
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     ends = raised(b[::-1] + around)
     ends = raised(np.where(ends >= 0, ends / least, ends / most))
     ends = raised(ends + np.stack([-middle, middle]))
-    noise = 0.5 * (b[0] + b[1])
+    noise = 0.5 * width_of(b)
     none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > raised(around + own, 2))
     return Newton(np.where(least > 0, ends, np.inf), noise, none)
 

@@ -52,6 +52,11 @@ def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
     return out
 
 
+def width_of(ends: FloatArray) -> FloatArray:
+    """high − low of boxes, of which ``ends`` has −low and high first, rounded to nearest; below 0 where nothing is left."""
+    return ends[0] + ends[1]
+
+
 def scale_of(values: ArrayLike) -> FloatArray:
     """max(1, |value|), over which errors and widths are told: relative where numbers are large, absolute where they are small."""
     return np.maximum(1.0, np.abs(values))

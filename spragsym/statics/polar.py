@@ -44,7 +44,7 @@ import numpy as np
 
 from ..numerics import certified_roots, contractors, jets
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, raised, stacked, width_of
 from .balance import SCALE, Balance, StateSystem
 from .forces import State, Values, as_intervals
 from .namespaces import XP
@@ -147,8 +147,7 @@ class Polar(StateSystem):
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces of their directions."""
         at = self.state(unknowns, parameters)
-        low, high = self.balance.with_directions(at)
-        return at.beside_border()[1] | np.logical_or.reduce(low + high < 0)
+        return at.beside_border()[1] | np.logical_or.reduce(width_of(self.balance.with_directions(at)) < 0)
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""

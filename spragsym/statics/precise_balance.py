@@ -19,7 +19,7 @@ from ..numerics import contractors
 from ..numerics.balls import Ball, Undecided
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, width_of
 from ..numerics.precise_roots import Reduced, as_intervals, narrowed, outward, reduced_roots
 from .balance import PreciseBalance, StateSystem
 
@@ -86,7 +86,7 @@ def boxes_of(found: Roots) -> tuple[FloatArray, IntArray]:
 
 def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: int = 0) -> Roots:
     """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave something."""
-    cluster = cluster + (0.25 * (cluster[0] + cluster[1]) + 1e-9)
+    cluster = cluster + (0.25 * width_of(cluster) + 1e-9)
     middle = Intervals(cluster).middle
     with np.errstate(all="ignore"):
         parameters = system.prepared(Intervals.point(given[:, None]))
@@ -126,7 +126,7 @@ def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
 
 
 def _around(boxes: FloatArray) -> FloatArray:
-    return boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
+    return boxes + (0.5 * width_of(boxes) + 1e-8)
 
 
 def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:

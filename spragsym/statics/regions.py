@@ -24,7 +24,7 @@ import numpy as np
 from ..errors import ParameterError
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked, width_of
 from .balance import Balance, linear
 from .forces import State, as_intervals
 from .namespaces import FREE
@@ -62,13 +62,13 @@ def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None)
     if asked is None:
         return wider, proved
     box = np.minimum(asked, balance.border)[:, :, None]
-    if (box[0] + box[1] < 0).any():
+    if (width_of(box) < 0).any():
         raise ParameterError("within lies beyond the border of the contact, where none of these states is; widen it")
     whole: BoolArray = proved & (wider <= box).all(axis=(0, 1))
     given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
     both = np.minimum(wider, box)
     # Where the forces bound nothing, and where they show that nothing is in the box, it is looked at as it is.
-    apart = ~proved | (both[0] + both[1] < 0).any(axis=0)
+    apart = ~proved | (width_of(both) < 0).any(axis=0)
     return np.where(given & apart, box, both), whole
 
 
@@ -99,7 +99,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
             before = ends
             for step in steps:
                 ends = step(replace(at, q=list(Intervals(ends))))
-            widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
+            widths, widths_before = width_of(ends), width_of(before)
             if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break
         ends = np.maximum(ends, _near_anchors(at, ends))
@@ -248,7 +248,7 @@ def _closed(at: State) -> FloatArray:
         for side in (0, 1):  # where the gap grows towards that side
             grows = slopes.ends[1 - side, 0, place] < 0
             found[side, place] = np.where(grows, np.fmin(ends[side, place], most.ends[side]), ends[side, place])
-    return np.where(found[0] + found[1] >= 0, found, ends)
+    return np.where(width_of(found) >= 0, found, ends)
 
 
 def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> Intervals:
@@ -257,5 +257,5 @@ def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> Interval
     for row in range(apart.shape[0]):
         other = (-apart[row] / along[row]).ends
         both = np.fmin(ends, other)
-        ends = np.where(both[0] + both[1] >= 0, both, ends)
+        ends = np.where(width_of(both) >= 0, both, ends)
     return Intervals(ends)

@@ -13,7 +13,7 @@ from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, scale_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, scale_of, width_of
 from ..questions import question
 from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided
@@ -199,7 +199,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         for dx, dy in at.anchors:
             anchor |= dx.holds_zero() & dy.holds_zero()
         border = as_intervals(at.gap(), at.shape).holds_zero() & balance.opens
-        width = ((left[0] + left[1]) / scale_of(left).max(axis=0)).max(axis=0)
+        width = (width_of(left) / scale_of(left).max(axis=0)).max(axis=0)
         free: BoolArray = np.zeros(count, dtype=np.bool_)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))

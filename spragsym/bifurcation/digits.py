@@ -15,6 +15,7 @@ from ..numerics import balls, certified_roots
 from ..numerics.arithmetic import cofactor
 from ..numerics.balls import FIRST_BITS, XP, Undecided, as_mpf, as_numbers, with_enough_bits
 from ..numerics.certified_roots import Roots
+from ..numerics.decimals import float_above
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.precise_roots import narrowed
 from ..questions import Method, question
@@ -80,21 +81,13 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
     """A box for each root of all parameters between the floats around the exact ones, what is left, and the region."""
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    low, high = (
-        np.array([_beside(ends[name][side], way) for name in balance.parameters])[:, None]
-        for side, way in ((0, -np.inf), (1, np.inf))
-    )
+    given = [ends[name] for name in balance.parameters]
+    low = -np.array([float_above(-least) for least, _ in given])[:, None]
+    high = np.array([float_above(most) for _, most in given])[:, None]
     if (low == high).all():
-        return solved(balance, low)
-    around, whole = region(balance, Intervals(np.stack([-low, high])))
+        return solved(balance, high)
+    around, whole = region(balance, Intervals.between(low, high))
     return once_around(balance.around, certified_roots.search(balance, around, low, high)), around, whole
-
-
-def _beside(value: Fraction, way: float) -> float:
-    """The float that is a number, or the next one on a side of it."""
-    near = float(value)
-    beyond = Fraction(near) > value if way < 0 else Fraction(near) < value
-    return float(np.nextafter(near, way)) if beyond else near
 
 
 def _state(system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray) -> PreciseEquilibrium | None:

@@ -333,7 +333,7 @@ def tree(low: FloatArray, high: FloatArray) -> Tree:
         sizes.append((blocks >= 0).sum(axis=1))
         if level < depth and count:
             order = _halved(blocks, low, np.nan_to_num((most - least) / scale[:, None], nan=-1.0).argmax(axis=0))
-    bounds = Intervals(np.stack([-np.concatenate(lows, axis=1), np.concatenate(highs, axis=1)]))
+    bounds = Intervals.between(np.concatenate(lows, axis=1), np.concatenate(highs, axis=1))
     return Tree(bounds, np.concatenate(sizes), order, depth)
 
 

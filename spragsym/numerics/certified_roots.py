@@ -104,7 +104,7 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
     alone = outcome.unique.ends[:, :, place]
     with np.errstate(all="ignore"):
         ends = np.minimum(outcome.where.ends[:, :, place], alone)
-        ends, gone = _refined(system, ends, Intervals(np.stack([-low, high])), point)
+        ends, gone = _refined(system, ends, Intervals.between(low, high), point)
         # Each holds a root; where a law ends at the root itself, as a contact's at the touch, refinement may lose it: undecided.
         found = Roots(ends, alone, point, outcome.undecided.ends[:, :, open_], left_point).kept(~gone)
         return different(found, np.broadcast_to(region, (*region.shape[:2], low.shape[1]))).besides(

@@ -153,7 +153,7 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
     for place in range(balance.springs):
         shortest = LENGTH if place in balance.torsions else 0.0
-        directions[3 * place + 2] = Intervals(np.stack([np.full(count, -shortest), np.full(count, FAR)]))
+        directions[3 * place + 2] = Intervals.between(np.full(count, shortest), FAR)
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 

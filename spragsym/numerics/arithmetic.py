@@ -131,9 +131,8 @@ def trimmed(polynomial: Polynomial) -> list[Any]:
 def resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
     """Sylvester's determinant of two polynomials."""
     m, n = len(one) - 1, len(two) - 1
-    rows = [[0] * shift + list(one[::-1]) + [0] * (n - 1 - shift) for shift in range(n)]
-    rows += [[0] * shift + list(two[::-1]) + [0] * (m - 1 - shift) for shift in range(m)]
-    return determinant(rows)
+    times = (one, n), (two, m)
+    return determinant([[0] * k + [*given[::-1]] + [0] * (count - 1 - k) for given, count in times for k in range(count)])
 
 
 #: What is done to the rows before column k is eliminated, as a choice of its pivot.

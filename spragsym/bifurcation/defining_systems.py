@@ -66,7 +66,7 @@ class Family:
         within: Ranges | None = None, *, room: float = 0.0, given: FloatArray | None = None,
     ) -> Self:  # fmt: skip
         """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the border of contact states count, too."""
-        balance, between = Balance(p.model, contact=True, room=room), between or {}
+        balance, between = Balance(p.model, room=room), between or {}
         spans, asked = ranges(p.model, vary, between), by_hand(balance.coordinates, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
         # Of these nobody has said how far they are searched.

@@ -270,7 +270,7 @@ class ClaimOfStates(Claim):
 
     def __init__(self, low: Any, high: Any, claim: str) -> None:
         self.model = low.model
-        self.balance = Balance(self.model, contact=True)
+        self.balance = Balance(self.model)
         self.sides = tuple(self.balance.parameters)
         self.true, self.false = STATES[claim]
         nowhere = np.full((2, self.balance.n, 1), np.inf)

@@ -159,7 +159,7 @@ def have_jumped(
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
-    balance = Balance(p.model, contact=True)
+    balance = Balance(p.model)
     names, shape, states = list(balance.parameters), found.value.shape, found.state.reshape(balance.n, -1)
     moving = names.index(vary)
     columns = (found.value if name == vary else getattr(p, name) for name in names)
@@ -197,7 +197,7 @@ class Followed:
             p = p.replace(**{vary: as_numbers("begin", begin, allowed)})
         # Where the parameter that moves is the only one of several values, its ends alone say of how many points it is.
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
-        self.balance = Balance(model, contact=True)
+        self.balance = Balance(model)
         columns = p.broadcast(*self.balance.parameters)
         self.fixed = np.stack([np.broadcast_to(column, self.shape).reshape(-1) for column in columns])
         self.begin = self.fixed[self.balance.parameters.index(vary)]

@@ -315,7 +315,7 @@ def _moving(study: Study, value: float, speed: float) -> Any:
 
 def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
     """A place with one coordinate as it is, and the forces on all others balanced: by Newton's method."""
-    balance = Balance(p.model, True)
+    balance = Balance(p.model)
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(place.size), held), place.copy()
     for _ in range(_STEPS):

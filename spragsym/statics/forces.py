@@ -32,7 +32,7 @@ class Forces:
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest", room: float = 0.0) -> None:
+    def __init__(self, model: Model, contact: bool = True, law: str = "friction_at_rest", room: float = 0.0) -> None:
         about = model.about
         #: How far beyond the contact's border states count, too: 0 but where those on it are looked for.
         self.room = room

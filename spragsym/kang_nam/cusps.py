@@ -35,11 +35,8 @@ def cusps(
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact, plane = tuple(map(Fraction, p.scalars(*FIXED))), ("theta0", "mu0")
-
-    def attempt(bits: int) -> list[tuple[float, ...]]:
-        return [point.row(*plane) for point in proved_cusps(exact, bits)]
-
-    rows = sorted(with_enough_bits(20, attempt, "cusps"), key=lambda row: (row[1], *row))
+    found = with_enough_bits(20, lambda bits: [point.row(*plane) for point in proved_cusps(exact, bits)], "cusps")
+    rows = sorted(found, key=lambda row: (row[1], *row))
     spans = (-math.pi, math.pi), (-math.inf, math.inf)
     return listed(Points, p, plane, np.full(len(rows), "cusp"), rows, between, spans=spans)
 
@@ -49,11 +46,7 @@ def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str],
     if tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact = tuple(given[name] for name in FIXED)
-
-    def attempt(bits: int) -> list[PreciseCusp]:
-        return [_cusp(point, digits) for point in proved_cusps(exact, bits)]
-
-    found = with_enough_bits(digits, attempt, "cusps")
+    found = with_enough_bits(digits, lambda bits: [_cusp(point, digits) for point in proved_cusps(exact, bits)], "cusps")
     ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
         return CuspProof(ordered, True, {})

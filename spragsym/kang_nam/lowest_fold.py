@@ -39,9 +39,9 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
     if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
     columns = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
-    if not columns[0].shape:
-        return LowestEnd("mu0", "theta0", *_lowest(*map(float, columns)))
-    return LowestEnd("mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns))
+    return LowestEnd("mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns))[
+        ()
+    ]  # numbers of one point
 
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:

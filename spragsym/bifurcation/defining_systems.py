@@ -300,15 +300,6 @@ class Augmented(OfFamily):
         """Forces and condition."""
         return [*at.forces(), *self.condition.equations(at)]
 
-    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
-        """Forces and condition over boxes."""
-        at = extra = self.state(unknowns, parameters, sides)
-        if self.condition.order:
-            # Derivatives that the condition itself is made of.
-            extra = self.state(variables(list(unknowns), self.condition.order), parameters, sides)
-        values = [*at.forces(), *self.condition.equations(extra)]
-        return stacked([constant(value) for value in values], at.shape)
-
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Their slopes by coordinates and parameters."""
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters)

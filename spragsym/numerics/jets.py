@@ -228,11 +228,14 @@ def order_of(*parts: Any) -> int:
 
 def turned(sine: Any, cosine: Any) -> tuple[Jet, Jet]:
     """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any length."""
-    order = order_of(sine, cosine)
     c, s = constant(cosine), constant(sine)
-    dc, ds = (change(part, order) for part in (cosine, sine))
-    square = c * c + s * s
-    return (dc * c + ds * s) / square, (ds * c - dc * s) / square
+    return change_along(cosine, sine, c, s, c * c + s * s)
+
+
+def change_along(dx: Any, dy: Any, c: Any, s: Any, size: Any) -> tuple[Jet, Jet]:
+    """How the vector (dx, dy) changes along (c, s) and across it, over a size."""
+    hx, hy = (change(part, order_of(dx, dy)) for part in (dx, dy))
+    return (hx * c + hy * s) / size, (hy * c - hx * s) / size
 
 
 def change(value: Any, order: int) -> Jet:

@@ -16,7 +16,7 @@ from ..models.model import Model
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
-from ..numerics.jets import Jet, argument, binomial_series, change, constant, order_of, turned
+from ..numerics.jets import Jet, argument, binomial_series, change_along, constant, order_of, turned
 from .namespaces import XP
 
 #: Arguments of generated functions by name, of any number type.
@@ -304,7 +304,7 @@ def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
     order = order_of(dx, dy)
     if not order:
         return c, s, L
-    u, v = _turn(dx, dy, c, s, L, order)
+    u, v = change_along(dx, dy, c, s, L)
     w = u * 2 + u**2 + v**2
     root, inverse = (Jet(w.terms, order).composed(binomial_series(Fraction(way, 2), order)) for way in (1, -1))
     cosine, sine = (u + 1) * inverse, v * inverse
@@ -320,28 +320,18 @@ def turning(value: tuple[Any, Any], vector: tuple[Any, Any], rest: tuple[Any, An
     ray, and so on either side of it, but no mean value theorem holds across it.
     """
     cosine, sine = (as_intervals(part, shape) for part in value)
-    phi = atan2(sine, cosine, side)
-    order = order_of(*vector, *rest)
-    if not order:
-        return phi
-    moved: Any = phi
-    if any(isinstance(part, Jet) for part in vector):
-        moved = argument(*_turn(*vector, *_at(*vector, shape), order)) + moved
-    if any(isinstance(part, Jet) for part in rest):
-        moved = -argument(*turned(rest[1], rest[0])) + moved
-    return moved
+    phi: Any = atan2(sine, cosine, side)
+    if order_of(*vector):
+        phi = argument(*change_along(*vector, *_at(*vector, shape))) + phi
+    if order_of(*rest):
+        phi = -argument(*turned(rest[1], rest[0])) + phi
+    return phi
 
 
 def _at(dx: Any, dy: Any, shape: Shape) -> tuple[Intervals, Intervals, Intervals]:
     """Direction and length without their changes."""
     along, across = (as_intervals(constant(part), shape) for part in (dx, dy))
     return *unit_vector(along, across), length(along, across)
-
-
-def _turn(dx: Any, dy: Any, c: Intervals, s: Intervals, L: Intervals, order: int) -> tuple[Jet, Jet]:
-    """The turned and scaled change of the vector."""
-    hx, hy = (change(part, order) for part in (dx, dy))
-    return (hx * c + hy * s) / L, (hy * c - hx * s) / L
 
 
 def as_intervals(value: Any, shape: Shape) -> Intervals:

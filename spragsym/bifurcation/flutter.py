@@ -185,11 +185,6 @@ def _nearest(numbers: ComplexArray, others: ComplexArray) -> Any:
     return numbers[apart.min(axis=1).argmin()]
 
 
-def _squares(M: FloatArray, K: FloatArray) -> ComplexArray:
-    """The roots κ of det(K − κ M)."""
-    return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
-
-
 def _omega(square: Any) -> list[float]:
     """ω of a root κ, unless it is negative."""
     return [float(np.sqrt(square.real))] if square.real > 0 else []
@@ -197,15 +192,15 @@ def _omega(square: Any) -> list[float]:
 
 def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
-    squares = _squares(M, K)
+    squares = stability.squares(M, K)
     return _omega(_nearest(squares, squares))
 
 
 def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
     others = [i for i in range(len(K)) if i != along]
-    squares = _squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
-    return _omega(squares[np.abs(squares[:, None] - _squares(M, K)[None]).min(axis=1).argmin()])
+    squares = stability.squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
+    return _omega(squares[np.abs(squares[:, None] - stability.squares(M, K)[None]).min(axis=1).argmin()])
 
 
 def every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:

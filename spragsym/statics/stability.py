@@ -125,9 +125,9 @@ def classified(
     for row, (elementary, minors) in _with_digits(balance, given, ends, ~proved, lambda _: _types):
         codes[row], proved[row] = _told(elementary, minors, conservative[row])
     M, _, K = linearization(balance, states, given)
-    squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
-    squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
-    roots = np.sqrt(squares)
+    lambdas = -squares(M, K)
+    lambdas = np.take_along_axis(lambdas, np.argsort(-np.abs(lambdas), axis=1), axis=1)
+    roots = np.sqrt(lambdas)
     return codes, proved, np.concatenate([roots, -roots], axis=1)
 
 
@@ -139,6 +139,11 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
     known = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
     out: ComplexArray = np.linalg.eigvals(np.where(known, companion, 0.0)).astype(complex)
     return np.where(known[..., 0], out, np.nan)
+
+
+def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
+    """The roots κ = −λ² of det(K − κ M)."""
+    return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
 
 
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, ...]:
@@ -154,8 +159,8 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
 def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     """The code of one state, shape (n, 1), where one λ is 0, as at a fold: the others decide."""
     (M,), _, (K,) = linearization(balance, states, given)
-    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
-    others = np.delete(squares, np.abs(squares).argmin())
+    every = squares(M, K)
+    others = np.delete(every, np.abs(every).argmin())
     if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
         return int(Stability.FLUTTER)
     return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)

@@ -16,7 +16,7 @@ from ..models.model import Model
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
-from ..numerics.jets import Jet, argument, binomial_series, change_along, constant, order_of, turned
+from ..numerics.jets import argument, binomial_series, change_along, constant, order_of, turned
 from .namespaces import XP
 
 #: Arguments of generated functions by name, of any number type.
@@ -196,7 +196,10 @@ class State:
 
     def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
         """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers quotients."""
-        return direction(dx, dy, self.shape) if self.xp is XP else quotients(dx, dy, self.xp)
+        if self.xp is XP:
+            return direction(dx, dy, self.shape)
+        size = self.xp.sqrt(dx**2 + dy**2)
+        return dx / size, dy / size, size
 
     def _turnings(self, steps: Sequence[tuple[Any, Any]], directions: Sequence[Any]) -> list[Any]:
         """φ of every torsion spring; over boxes 0 where its stiffness is."""
@@ -205,15 +208,13 @@ class State:
             return [self.xp.atan2(sine, cosine) for cosine, sine in pairs]
         still = replace(self, values={name: jets.constant(value) for name, value in self.values.items()})
         turned = still.call("turnings", map(jets.constant, [*self.q, *directions]), kind="statics")
-        rests, stiffnesses = self.at_rest, self.of_springs("torsions")
-        found = []
-        for place, value in enumerate(turned):
-            if _is_none(stiffnesses[place]):
-                found.append(Intervals(np.zeros((2, *self.shape))))
-                continue
-            side = None if self.sides is None else self.sides[place]
-            found.append(turning(value, steps[self.balance.torsions[place]], rests[place], self.shape, side))
-        return found
+        springs, stiffnesses = self.balance.torsions, self.of_springs("torsions")
+        sides: Sequence[int | None] = self.sides or [None] * len(springs)
+        each = zip(turned, stiffnesses, springs, self.at_rest, sides, strict=True)
+        return [
+            Intervals(np.zeros((2, *self.shape))) if _is_none(k) else turning(value, steps[spring], rest, self.shape, side)
+            for value, k, spring, rest, side in each
+        ]
 
     # ---------------------------------------------------------------------------------------------- forces
 
@@ -288,12 +289,6 @@ def _is_none(stiffness: Any) -> bool:
     return is_zero(stiffness) or (isinstance(stiffness, Intervals) and _is_nothing(stiffness))
 
 
-def quotients(dx: Any, dy: Any, xp: Any) -> tuple[Any, Any, Any]:
-    """Cosine, sine and length of the vector (dx, dy), of numbers that are narrow."""
-    length = xp.sqrt(dx**2 + dy**2)
-    return dx / length, dy / length, length
-
-
 def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
 
@@ -306,7 +301,7 @@ def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
         return c, s, L
     u, v = change_along(dx, dy, c, s, L)
     w = u * 2 + u**2 + v**2
-    root, inverse = (Jet(w.terms, order).composed(binomial_series(Fraction(way, 2), order)) for way in (1, -1))
+    root, inverse = (w.composed(binomial_series(Fraction(way, 2), order)) for way in (1, -1))
     cosine, sine = (u + 1) * inverse, v * inverse
     return cosine * c - sine * s, cosine * s + sine * c, root * L
 

@@ -142,8 +142,7 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared(Intervals.point(given))
             lengths = [part for line in balance.state(Intervals.point(origin), parameters).geometry for part in line]
-            found = [balance.guessed(origin, parameters), *(stacked([part], scale.shape).magnitude for part in lengths)]
-            sizes = np.abs(np.concatenate(found))
+            sizes = np.abs(np.concatenate([balance.guessed(origin, parameters), stacked(lengths, scale.shape).magnitude]))
             scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))
     return scale
 

@@ -52,7 +52,9 @@ def settled_by_digits(system: StateSystem, given: FloatArray, around: FloatArray
 
     Not of points with more clusters than ``most``.
     """
-    hulls, owner = clusters(*boxes_of(found))
+    poor = ~(found.error <= TOLERANCE)
+    boxes = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
+    hulls, owner = clusters(boxes, np.concatenate([found.left_point, found.point[poor]]))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = count <= most
     parts = [
@@ -75,13 +77,6 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
     if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
         return part
     return found.kept(inside, slice(0))
-
-
-def boxes_of(found: Roots) -> tuple[FloatArray, IntArray]:
-    """Boxes that are left, and boxes around roots that are known to few digits, and the point of each."""
-    poor = ~(found.error <= TOLERANCE)
-    ends = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
-    return ends, np.concatenate([found.left_point, found.point[poor]])
 
 
 def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: int = 0) -> Roots:

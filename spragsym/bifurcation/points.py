@@ -250,14 +250,11 @@ def begins(system: Augmented, around: FloatArray) -> bool:
     allowed = system.balance.model.Parameters.ranges[vary]
     if allowed.low != 0 or not allowed.open_low or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
         return False
-    return vary not in system.balance.angles and (bool(vanishes(system, 0.0, around)[0]) or not _bounded(system, around))
-
-
-def _bounded(system: Augmented, around: FloatArray) -> bool:
-    """Whether the condition has bounds in the whole region but for large values of the parameter."""
-    low = _between(around, 0.0, LOW)
-    with np.errstate(all="ignore"):
-        return bool(np.isfinite(system.residuals(Intervals(low), _at_end(system, LOW, 1)).ends[:, -1]).all())
+    if vary in system.balance.angles:
+        return False
+    with np.errstate(all="ignore"):  # whether the condition has bounds in the whole region but for large values
+        below = system.residuals(Intervals(_between(around, 0.0, LOW)), _at_end(system, LOW, 1)).ends[:, -1]
+    return bool(vanishes(system, 0.0, around)[0] or not np.isfinite(below).all())
 
 
 def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:

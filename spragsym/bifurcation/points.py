@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant, is_zero
 from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, stacked, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, spans_of, stacked, width_of
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..progress import doing
 from ..remarks import At, Remark
@@ -154,7 +154,7 @@ def arranged(
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
     values = family.named(middle[:, order]) | {name: column[order] for name, column in (more or {}).items()}
-    box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
+    box = spans_of(found.region[:, :, 0])
     boxes_left, kinds = listed(family, left)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, vary, box[n:])
@@ -170,7 +170,7 @@ def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...
     varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
     kinds = summed(kinds_of(balance, np.repeat(family.given, left.shape[2], axis=1), left, varied))
     left = _merged(left) if len(vary) == 1 else left
-    return np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0), kinds
+    return np.moveaxis(spans_of(left), 1, 0), kinds
 
 
 def _merged(left: FloatArray) -> FloatArray:

@@ -33,7 +33,7 @@ from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, stacked, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, spans_of, stacked, width_of
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import third_derivative
 from ..results.equilibria import Stability
@@ -205,7 +205,7 @@ def isolated(family: Family) -> Found:
         # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it, and regular with another one.
         hulls = clusters(roots.left, roots.left_point)[0] if roots.left_point.size <= MANY else roots.left[:, :, :0]
         for hull in np.moveaxis(hulls, 2, 0):
-            spans = np.stack([-hull[0], hull[1]], axis=-1)[balance.n :]
+            spans = spans_of(hull)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
             more = told_apart(near, search(near, cusp_off_mirrors(near, column)), column)
             if not more.left_point.size:

@@ -57,6 +57,11 @@ def width_of(ends: FloatArray) -> FloatArray:
     return ends[0] + ends[1]
 
 
+def spans_of(ends: FloatArray) -> FloatArray:
+    """Lower and upper ends of boxes, on a last axis, of which ``ends`` has −low and high first."""
+    return np.stack([-ends[0], ends[1]], axis=-1)
+
+
 def scale_of(values: ArrayLike) -> FloatArray:
     """max(1, |value|), over which errors and widths are told: relative where numbers are large, absolute where they are small."""
     return np.maximum(1.0, np.abs(values))

@@ -13,7 +13,7 @@ from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, scale_of, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, scale_of, spans_of, width_of
 from ..questions import question
 from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided
@@ -153,7 +153,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
             found.left_point, (-found.left[0].T).tolist(), found.left[1].T.tolist(), reasons, strict=True
         )
     )
-    searched = np.moveaxis(np.stack([-around[0], around[1]], axis=-1), 0, 1)
+    searched = np.moveaxis(spans_of(around), 0, 1)
     made = {
         "stability": placed(codes, 0), "marginal": placed(~proved, False),
         "eigenvalues": placed(eigenvalues, np.nan), "error": placed(found.error, np.nan),

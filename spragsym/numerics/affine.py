@@ -183,13 +183,8 @@ def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
     """One number for each side of boxes, whose corners have the shape (sides, n)."""
     middle = 0.5 * (low + high)
     half = np.maximum(np.nextafter(high - middle, np.inf), np.nextafter(middle - low, np.inf))
-    half = np.where(high > low, half, 0.0)
-    result = []
-    for j in range(len(low)):
-        terms = np.zeros(low.shape)
-        terms[j] = half[j]
-        result.append(Affine(middle[j], terms, np.zeros(low.shape[1])))
-    return result
+    terms = np.eye(len(low))[:, :, None] * np.where(high > low, half, 0.0)
+    return [Affine(*side, np.zeros(low.shape[1])) for side in zip(middle, terms, strict=True)]
 
 
 def cosine_and_sine(angle: Any) -> tuple[Any, Any]:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import cycle, islice
-from math import comb, factorial
+from math import comb, factorial, prod
 from typing import Any, TypeAlias
 
 from .arithmetic import Arithmetic, is_zero, repeated_product
@@ -49,10 +49,8 @@ class Jet(Arithmetic):
         """The derivative by these variables; the integer 0 where it is 0 by structure."""
         term = tuple(sorted(variables))
         coefficient = self.terms.get(term, 0)
-        repeats = [factorial(term.count(number)) for number in set(term)]
-        for repeat in repeats:
-            coefficient = coefficient * repeat if repeat > 1 else coefficient
-        return coefficient
+        repeats = prod(factorial(term.count(number)) for number in set(term))
+        return coefficient * repeats if repeats > 1 else coefficient
 
     def differentiated(self, variable: int) -> Jet:
         """The derivative by a variable as a polynomial, of one order less."""

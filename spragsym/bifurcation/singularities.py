@@ -21,7 +21,6 @@ numbers is 0, and each is enclosed over the fold's box.
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -35,7 +34,7 @@ from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, spans_of, stacked, width_of
 from ..numerics.jets import constant, gradient, variables
-from ..numerics.precise_roots import third_derivative
+from ..numerics.precise_roots import exact_ends, third_derivative
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.balance import NOTHING, Balance, PreciseBalance
@@ -131,8 +130,7 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
         slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
-    ends = np.concatenate([wide, box[:, -1:]], axis=1)
-    *whole, span = [(Fraction(-float(least)), Fraction(float(most))) for least, most in ends.T]
+    *whole, span = exact_ends(np.concatenate([wide, box[:, -1:]], axis=1))
     precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: span})
     try:
         return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))

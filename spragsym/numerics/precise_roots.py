@@ -98,15 +98,18 @@ def _proved(
     """The box of half-width r around z if it is shown to hold the root."""
     with balls.precision(system.bits):
         around = [part + balls.between(-r, r) for part in z]
-        within = all(
-            Fraction(-float(low)) <= balls.ends(part)[0] and balls.ends(part)[1] <= Fraction(float(high))
-            for part, (low, high) in zip(around, alone.T, strict=True)
-        )
-        floats = (balls.between(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T)
-        over = around if within else [balls.union(part, given) for part, given in zip(around, floats, strict=True)]
+        sides = zip(map(balls.ends, around), exact_ends(alone), strict=True)
+        within = all(low <= least and most <= high for (least, most), (low, high) in sides)
+        given = zip(around, exact_ends(box), strict=True)
+        over = around if within else [balls.union(part, balls.between(*side)) for part, side in given]
     columns = list(zip(*as_balls(system.slopes(over), system.bits), strict=True))
     off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
     return around if max(map(_norm, off)) <= Fraction(1, 2) else None
+
+
+def exact_ends(box: FloatArray) -> Box:
+    """Lower and upper end of each unknown in a box of floats, shape (2, n), exactly."""
+    return [(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T]
 
 
 def as_balls(rows: Matrix, bits: int) -> list[list[Ball]]:
@@ -153,7 +156,7 @@ class Reduced:
     left: list[Box]
 
 
-def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobian: FloatArray, bits: int) -> Reduced:
+def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[Any, Any]], jacobian: FloatArray, bits: int) -> Reduced:
     """All roots in a box; ``jacobian`` is F's somewhere in it, roughly."""
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with balls.precision(bits):

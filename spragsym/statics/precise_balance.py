@@ -10,7 +10,6 @@ What digits do not tell from a root on the border is among the boxes that are le
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 
@@ -20,7 +19,7 @@ from ..numerics.balls import Ball, Undecided
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, concatenated, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, width_of
-from ..numerics.precise_roots import Reduced, as_intervals, narrowed, outward, reduced_roots
+from ..numerics.precise_roots import Reduced, as_intervals, exact_ends, narrowed, outward, reduced_roots
 from .balance import PreciseBalance, StateSystem
 
 #: Bits of the forces where roots are looked for, and of a root that is known.
@@ -87,8 +86,8 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
         parameters = system.prepared(Intervals.point(given[:, None]))
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
         pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
-    box = [(-float(low), float(high)) for low, high in cluster.T]
-    found = Reduced([], [], [[(Fraction(low), Fraction(high)) for low, high in box]])
+    box = exact_ends(cluster)
+    found = Reduced([], [], [box])
     for bits in BITS if not pole and np.isfinite(slopes).all() else ():
         with suppress(Undecided):
             found = reduced_roots(PreciseBalance(system, given, bits).values, box, slopes, bits)

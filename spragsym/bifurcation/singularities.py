@@ -239,16 +239,16 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         return [change(K, number) for number in range(n)]
 
     def hopeless(at: State) -> BoolArray:
-        q, along = stacked(at.q, at.shape).ends, [constant(value) for value in changes(at, at.q, 1)]
+        q, along = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
             along.append(gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd])
         return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
 
     def given_up(at: State) -> BoolArray:
-        q = stacked(at.q, at.shape)
+        q = at.box
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
-        small = np.logical_and.reduce(q.width <= NEAR * np.maximum(1.0, q.magnitude))
+        small = np.logical_and.reduce(q.width <= NEAR * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
     return replace(cusp(column), hopeless=hopeless, given_up=given_up) if mirrors else cusp(column)

@@ -152,15 +152,13 @@ class Balance(Forces, StateSystem):
 
     def with_directions(self, at: State) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
-        unknowns = stacked(at.q, at.shape)
-        step = contractors.newton(*self._linear(at, unknowns.middle, State.forces, lambda at: at.slopes))
-        return np.fmin(step.ends, unknowns.ends)
+        step = contractors.newton(*self._linear(at, at.box.middle, State.forces, lambda at: at.slopes))
+        return np.fmin(step.ends, at.box.ends)
 
     def by_rows(self, at: State) -> FloatArray:
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
-        unknowns = stacked(at.q, at.shape)
-        given = self._linear(at, unknowns.nearest_to_zero, State.rows, State.stiffness)
-        return np.fmin(contractors.by_rows(*given), unknowns.ends)
+        given = self._linear(at, at.box.nearest_to_zero, State.rows, State.stiffness)
+        return np.fmin(contractors.by_rows(*given), at.box.ends)
 
     def _linear(self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]) -> Linear:
         """:meth:`linear` by the generated slopes, where no length counts and no wave is a free unknown."""
@@ -184,7 +182,7 @@ def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
 
 def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linear:
     there = replace(at, q=list(Intervals.point(near)), fixed=at.directions)
-    return stacked(forces(there), at.shape), slopes, near, contractors.distance(stacked(at.q, at.shape).ends, near)
+    return stacked(forces(there), at.shape), slopes, near, contractors.distance(at.box.ends, near)
 
 
 def at_anchors(at: State, among: BoolArray, told: Callable[[State, int], BoolArray]) -> BoolArray:

@@ -150,6 +150,11 @@ class State:
     fixed: Sequence[Any] | None = None
     turnings: Sequence[Any] | None = None
 
+    @cached_property
+    def box(self) -> Intervals:
+        """Boxes of coordinates as one array."""
+        return stacked(self.q, self.shape)
+
     def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion") -> Any:
         """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
         arguments = self.balance.model.about["arguments"]

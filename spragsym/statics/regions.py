@@ -221,25 +221,24 @@ def _presses(balance: Balance) -> bool:
 def _by_contact_force(at: State) -> FloatArray:
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and sines left free."""
     at = replace(at, xp=FREE)
-    unknowns, shape = stacked(at.q, at.shape), at.shape
+    shape = at.shape
     force = _cut_off(as_intervals(at.contact_force(_Pressed()), shape))
     # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each coordinate.
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
     touch = jets.gradient(at.contact_force(pushing), 1)[0]
     along = stacked([jets.gradient(row, 1)[0] / touch for row in at.rows("forces", pushing)], shape)
     force = _balancing(force, stacked(at.rows("forces", 0), shape), along)
-    at_near, slopes, near, reach = linear(at, unknowns.nearest_to_zero, lambda at: at.rows("forces", 0))
+    at_near, slopes, near, reach = linear(at, at.box.nearest_to_zero, lambda at: at.rows("forces", 0))
     given = at_near + along * force, slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
-    return np.fmin(found, unknowns.ends)
+    return np.fmin(found, at.box.ends)
 
 
 def _closed(at: State) -> FloatArray:
     """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and the others."""
-    unknowns = stacked(at.q, at.shape)
-    near, ends = unknowns.nearest_to_zero, unknowns.ends
+    near, ends = at.box.nearest_to_zero, at.box.ends
     at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap()])
-    shift = unknowns - Intervals.point(near)
+    shift = at.box - Intervals.point(near)
     found = ends.copy()
     for place in range(len(at.q)):
         others = sum((slopes[0, j] * shift[j] for j in range(len(at.q)) if j != place), at_near[0])

@@ -128,7 +128,7 @@ def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     """From the relation that does not lose it: the first has the factor cos θ."""
-    u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, np.cos(theta0), np.sin(theta0), *fixed)
+    u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, *kernel.cos_sin(theta0), *fixed)
     return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)
 
 
@@ -152,7 +152,7 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
     """A curve with what ends on it, and where that jumps to."""
     t, theta0, mu0 = points
     c, s, _ = on_circle(t)
-    c0, s0 = np.cos(theta0), np.sin(theta0)
+    c0, s0 = kernel.cos_sin(theta0)
     with np.errstate(all="ignore"):  # at the ends of a curve θ₀ may be 0 or π
         trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
         curvature = np.sign(kernel.f_curvature(c, s, *trig))

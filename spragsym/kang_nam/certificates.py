@@ -106,8 +106,7 @@ def _at_all_states(boxes: Boxes, slope_sign: int) -> Proved:
         if slope_sign > 0:
             return done, (value, slope)
         mu0, _, *springs = ground.others()
-        K = kernel.stiffness(ground.c, ground.s, ground.length(), mu0, *springs, 1)
-        flutter = kernel.invariants(*K[0], *K[1])[2]
+        flutter = kernel.invariants(ground.c, ground.s, ground.length(), mu0, *springs, 1)[2]
         return done | (flutter.sign() > 0), (value, slope, flutter)
 
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
@@ -160,7 +159,7 @@ def _change(
 
     With ``np.abs`` for a ``term`` the value if nothing cancelled.
     """
-    c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
+    c, s, c0, s0 = *kernel.cos_sin(theta), *kernel.cos_sin(values["theta0"])
     others = [values[name] for name in NAMES[1:]]
     slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, *others, 1))
     changes, moved = _catastrophe.unfolding(c, s, c0, s0, *others), boxes.parameters(sides(boxes.low, boxes.high))

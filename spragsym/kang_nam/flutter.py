@@ -66,8 +66,8 @@ def flutter_onsets(
     branch, count, side = np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64).reshape(-1, 3).T
     theta, L = np.array([row[1:3] for row in rows]).reshape(-1, 2).T
     # ω² of the two modes that meet is half the trace of K, which has no friction.
-    K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, *[*p.scalars(*FIXED[1:]), 1])
-    omega = np.sqrt(0.5 * _stability.invariants(*K[0], *K[1])[0])
+    trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*FIXED[1:]), 1)
+    omega = np.sqrt(0.5 * trace)
     more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
     return listed(Onsets, p, ("theta0",), np.full(len(rows), "flutter"), rows, between, more=more)
 
@@ -135,7 +135,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     directions = 1 + np.exp(np.linspace(-_FAR, _FAR, n // 2))  # flutter needs π/2 < θ < π
     for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 6 / n)):
         with np.errstate(all="ignore"):
-            L, x, y = kernel.state_of(*on_circle(t)[:2], np.cos(theta0), np.sin(theta0), *fixed)
+            L, x, y = kernel.state_of(*on_circle(t)[:2], *kernel.cos_sin(theta0), *fixed)
         good = (y < 0) & (mu0 > 0)
         found.append(np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good])
     *places, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
@@ -152,7 +152,7 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
-    L, _, _ = kernel.state_of(c, s, np.cos(theta0), np.sin(theta0), *fixed)
+    L, _, _ = kernel.state_of(c, s, *kernel.cos_sin(theta0), *fixed)
     return _stability.flutter_friction(c, s, L, *fixed[1:])
 
 
@@ -164,7 +164,7 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
 
     From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
     """
-    c0, s0 = np.cos(theta0), np.sin(theta0)
+    c0, s0 = kernel.cos_sin(theta0)
     with np.errstate(all="ignore"):
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
         roots = eigenvalues(np.stack(quartic, axis=-1)).T

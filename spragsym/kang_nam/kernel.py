@@ -4,6 +4,8 @@ import inspect
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ..generated import catastrophe as _catastrophe
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
@@ -25,7 +27,7 @@ fold_sine = inspect.unwrap(_catastrophe.fold_sine)
 fold_angles = inspect.unwrap(_catastrophe.fold_angles)
 state = inspect.unwrap(_equilibrium.state)
 stiffness = inspect.unwrap(_stability.stiffness)
-invariants = inspect.unwrap(_stability.invariants)
+_invariants = inspect.unwrap(_stability.invariants)
 
 
 def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:
@@ -37,6 +39,17 @@ def state_of(*given: Any) -> tuple[Any, Any, Any]:
     """L, x and y in contact, from cos θ, sin θ, cos θ₀ and sin θ₀, and all of κ, α, σ and β."""
     *angles, kappa, _, sigma, beta = given
     return state(*angles, kappa, sigma, beta, 1)
+
+
+def invariants(*state: Any) -> tuple[Any, Any, Any]:
+    """Trace, determinant and discriminant of K, (27), at a state; arguments as of ``stiffness``."""
+    K = stiffness(*state)
+    return _invariants(*K[0], *K[1])
+
+
+def cos_sin(angle: Any) -> tuple[Any, Any]:
+    """Cosine and sine of floats."""
+    return np.cos(angle), np.sin(angle)
 
 
 def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:

@@ -13,7 +13,6 @@ from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
 from ..generated import laws
 from ..generated import linear_sprag as _linear
-from ..generated import stability as _stability
 from ..models.parameters import NAMES, NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_numbers
 from ..numerics.interval_arrays import Int8Array
 from ..questions import of_article
@@ -79,7 +78,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
         direction, reference, *fixed = np.broadcast_arrays(direction, reference, *(getattr(p, name) for name in FIXED))
     except ValueError as error:
         raise ParameterError(f"theta {direction.shape}, theta0 {reference.shape} and the parameters do not broadcast") from error
-    c, s, c0, s0 = np.cos(direction), np.sin(direction), np.cos(reference), np.sin(reference)
+    c, s, c0, s0 = *kernel.cos_sin(direction), *kernel.cos_sin(reference)
     with np.errstate(all="ignore"):
         mu0 = _catastrophe.surface(c, s, c0, s0, *fixed)
         L, x, y = kernel.state_of(c, s, c0, s0, *fixed)
@@ -171,11 +170,10 @@ def linear_sprag(p: Parameters) -> LinearSprag:
     [62.784 82.034]
     """
     theta0, mu0, kappa, *springs = p.broadcast(*NAMES)
-    c0, s0 = np.cos(theta0), np.sin(theta0)
+    c0, s0 = kernel.cos_sin(theta0)
     with np.errstate(divide="ignore", invalid="ignore"):
         x, y = _linear.displacement(c0, s0, mu0, kappa, *springs)
-        K = _stability.stiffness(c0, s0, 1.0, mu0, *[*springs, 1])
-        _, determinant, _ = _stability.invariants(*K[0], *K[1])
+        determinant = np.asarray(kernel.invariants(c0, s0, 1.0, mu0, *springs, 1)[1])
         e0, e1, e2 = _linear.pole_quadratic(mu0, *springs)
         # Factors of the discriminant.
         middle = _twice_the_mean(e0, e2)

@@ -150,8 +150,7 @@ def _state(
 
 def _stability(c: Interval, s: Interval, L: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], fold: bool) -> int:
     _, _, mu0, _, *others = values
-    K = kernel.stiffness(c, s, L, mu0, *others)
-    trace, _, flutter = map(balls.sign, kernel.invariants(*K[0], *K[1]))
+    trace, _, flutter = map(balls.sign, kernel.invariants(c, s, L, mu0, *others))
     slope = balls.sign(kernel.f_slope(c, s, *trig))
     if flutter < 0:
         return 3

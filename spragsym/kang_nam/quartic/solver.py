@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import BackendError, ConvergenceError, one_of
-from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters, as_count
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
+from .. import kernel
 from . import block, compiled
 from .block import COLUMNS, Slots
 
@@ -72,8 +72,7 @@ class _Closed(Linearizing):
         others = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
         theta, L = map(self._padded, ("theta", "L"))
         with np.errstate(all="ignore"):  # empty slots; parameters near the largest floats overflow
-            K = _stability.stiffness(np.cos(theta), np.sin(theta), L, *[*others, int(self.contact)])
-            trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
+            trace, determinant, discriminant = kernel.invariants(*kernel.cos_sin(theta), L, *others, int(self.contact))
             # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
             root = np.sqrt(discriminant.astype(complex))
             large = 0.5 * (trace + np.where(trace < 0, -root, root))

@@ -160,7 +160,7 @@ def _change(
     With ``np.abs`` for a ``term`` the value if nothing cancelled.
     """
     c, s, c0, s0 = *kernel.cos_sin(theta), *kernel.cos_sin(values["theta0"])
-    others = [values[name] for name in NAMES[1:]]
+    others = [values[name] for name in kernel.LINEAR]
     slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, *others, 1))
     changes, moved = _catastrophe.unfolding(c, s, c0, s0, *others), boxes.parameters(sides(boxes.low, boxes.high))
     found = np.asarray(sum(term(-one / slope * moved[name].terms) for name, (one, _) in zip(NAMES, changes, strict=True)))
@@ -286,7 +286,7 @@ class Ground(NamedTuple):
 
     def others(self) -> list[Rounded]:
         """The parameters but θ₀, in order."""
-        return [self.parameters[name] for name in NAMES[1:]]
+        return [self.parameters[name] for name in kernel.LINEAR]
 
     def with_friction(self, mu0: FloatArray | float) -> Ground:
         """The same with another friction, or one for each box."""

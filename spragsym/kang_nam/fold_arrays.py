@@ -23,6 +23,7 @@ from ..numerics.balls import Ball, as_floats, ends
 from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array
 from ..numerics.polynomials import on_circle
 from . import kernel
+from .kernel import LINEAR
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     here = on_circle(roots.t)[:2]
     slope = kernel.f(*here, *_rows(change, roots.row))
     value = -kernel.f(*here, *_rows(without, roots.row)) / slope
-    others = dict(zip(NAMES[1:], _rows(values, roots.row), strict=True)) | {vary: value}
+    others = dict(zip(LINEAR, _rows(values, roots.row), strict=True)) | {vary: value}
     upper = roots.rising * slope.sign()
     return _kept(roots, value, (*here, *_rows(angle, roots.row)), others, -roots.rising, upper)
 
@@ -69,7 +70,7 @@ def friction_sextic(given: Mapping[str, FloatArray]) -> Sequence[Any]:
 
 def _eliminated(vary: str, given: Mapping[str, FloatArray]) -> tuple[Any, Any, Any, Any, Sequence[Any]]:
     """The others with 0 for one, cos θ₀ and sin θ₀, a, b, d, m of f and of f_v there, and f′ f_v − f f_v′ by powers of t."""
-    values = [Rounded(given[name] if name != vary else np.float64(0.0)) for name in NAMES[1:]]
+    values = [Rounded(given[name] if name != vary else np.float64(0.0)) for name in LINEAR]
     angle = cosine_and_sine(given["theta0"])
     without, change = kernel.f_along(vary, *angle, *values)
     return values, angle, without, change, kernel.fold_sextic(*without, *change)
@@ -77,7 +78,7 @@ def _eliminated(vary: str, given: Mapping[str, FloatArray]) -> tuple[Any, Any, A
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     """With α = 0 cos θ₀ drops out of f: θ₀ and π − θ₀ are folds together, where the second relation holds."""
-    values = [Rounded(given[name]) for name in NAMES[1:]]
+    values = [Rounded(given[name]) for name in LINEAR]
     polynomial, free = _circle(values), np.broadcast_to(given["alpha"] == 0, size)
     if free.any():
         relation = math.prod([Polynomial([1, 0, 1])] * 3, start=Polynomial(kernel.fold_cubics(*values)[1]))
@@ -99,7 +100,7 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     # The true point lies on the unit circle, at most this far from the computed one.
     distance = np.hypot(sin0.error, cos0.error)
     theta0 = Rounded(np.arctan2(sin0.value, cos0.value), np.where(distance < 0.1, 1.01 * distance, 4.0) + 1e-15)
-    named = dict(zip(NAMES[1:], others, strict=True))
+    named = dict(zip(LINEAR, others, strict=True))
     return _kept(roots, theta0, (*at, cos0, sin0), named, -curvature * change.sign(), curvature, inside)
 
 
@@ -201,7 +202,7 @@ def _sharpened(
     level = None if vary == "theta0" else cos_sin(given["theta0"])
 
     def with_value(v: Any) -> tuple[Any, ...]:
-        return *(level or cos_sin(v)), *(v if name == vary else given[name] for name in NAMES[1:])
+        return *(level or cos_sin(v)), *(v if name == vary else given[name] for name in LINEAR)
 
     t, value = near
     for _ in range(steps):

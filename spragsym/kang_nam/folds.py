@@ -26,6 +26,7 @@ from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..questions import NotInClosedForm
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
+from .kernel import LINEAR
 
 PointsT = TypeVar("PointsT", bound=Points)
 
@@ -145,7 +146,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
         return
     fixed = {name: balls.exact(exact[name]) for name in NAMES if name != vary}
     c0, s0 = balls.cos_sin(fixed.pop("theta0"))
-    others = [fixed[name] for name in NAMES[1:] if name != vary]
+    others = [fixed[name] for name in LINEAR if name != vary]
     without, change, sextic = lines_and_sextic(vary, c0, s0, others)
     try:
         roots = roots_on_the_line(sextic, bits // 2, positive=True)
@@ -162,7 +163,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
         line = kernel.f if sign(kernel.f(c, s, *change)) else kernel.f_slope
         value = -line(c, s, *without) / line(c, s, *change)
         found = {**fixed, vary: value}
-        for point in in_contact(angles, *(found[name] for name in NAMES[1:])):
+        for point in in_contact(angles, *(found[name] for name in LINEAR)):
             exactly = replace(point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:]))
             yield _classified(vary, exactly, angles, direction)
 
@@ -191,7 +192,7 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     is none: with α = 0 it needs cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational, as sin θ₀ is not; with α = B it needs
     B sin θ₀ = −κ < 0.
     """
-    others = [exact[name] for name in NAMES[1:] if name != vary]
+    others = [exact[name] for name in LINEAR if name != vary]
     common: polynomials.Polynomial = ()
     for v in _SAMPLES:
         c0, s0, _ = on_circle(v)
@@ -260,7 +261,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     It holds at every θ for μ₀ = 0 and α = κ = 1 + β only, as θ = 0, π and ±π/2 show: there f = b cos θ + d sin θ with b < 0 has
     no fold.
     """
-    given = tuple(exact[name] for name in NAMES[1:])
+    given = tuple(exact[name] for name in LINEAR)
     mu0, kappa, alpha, sigma, beta = given
 
     def eliminated(c: Fraction, s: Fraction) -> Fraction:

@@ -12,6 +12,9 @@ from ..generated import stability as _stability
 from ..generated.kernel import depressed as depressed
 from ..models.parameters import NAMES
 
+#: Parameters in which f is linear: all but θ₀.
+LINEAR = NAMES[1:]
+
 f_coefficients = inspect.unwrap(_equilibrium.f_coefficients)
 resolvent = inspect.unwrap(_equilibrium.resolvent)
 t_quartic = inspect.unwrap(_equilibrium.t_quartic)

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import FloatArray, ParameterSet, Ranges, as_range
+from ..numerics.columns import picked
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
@@ -164,7 +165,7 @@ def cusp_friction(
     used = [name for name in p.ranges if name not in (vary, over) and getattr(p, name) is not None]
     shape = np.broadcast_shapes(*(getattr(p, name).shape for name in used))
     columns = {name: np.broadcast_to(getattr(p, name), shape) for name in used}
-    points = (p.replace(**{name: column[index] for name, column in columns.items()}) for index in np.ndindex(shape))
+    points = (p.replace(**picked(columns, index)) for index in np.ndindex(shape))
     found = [_lowest_cusp(point, vary, over, between) for point in points]
     return np.reshape(found, shape) if shape else found[0]
 

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant, is_zero
 from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
+from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, spans_of, stacked, width_of
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..progress import doing
@@ -153,7 +154,7 @@ def arranged(
     balance, vary = family.balance, family.vary
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
-    values = family.named(middle[:, order]) | {name: column[order] for name, column in (more or {}).items()}
+    values = family.named(middle[:, order]) | picked(more or {}, order)
     box = spans_of(found.region[:, :, 0])
     boxes_left, kinds = listed(family, left)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))

@@ -20,6 +20,7 @@ from ..errors import ConvergenceError, ParameterError, SpragsymError, one_of
 from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet, Span
+from ..numerics.columns import picked
 from ..numerics.interval_arrays import ComplexArray, IntArray
 from ..results import Equilibria, Named, Path, Points, Stability
 from ..statics.stability import NEUTRAL, REAL
@@ -134,7 +135,7 @@ def curves_between(
                 columns = {name: np.insert(column, place, fold[name]) for name, column in columns.items()}
                 kinds = np.insert(kinds, place, kinds[side])
         for part in runs(kinds):
-            states = {name: column[part] for name, column in columns.items()}
+            states = picked(columns, part)
             yield Branch(p.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
 
 

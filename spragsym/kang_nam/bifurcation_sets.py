@@ -28,7 +28,7 @@ from ..generated import catastrophe as _catastrophe
 from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
 from ..numerics import polynomials
 from ..numerics.chains import link, walked
-from ..numerics.columns import ByColumn
+from ..numerics.columns import ByColumn, picked
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..numerics.polynomials import (
     Polynomial,
@@ -122,7 +122,7 @@ def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
     for curve in curves:
         inside = _within(between, curve)
         for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(-1, 2):
-            part = {name: column[begin:end] for name, column in curve.values.items()}
+            part = picked(curve.values, slice(begin, end))
             yield Curve(part | {name: np.clip(part[name], *ends) for name, ends in between.items()})
 
 

@@ -23,6 +23,7 @@ from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import Undecided
+from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, IndexArray, scale_of
 from ..questions import NotInClosedForm
 from ..results.equilibria import Equilibria, Stability
@@ -91,7 +92,7 @@ def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
     given = {name: np.broadcast_to(column, p.shape).reshape(-1) for name, column in columns if column is not None}
     for begin in range(0, math.prod(p.shape), BLOCK):
         here = slice(begin, begin + BLOCK)
-        yield here, {name: column[here] for name, column in given.items()}
+        yield here, picked(given, here)
 
 
 def _block(
@@ -212,7 +213,7 @@ def have_jumped(
         yes = out[here]
         yes[:], left = _decided(given)
         if left.size:
-            yes[left] = _at_or_below(Parameters(**{name: column[left] for name, column in given.items()}), vary)
+            yes[left] = _at_or_below(Parameters(**picked(given, left)), vary)
     return out.reshape(p.shape)
 
 

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
 import numpy as np
+
+
+def picked(columns: Mapping[str, Any], rows: Any) -> dict[str, Any]:
+    """Some rows of each of several columns by name."""
+    return {name: column[rows] for name, column in columns.items()}
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from ..design.probability import JumpProbability
 from ..display import Table
 from ..errors import ParameterError, SpragsymError
 from ..files.storage import put
+from ..numerics.columns import picked
 from ..remarks import Remark
 from ..results import Equilibria, Points, Result
 from ..statics.equilibria import equilibria
@@ -252,7 +253,7 @@ class Report(Result):
                 told = None if angle is not None else study.told(value)
                 friction, other = (told, None) if study.of_friction else (None, told)
                 places = (found.coordinates, found.after)
-                before, after = (in_units(study, {name: column[i] for name, column in place.items()}) for place in places)
+                before, after = (in_units(study, picked(place, i)) for place in places)
                 kind, ends, when = (str(words[i]) for words in (found.kind, found.ends, found.when))
                 rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after))
         return tuple(rows)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..display import Table, counted, in_rows, not_all, words
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
+from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray
 from .result import Named, OfStates, Result, Rows
 
@@ -135,14 +136,14 @@ class Points(OfStates, Rows):
             for name, (low, high) in zip(self.vary, ends, strict=True)
         )
         caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
-        return in_rows(caption, said, len(self), lambda some: {name: column[some] for name, column in columns.items()})
+        return in_rows(caption, said, len(self), lambda some: picked(columns, some))
 
     def select(self, which: BoolArray) -> Self:
         """The points that ``which`` marks."""
-        values = {name: column[which] for name, column in self._values.items()}
+        values = picked(self._values, which)
         ended = self._ended
         if isinstance(ended, Ended) and not callable(ended.after):
-            ended = Ended(ended.ends[which], ended.when[which], {name: column[which] for name, column in ended.after.items()})
+            ended = Ended(ended.ends[which], ended.when[which], picked(ended.after, which))
         return replace(self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended)
 
     def between(self, spans: FloatArray) -> Self:
@@ -163,7 +164,7 @@ class Points(OfStates, Rows):
         """What follows from where the states are."""
         p = self.parameters.replace(**{name: getattr(self, name) for name in self.vary})
         told = told_of_states(p, [place[:, None] for place in self.coordinates.values()])
-        return {name: column[:, 0] for name, column in told.items()}
+        return picked(told, (slice(None), 0))
 
     def _asked(self, name: str) -> Any:
         if name in self._values:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
+from ..numerics.columns import picked
 from ..numerics.interval_arrays import Int8Array, IntArray
 from ..results.equilibria import Equilibria
 
@@ -50,7 +51,7 @@ def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: Int8Array, e
     """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}
-    return Equilibria(p, True, ones, known, (), (), Held({name: column[..., None] for name, column in columns.items()}))
+    return Equilibria(p, True, ones, known, (), (), Held(picked(columns, (..., None))))
 
 
 def as_decided(eq: Equilibria, point: int) -> Equilibria:

@@ -236,16 +236,19 @@ def _isolated(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> tup
 
     Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
     """
-    unit = _between_0_and_1(polynomial, low, high)
+    common, start, scale = _common(low, high)
+    degree = len(polynomial) - 1
+    about = shifted([value * common ** (degree - power) for power, value in enumerate(polynomial)], start)
+    unit = [value * scale**power for power, value in enumerate(about)]
     found = [] if _sign(sum(unit)) else [_Cell(1, 1, 0)]
     pending = [(unit, 0, 0)]
     while pending:
         local, n, k = pending.pop()
-        changes = _sign_changes(shifted(local[::-1]))
+        signs = [sign for value in shifted(local[::-1]) if (sign := _sign(value))]
+        changes = sum(left != right for left, right in itertools.pairwise(signs))
         if changes == 1:
             found.append(_Cell(n, n + 1, k, -(_sign(local[0]) or _sign(local[1]))))
         elif changes:
-            degree = len(local) - 1
             left = [value * (1 << degree - power) for power, value in enumerate(local)]
             right = shifted(left)
             if not _sign(right[0]):
@@ -260,14 +263,6 @@ def _common(low: Fraction, high: Fraction) -> tuple[int, int, int]:
     return common, int(low * common), int((high - low) * common)
 
 
-def _between_0_and_1(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> list[Any]:
-    """Coefficients of a positive multiple of the polynomial in u."""
-    common, start, scale = _common(low, high)
-    degree = len(polynomial) - 1
-    about = shifted([value * common ** (degree - power) for power, value in enumerate(polynomial)], start)
-    return [value * scale**power for power, value in enumerate(about)]
-
-
 def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:
     """Coefficients of the polynomial at u + ``by``."""
     values = list(coefficients)
@@ -275,11 +270,6 @@ def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:
         for power in range(len(values) - 2, start - 1, -1):
             values[power] += by * values[power + 1]
     return values
-
-
-def _sign_changes(coefficients: Sequence[Any]) -> int:
-    signs = [sign for value in coefficients if (sign := _sign(value))]
-    return sum(left != right for left, right in itertools.pairwise(signs))
 
 
 def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int], int]) -> _Cell:

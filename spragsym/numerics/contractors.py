@@ -66,7 +66,8 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     diagonal = np.arange(n)
     own = magnitude[diagonal, diagonal] * reach
     magnitude[diagonal, diagonal] = 0.0
-    around = _reached(magnitude, reach)
+    # Products and sums of what is not negative lose at most n/2 units, the bound itself another one; twice as much is added.
+    around = (magnitude * reach).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
     ends = raised(b[::-1] + around)
     ends = raised(np.where(ends >= 0, ends / least, ends / most))
@@ -74,12 +75,6 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     noise = 0.5 * width_of(b)
     none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > raised(around + own, 2))
     return Newton(np.where(least > 0, ends, np.inf), noise, none)
-
-
-def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:
-    """Not less than Σ_j m_ij r_j, each row's sum of products of numbers that are not negative."""
-    # Products and sums lose at most n/2 units, the bound itself another one; twice as much is added.
-    return (magnitude * reach[None]).sum(axis=1) * (1 + 2 * (len(reach) + 1) * EPS) + TINY
 
 
 def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:

@@ -166,8 +166,7 @@ def _range(
     p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool
 ) -> tuple[str, Span, Points | None]:
     """The parameter that varies, its ends that are given, or those that are shown, and the folds between them, in contact."""
-    model = p.model
-    vary = model.axes[0] if vary is None else vary
+    model, vary = p.model, p.model.one(vary)
     model.require_parameter(vary)
     allowed = p.ranges[vary]
     ends = window(model, (vary,), {})[vary]

@@ -155,7 +155,7 @@ SCALED: Any = _ScaledFunctions()
 EVEN, ODD = ("cos", "cosh"), ("sin", "sinh", "tanh", "atan")
 
 
-class Parity:
+class Parity(Arithmetic):
     """A number that changes its sign (``odd``), does not, or does neither (None); numbers beside it are even, and 0 is both."""
 
     __slots__ = ("odd",)
@@ -164,12 +164,10 @@ class Parity:
     def __init__(self, odd: bool | None) -> None:
         self.odd = odd
 
-    def _with(self, other: Any) -> Parity:
+    def __add__(self, other: Any) -> Parity:
         if not isinstance(other, Parity):
             return self if other == 0 or self.odd is False else Parity(None)
         return self if self.odd == other.odd else Parity(None)
-
-    __add__ = __radd__ = __sub__ = __rsub__ = _with
 
     def __neg__(self) -> Parity:
         return self
@@ -182,7 +180,6 @@ class Parity:
             return self if other != 0 else 0
         return Parity(None if None in (self.odd, other.odd) else self.odd != other.odd)
 
-    __rmul__ = __mul__
     __truediv__ = __mul__
 
     def __rtruediv__(self, other: Any) -> Any:

@@ -15,7 +15,6 @@ import numpy as np
 
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
-from ..numerics.certified_roots import concatenated
 from ..numerics.chains import link, walked
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, scale_of
 from ..progress import doing
@@ -217,7 +216,7 @@ def _on_each(lines: Family, condition: Condition) -> Found:
             break
         alone = search(replace(lines, given=lines.given[:, line]), condition, BUDGET).roots
         undecided = undecided + 1 if alone.left_point.size else 0
-        roots = concatenated([roots.of(line, others=True), alone.numbered(line)], lines.balance.n + 1)
+        roots = roots.of(line, others=True).then(alone.numbered(line))
     return replace(found, roots=roots)
 
 

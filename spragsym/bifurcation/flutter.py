@@ -14,7 +14,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
-from ..numerics.certified_roots import Roots, concatenated, distinct
+from ..numerics.certified_roots import Roots, distinct
 from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, scale_of
 from ..questions import Method, question
 from ..results.points import Points
@@ -217,7 +217,8 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     """All parts in one result; ``flat`` where the last is of places without slope."""
     each, kinds, frequencies = zip(*parts, strict=True)
     kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
-    roots = concatenated([one.roots for one in each], family.balance.n + 1)
+    first, *others = (one.roots for one in each)
+    roots = first.then(*others)
     region, whole = np.minimum.reduce([one.region for one in each]), np.logical_and.reduce([one.whole for one in each])
     found = Found(roots, region, whole)
 
@@ -255,8 +256,7 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     proved, open_ = (on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure))
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
     omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
-    every = concatenated([found.roots, proved.kept(left=slice(0))], system.n)
-    return replace(found, roots=distinct(every)), open_, omega
+    return replace(found, roots=distinct(found.roots.then(proved.kept(left=slice(0))))), open_, omega
 
 
 def _sightings(system: Augmented) -> list[FloatArray]:

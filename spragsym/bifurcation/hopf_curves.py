@@ -10,7 +10,6 @@ import numpy as np
 
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
-from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..questions import model_of
 from ..remarks import Remark
@@ -217,8 +216,8 @@ class _Plane(Family):
             kept = (imaginary >= (4 if kind == "HH" else 2)) | (kind == "BT")
             parts.append(replace(found, roots=found.roots.kept(kept)))
             kinds += [kind] * int(kept.sum())
-        every = concatenated([part.roots for part in parts], self.balance.n + 2)
-        found = replace(parts[0], roots=every)
+        first, *others = (part.roots for part in parts)
+        found = replace(parts[0], roots=first.then(*others))
         return arranged(self, found, np.array(kinds, dtype=np.str_))
 
     def roots(self, states: FloatArray) -> ComplexArray:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant, is_zero
-from ..numerics.certified_roots import Roots, concatenated, distinct, stepped
+from ..numerics.certified_roots import Roots, distinct, stepped
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, spans_of, stacked, width_of
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
@@ -271,8 +271,7 @@ def _joined(one: Roots, other: Roots) -> Roots:
 
     What the one leaves in the range of the other is decided there.
     """
-    parts = [one.kept(left=-one.left[0, -1] <= LOW), other.kept(left=other.left[1, -1] >= HIGH)]
-    return distinct(concatenated(parts, one.ends.shape[1]))
+    return distinct(one.kept(left=-one.left[0, -1] <= LOW).then(other.kept(left=other.left[1, -1] >= HIGH)))
 
 
 def _raised(ends: FloatArray) -> FloatArray:

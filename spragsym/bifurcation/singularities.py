@@ -31,7 +31,7 @@ from ..models.parameters import Ranges
 from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
-from ..numerics.certified_roots import Roots, concatenated, different
+from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, spans_of, stacked, width_of
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import exact_ends, third_derivative
@@ -112,8 +112,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
             if sure and only_fold(family, hull, mirror):
                 decided += [int(here[0])] if inside[here[0]] else []
                 open_boxes &= ~contractors.within(left, hull[:, :, None])
-        parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
-        found = replace(found, roots=certified_roots.concatenated(parts, left.shape[1]))
+        found = replace(found, roots=found.roots.kept(left=open_boxes).then(known.kept(decided, slice(0))))
         number += len(decided)
     return found, number
 
@@ -208,7 +207,7 @@ def isolated(family: Family) -> Found:
             more = told_apart(near, search(near, cusp_off_mirrors(near, column)), column)
             if not more.left_point.size:
                 open_ = ~contractors.within(roots.left, hull[:, :, None])
-                roots = different(concatenated([roots.kept(left=open_), more], roots.ends.shape[1]), found.region)
+                roots = different(roots.kept(left=open_).then(more), found.region)
     return replace(found, roots=roots)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -62,6 +62,11 @@ class Roots:
         """Some of the roots, and others of them among the boxes that are left."""
         return self.kept(roots).besides(self.ends[:, :, open_], self.point[open_])
 
+    def then(self, *others: Roots) -> Roots:
+        """These, and roots and boxes of other searches."""
+        columns = zip(*(vars(part).values() for part in (self, *others)), strict=True)
+        return Roots(*(np.concatenate(column, axis=-1) for column in columns))
+
     @property
     def every(self) -> tuple[FloatArray, IntArray]:
         """Boxes of roots and then those that are left, and the points of both."""
@@ -76,12 +81,6 @@ class Roots:
     def error(self) -> FloatArray:
         """Bound on |error| / max(1, |value|), over the unknowns, shape (roots,)."""
         return relative_error(self.ends, self.middle)
-
-
-def concatenated(parts: Sequence[Roots], n: int) -> Roots:
-    """Roots and boxes of several searches for n unknowns, one after the other."""
-    columns = zip(*(vars(part).values() for part in (Roots.none(n), *parts)), strict=True)
-    return Roots(*(np.concatenate(column, axis=-1) for column in columns))
 
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:

@@ -193,7 +193,7 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
 def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots) -> Roots:
     """What a search has left, as along circles around anchors, decided in polar coordinates where that succeeds."""
     again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point))
-    return certified_roots.concatenated([found.of(np.flatnonzero(done), others=True), again], balance.n)
+    return found.of(np.flatnonzero(done), others=True).then(again)
 
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
@@ -204,8 +204,7 @@ def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses")
 
 def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, points: IntArray) -> tuple[Roots, BoolArray]:
     """Roots of the points of which all is decided around one of the springs, and which these are."""
-    done = np.zeros(given.shape[1], dtype=np.bool_)
-    parts: list[Roots] = []
+    done, roots = np.zeros(given.shape[1], dtype=np.bool_), Roots.none(balance.n)
     if balance.torsions:
         points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
     for spring in range(balance.springs):
@@ -214,9 +213,9 @@ def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, poin
         if system is not None:
             found = _of_points(system, given, around, points)
             decided = np.setdiff1d(points, found.left_point)
-            parts.append(found.of(decided))
+            roots = roots.then(found.of(decided))
             done[decided] = True
-    return certified_roots.concatenated(parts, balance.n), done
+    return roots, done
 
 
 def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Polar | None:
@@ -230,8 +229,7 @@ def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Po
 
 def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: IntArray) -> Roots:
     """Roots and undecided boxes of some points, by their numbers."""
-    given, around = given[:, points], around[:, :, points]
-    parts: list[Roots] = []
+    given, around, roots = given[:, points], around[:, :, points], Roots.none(system.balance.n)
     with np.errstate(all="ignore"):
         sides, scale, narrow = _sides(system, given, around)
         for tight in (False, True):
@@ -239,8 +237,8 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
             if some.size:
                 columns = np.concatenate([given[:, some], scale[None, some]])
                 found = _searched(replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some])
-                parts.append(found.numbered(points[some]))
-    return certified_roots.concatenated(parts, system.balance.n)
+                roots = roots.then(found.numbered(points[some]))
+    return roots
 
 
 def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:

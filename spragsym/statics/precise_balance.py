@@ -17,7 +17,7 @@ from ..models.field import BEGIN, TURN
 from ..numerics import contractors
 from ..numerics.balls import Ball, Undecided
 from ..numerics.boxes import POLE
-from ..numerics.certified_roots import Roots, concatenated, different
+from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, width_of
 from ..numerics.precise_roots import Reduced, as_intervals, exact_ends, narrowed, outward, reduced_roots
 from .balance import PreciseBalance, StateSystem
@@ -63,11 +63,11 @@ def settled_by_digits(system: StateSystem, given: FloatArray, around: FloatArray
     ]
     if not parts:
         return found
-    mine, n = found.of(points[few]), around.shape[1]
-    again = different(concatenated([mine.kept(mine.error <= TOLERANCE, slice(0)), *parts], n), around)
+    mine = found.of(points[few])
+    again = different(mine.kept(mine.error <= TOLERANCE, slice(0)).then(*parts), around)
     # Clusters are looked at in boxes that are wider than they are.
     inside = ~contractors.apart(again.left, around[:, :, again.left_point])
-    return concatenated([found.of(points[few], others=True), again.kept(left=inside)], n)
+    return found.of(points[few], others=True).then(again.kept(left=inside))
 
 
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:

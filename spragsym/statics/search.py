@@ -104,8 +104,8 @@ def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None)
     turned, turning = turned_points(balance, given, around)
     stiff, done = stiff_points(balance, given, around)
     rest = np.flatnonzero(~(turning | done))
-    parts = [turned, stiff, _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)]
-    found = refined(balance, given, certified_roots.concatenated(parts, balance.n))
+    others = _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)
+    found = refined(balance, given, turned.then(stiff, others))
     return once_around(balance.around, on_its_side(balance, given, found)), around, whole
 
 
@@ -121,11 +121,11 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
         return Roots.none(balance.n)
     found = certified_roots.search(balance, around, given, given, narrow=NARROW)
     along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
-    parts = [settled_by_digits(balance, given, around, found.of(along, others=True))]
+    told = settled_by_digits(balance, given, around, found.of(along, others=True))
     for point in along.tolist():
         own = found.of(np.array([point]))
-        parts.append(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
-    return around_anchors(balance, given, around, certified_roots.concatenated(parts, balance.n))
+        told = told.then(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
+    return around_anchors(balance, given, around, told)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray) -> Equilibria:

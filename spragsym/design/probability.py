@@ -125,7 +125,7 @@ def estimated(
         for i, sums in results:
             done[i] = sums
             step()
-    found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence, True)
+    found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence)
     first, total, first_error, total_error = (
         dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {} for part in found[6:]
     )

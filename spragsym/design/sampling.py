@@ -79,8 +79,8 @@ class Estimate(NamedTuple):
     total_error: FloatArray
 
 
-def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float, indicator: bool) -> Estimate:
-    """From the sums of all chunks; ``indicator`` says that the function is 0 or 1."""
+def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float) -> Estimate:
+    """From the sums of all chunks, of a function that is 0 or 1."""
     from scipy.stats import binomtest
     from scipy.stats import t as student
 
@@ -92,33 +92,28 @@ def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confi
     mean, n = float(total.sum() / count.sum()), float(count.sum())
     quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
     half = quantile * float(means.std(ddof=1)) / number**0.5
-    if indicator:
-        # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
-        half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
+    # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
+    half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
     low, high = mean - half, mean + half
-    if indicator:
-        hits, missing = float(total.sum()), float(unknown.sum())
-        if min(hits, n - hits) < _FEW:
-            # As for independent points, which spread no less.
-            low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
-        # Points without a value may be either.
-        low, high = max(low, 0.0), min(high + missing / n, 1.0)
-    first, first_error = _index(table[:, 4::2], table, 2.0, quantile)
-    whole, whole_error = _index(table[:, 5::2], table, 1.0, quantile)
-    return Estimate(mean, low, high, confidence, int(n), float(unknown.sum() / n), first, whole, first_error, whole_error)
+    hits, missing = float(total.sum()), float(unknown.sum() / n)
+    if min(hits, n - hits) < _FEW:
+        # As for independent points, which spread no less.
+        low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
+    # Points without a value may be either.
+    low, high = max(low, 0.0), min(high + missing, 1.0)
+    variances = (squares - 2 * mean * total + mean * mean * count) / count
+    first, first_error = _index(2 * table[:, 4::2] / count[:, None], variances, quantile)
+    whole, whole_error = _index(table[:, 5::2] / count[:, None], variances, quantile)
+    return Estimate(mean, low, high, confidence, int(n), missing, first, whole, first_error, whole_error)
 
 
-def _index(parts: FloatArray, table: FloatArray, factor: float, quantile: float) -> tuple[FloatArray, FloatArray]:
+def _index(values: FloatArray, variances: FloatArray, quantile: float) -> tuple[FloatArray, FloatArray]:
     """A ratio to the variance, and the half-width of its interval from the spread over the replicates (linearized)."""
-    count, _, total, squares = table[:, :4].T
-    mean = total.sum() / count.sum()
     with np.errstate(invalid="ignore", divide="ignore"):
-        variances = (squares - 2 * mean * total + mean * mean * count) / count
-        values = factor * parts / count[:, None]
         variance = variances.mean()
         ratio = values.mean(axis=0) / variance
         spread = (values - ratio * variances[:, None]).std(axis=0, ddof=1) / variance
-    return ratio, quantile * spread / len(table) ** 0.5
+    return ratio, quantile * spread / len(values) ** 0.5
 
 
 #: Pairs of quantities → how they are correlated, from −1 to 1.

@@ -282,30 +282,30 @@ TOLERANCES: dict[str, Any] = {
 }  # fmt: skip
 
 
-def estimated(function: sampling.Function, variables: int, n: int, seed: int, indicator: bool) -> sampling.Estimate:
+def estimated(function: sampling.Function, variables: int, n: int, seed: int, indices: bool) -> sampling.Estimate:
     tasks = sampling.chunks(n, 16, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
-    records = [sampling.sums(function, [(j,) for j in range(variables)], not indicator, task) for task in tasks]
-    return sampling.estimate(records, [task.replicate for task in tasks], 0.95, indicator)
+    records = [sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks]
+    return sampling.estimate(records, [task.replicate for task in tasks], 0.95)
 
 
 def test_indices_of_a_linear_model_are_its_squares() -> None:
     weights = np.array([1.0, 2.0, 3.0, 0.5])
-    found = estimated(lambda u: u @ weights + 7.0, 4, 8192, 1, False)
+    found = estimated(lambda u: (u @ weights + 7.0) / 14.0, 4, 8192, 1, True)
     share = weights**2 / (weights @ weights)
     np.testing.assert_allclose(found.first, share, atol=2e-3)
     np.testing.assert_allclose(found.total, share, atol=2e-3)
-    assert found.mean == pytest.approx(7 + weights.sum() / 2, rel=1e-5)
+    assert 14 * found.mean == pytest.approx(7 + weights.sum() / 2, rel=1e-5)
 
 
 @pytest.mark.parametrize("share", few([0.3, 0.002]))
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
     limit = math.sqrt(2 * share)
-    studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, True) for seed in range(100)]
+    studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, False) for seed in range(100)]
     assert 88 <= sum(study.low <= share <= study.high for study in studies) <= 100
     assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
     # Where the function has no value it may be 1, and all of them are no more than all.
-    assert estimated(lambda u: np.where(u[..., 0] < share, math.nan, 1.0), 2, 1024, 1, True).high == 1.0
+    assert estimated(lambda u: np.where(u[..., 0] < share, math.nan, 1.0), 2, 1024, 1, False).high == 1.0
 
 
 @pytest.mark.parametrize("name", ["m", "k", "k_c", "L_0"])

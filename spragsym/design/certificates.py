@@ -303,7 +303,7 @@ class ClaimOfStates(Claim):
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
         kept = in_contact & (np.arange(point.size) < found.point.size)  # of which the root is proved
         left = ~(beyond | kept)
-        states = Roots(ends[:, :, kept], ends[:, :, kept], point[kept], ends[:, :, left], point[left])
+        states = Roots.at(ends, point=point).opened(kept, left)
         where = np.full(around.shape, -np.inf)
         np.maximum.at(np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0))
         room = ROOM + boxes.MARGIN * np.maximum(width_of(where), 0.0)

@@ -1,7 +1,7 @@
 """The generated algebra without the wrapper that restores shapes: of any number type."""
 
-import inspect
 from collections.abc import Callable
+from inspect import unwrap
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,22 +15,22 @@ from ..models.parameters import NAMES
 #: Parameters in which f is linear: all but θ₀.
 LINEAR = NAMES[1:]
 
-f_coefficients = inspect.unwrap(_equilibrium.f_coefficients)
-resolvent = inspect.unwrap(_equilibrium.resolvent)
-t_quartic = inspect.unwrap(_equilibrium.t_quartic)
-f = inspect.unwrap(_equilibrium.f)
-f_slope = inspect.unwrap(_equilibrium.f_slope)
-f_curvature = inspect.unwrap(_equilibrium.f_curvature)
-f_third = inspect.unwrap(_equilibrium.f_third)
-f_changes = inspect.unwrap(_catastrophe.f_changes)
-f_in_differences = inspect.unwrap(_catastrophe.f_in_differences)
-fold_sextic = inspect.unwrap(_catastrophe.fold_sextic)
-fold_cubics = inspect.unwrap(_catastrophe.fold_cubics)
-fold_sine = inspect.unwrap(_catastrophe.fold_sine)
-fold_angles = inspect.unwrap(_catastrophe.fold_angles)
-state = inspect.unwrap(_equilibrium.state)
-stiffness = inspect.unwrap(_stability.stiffness)
-_invariants = inspect.unwrap(_stability.invariants)
+f_coefficients = unwrap(_equilibrium.f_coefficients)
+resolvent = unwrap(_equilibrium.resolvent)
+t_quartic = unwrap(_equilibrium.t_quartic)
+f = unwrap(_equilibrium.f)
+f_slope = unwrap(_equilibrium.f_slope)
+f_curvature = unwrap(_equilibrium.f_curvature)
+f_third = unwrap(_equilibrium.f_third)
+f_changes = unwrap(_catastrophe.f_changes)
+f_in_differences = unwrap(_catastrophe.f_in_differences)
+fold_sextic = unwrap(_catastrophe.fold_sextic)
+fold_cubics = unwrap(_catastrophe.fold_cubics)
+fold_sine = unwrap(_catastrophe.fold_sine)
+fold_angles = unwrap(_catastrophe.fold_angles)
+state = unwrap(_equilibrium.state)
+stiffness = unwrap(_stability.stiffness)
+_invariants = unwrap(_stability.invariants)
 
 
 def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:

@@ -6,9 +6,9 @@ other equilibria in lift-off, along the belt's surface y = 0, and at the spring'
 brings the mass back.
 """
 
-import inspect
 import itertools
 import math
+from inspect import unwrap
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..results.equilibria import Equilibria
 from ..results.points import Points
 
 #: Energy of numbers without checks.
-_energy: Any = inspect.unwrap(algebra.energy)
+_energy: Any = unwrap(algebra.energy)
 
 #: Points between which the energy is bounded on the straight way to a well's bottom.
 POINTS = 200

@@ -276,7 +276,7 @@ class OfFamily(StateSystem):
 
     def fixed(self, count: int) -> Intervals:
         """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
-        return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
+        return self.prepared_at(np.repeat(self.family.begin, count, axis=1))
 
     def parted(self, unknowns: Sequence[Any], fixed: Values, xp: Any) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""

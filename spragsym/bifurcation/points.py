@@ -229,7 +229,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
 
 def _at_end(system: Augmented, end: float, count: int) -> Intervals:
     """Prepared parameters with this value of the one that varies."""
-    return system.prepared(Intervals.point(system.family.at(np.full((1, count), end))))
+    return system.prepared_at(system.family.at(np.full((1, count), end)))
 
 
 def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> BoolArray:

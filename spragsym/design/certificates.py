@@ -318,7 +318,7 @@ class ClaimOfStates(Claim):
         ends, point = states.every
         q = Intervals(ends).middle
         with np.errstate(all="ignore"):
-            K = balance.jacobian(Intervals.point(q), balance.prepared(Intervals.point(middle[:, point]))).middle
+            K = balance.jacobian(Intervals.point(q), balance.prepared_at(middle[:, point])).middle
             back = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
             for row in np.flatnonzero((parts.low != parts.high).any(axis=1)):
                 low, high = middle[:, point], middle[:, point]

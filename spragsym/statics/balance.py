@@ -60,6 +60,10 @@ class StateSystem(System):
         """Prepared parameters of the balance."""
         return self.balance.prepared(bounds)
 
+    def prepared_at(self, given: FloatArray) -> Intervals:
+        """Those of points."""
+        return self.prepared(Intervals.point(given))
+
     def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
         """The evaluation over boxes, whose unknowns are intervals or jets of them."""
         at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])

@@ -273,7 +273,7 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
     found = refined(system, given, found)
     found = settled_by_digits(system, given, sides, found)
     found = found if system.turns else once_around([0], found)
-    prepared = system.prepared(Intervals.point(given))
+    prepared = system.prepared_at(given)
     possible, sure = _are_equilibria(system, found.ends)
     found = found.kept(left=_are_equilibria(system, found.left)[0]).opened(sure, possible & ~sure)
     balance, point, left_point = system.balance, found.point, found.left_point

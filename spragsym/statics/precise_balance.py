@@ -83,7 +83,7 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
     cluster = cluster + (0.25 * width_of(cluster) + 1e-9)
     middle = Intervals(cluster).middle
     with np.errstate(all="ignore"):
-        parameters = system.prepared(Intervals.point(given[:, None]))
+        parameters = system.prepared_at(given[:, None])
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
         pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
     box = exact_ends(cluster)
@@ -130,7 +130,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
     """
 
     def beside_border(ends: FloatArray, point: IntArray) -> tuple[BoolArray, BoolArray]:
-        return on_side(system, system.prepared(Intervals.point(given[:, point])), ends)
+        return on_side(system, system.prepared_at(given[:, point]), ends)
 
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():

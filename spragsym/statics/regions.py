@@ -140,7 +140,7 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
     origin = np.zeros((balance.n, bounds.shape[1]))
     with np.errstate(all="ignore"):
         for given in (bounds.low, bounds.middle, bounds.high):
-            parameters = balance.prepared(Intervals.point(given))
+            parameters = balance.prepared_at(given)
             lengths = [part for line in balance.state(Intervals.point(origin), parameters).geometry for part in line]
             sizes = np.abs(np.concatenate([balance.guessed(origin, parameters), stacked(lengths, scale.shape).magnitude]))
             scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))

@@ -202,7 +202,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         width = (width_of(left) / scale_of(left).max(axis=0)).max(axis=0)
         free: BoolArray = np.zeros(count, dtype=np.bool_)
         if varied is None:
-            forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
+            forces = balance.residuals(Intervals(left), balance.prepared_at(given))
             free = np.logical_or.reduce(forces.magnitude <= NOTHING)
     return np.select(  # the first that holds
         [free, pole, anchor & (width <= SMALL), border & (width <= SMALL), width <= ONE_PLACE, width <= SMALL],

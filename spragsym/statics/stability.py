@@ -120,7 +120,7 @@ def classified(
     counts as that of 0.
     """
     with np.errstate(all="ignore"):
-        elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
+        elementary, minors, conservative = _over(balance, balance.prepared_at(given), ends)
     codes, proved = _told(elementary, minors, conservative)
     for row, (elementary, minors) in _with_digits(balance, given, ends, ~proved, lambda _: _types):
         codes[row], proved[row] = _told(elementary, minors, conservative[row])
@@ -206,7 +206,7 @@ def decay(balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8A
         return lambda at, taken: _routh_twice(shift, *map(taken, (at.mass(), at.damping(), at.stiffness())))
 
     with np.errstate(all="ignore"):
-        at = balance.state(Intervals(ends), balance.prepared(Intervals.point(given)))
+        at = balance.state(Intervals(ends), balance.prepared_at(given))
         without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
         told = _told_to_decay(_signs_over(at, asked(Intervals.point(half))))

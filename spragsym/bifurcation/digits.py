@@ -82,8 +82,7 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     given = [ends[name] for name in balance.parameters]
-    low = -np.array([float_above(-least) for least, _ in given])[:, None]
-    high = np.array([float_above(most) for _, most in given])[:, None]
+    low, high = np.array([[-float_above(-least), float_above(most)] for least, most in given]).T[:, :, None]
     if (low == high).all():
         return solved(balance, high)
     around, whole = region(balance, Intervals.between(low, high))

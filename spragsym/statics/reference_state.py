@@ -90,7 +90,7 @@ def chosen_state(
     convex &= roots[..., 0] > POSITIVE * np.abs(roots).max(axis=-1)
     strain = np.where(convex, second, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
-    sizes = np.where(np.isfinite(strain), np.abs(strain), 0.0).max(axis=-1, keepdims=True, initial=0.0)
+    sizes = np.abs(strain).max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(strain))
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
     least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL_ENERGIES * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
@@ -112,10 +112,9 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> In
     sizes = scale_of(states).max(axis=0)
     room = ALIKE * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
     left = np.isfinite(measure)
-    for one in (measure, *(-row for row in states)):
-        here = np.where(left, one, np.inf)
-        least = here.min(axis=-1, keepdims=True, initial=np.inf)
-        left &= here <= least + room
+    for one in (measure, *-states):
+        least = one.min(axis=-1, keepdims=True, initial=np.inf, where=left)
+        left &= one <= least + room
     return left.argmax(axis=-1)
 
 

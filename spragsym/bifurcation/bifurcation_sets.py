@@ -16,7 +16,7 @@ import numpy as np
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, scale_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, scale_of
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
@@ -196,7 +196,7 @@ def on_lines(
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0))
         line = values[found.roots.left_point]
-        left.append(np.insert(found.roots.left, balance.n + across, np.stack([-line, line]), axis=1))
+        left.append(np.insert(found.roots.left, balance.n + across, Intervals.point(line).ends, axis=1))
     states = np.concatenate([*rows, more], axis=1)
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
     reach = np.ptp(states[: balance.n], axis=1).max(initial=1e-9) if states.size else 1.0
@@ -388,7 +388,7 @@ class FoldCurves:
         free = np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64).reshape(-1, count - 1).T
         room = ROOM * scale_of(states)
         room[fixed, columns] = 0.0
-        wide = np.stack([-states, states]) + room
+        wide = ends_around(states, room)
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
         reach = contractors.distance(wide, states)[free, columns]
         step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)

@@ -15,7 +15,7 @@ from scipy.optimize import linear_sum_assignment
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, distinct
-from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, scale_of
+from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, ends_around, scale_of
 from ..questions import Method, question
 from ..results.points import Points
 from ..statics import stability
@@ -251,7 +251,7 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
     room = ROOM * scale_of(candidates)
-    tried = refined(system, fixed, Roots.at(np.stack([room - candidates, room + candidates])))
+    tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
     sure = tried.error <= TOLERANCE
     proved, open_ = (on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure))
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)

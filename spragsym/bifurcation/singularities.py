@@ -32,7 +32,18 @@ from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, scale_of, spans_of, stacked, width_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    Intervals,
+    Shape,
+    ends_around,
+    matrix,
+    scale_of,
+    spans_of,
+    stacked,
+    width_of,
+)
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import exact_ends, third_derivative
 from ..results.equilibria import Stability
@@ -269,7 +280,7 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
     z = np.array([float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)])
     size = points.error[row] * scale_of(z)
-    side, lower = _normal_form(family, Intervals(np.stack([size - z, size + z])[:, :, None]))
+    side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))
     when = "up" if side < 0 else "down"
     if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != Stability.STABLE:
         return "", when

@@ -25,7 +25,7 @@ from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, scale_of, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, matrix, scale_of, stacked
 from ..statics.balance import Balance
 from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
@@ -84,7 +84,7 @@ class Place(ByColumn):
     def box(self) -> Intervals:
         """All states there; what does not leave the middle is a point."""
         wide = self.held + np.where(self.held > 0, np.spacing(np.abs(self.z) + self.held), 0.0)
-        return Intervals(np.stack([-self.z, self.z]) + wide)
+        return Intervals(ends_around(self.z, wide))
 
     def lies_in(self, other: Place, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
         """Whether its states are those of another place, which holds for all its parameters: by their coordinates.
@@ -190,13 +190,13 @@ class Tubes(ByColumn):
     # --------------------------------------------------------------------------------------------------- evaluation
 
     def _bounds(self, v: Intervals) -> Intervals:
-        ends = np.stack([-self.fixed, self.fixed])
+        ends = Intervals.point(self.fixed).ends
         ends[:, self.moving] = np.concatenate([self._span().ends, v.ends[:, None]], axis=1)
         return self.balance.prepared(Intervals(ends))
 
     def _span(self) -> Intervals:
         wide = np.where(self.half > 0, self.half * UP + np.spacing(np.abs(self.centre)), 0.0)
-        return Intervals(np.stack([-self.centre, self.centre]) + wide)
+        return Intervals(ends_around(self.centre, wide))
 
     def slopes(self, z: Intervals) -> Intervals:
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
@@ -354,7 +354,7 @@ class Tubes(ByColumn):
             with np.errstate(all="ignore"):
                 step = slopes.newton(slopes.left(forces[:, rows], tried, some.apart()), others, reach)
             good = np.isfinite(step).all(axis=(0, 1))
-            done = good & contractors.inside(step, np.stack([reach, reach]))
+            done = good & contractors.inside(step, reach)
             if done.any():
                 here, box = rows[done], tried[done].box()
                 out.sure[here] = on_side(self.balance, some[done]._bounds(box[-1]), box.ends[:, :-1])[0]
@@ -375,7 +375,7 @@ class Tubes(ByColumn):
                 # Of what dz/ds differs by from the slope in the middle; v is the last of what follows a coordinate.
                 step = slopes.newton(left, self.others, reach)
                 most = np.maximum(*step)
-                known |= contractors.inside(step, np.stack([reach, reach])) & (most[-1] * UP < size)
+                known |= contractors.inside(step, reach) & (most[-1] * UP < size)
                 reach = (1 + ROOM) * np.maximum(reach, most)
         return np.where(known, np.sign(by_s[-1]), 0.0)
 

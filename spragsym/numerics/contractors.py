@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, raised, scaled, width_of
+from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, ends_around, raised, scaled, width_of
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Newton:
 
 def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """|x − m| over boxes of shape (2, n, N)."""
-    return np.maximum(*raised(ends + np.stack([middle, -middle])))
+    return np.maximum(*raised(ends_around(-middle, ends)))
 
 
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
@@ -71,7 +71,7 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
     ends = raised(b[::-1] + around)
     ends = raised(np.where(ends >= 0, ends / least, ends / most))
-    ends = raised(ends + np.stack([-middle, middle]))
+    ends = raised(ends_around(middle, ends))
     noise = 0.5 * width_of(b)
     none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > raised(around + own, 2))
     return Newton(np.where(least > 0, ends, np.inf), noise, none)
@@ -94,7 +94,7 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
 
 
 def inside(inner: FloatArray, outer: FloatArray) -> BoolArray:
-    """Boxes, shape (2, n, N), of which the one lies in the interior of the other."""
+    """Boxes, shape (2, n, N), of which the one lies in the interior of the other; around 0 radii may stand for that."""
     return np.logical_and.reduce(inner < outer, axis=(0, 1))
 
 

@@ -52,6 +52,11 @@ def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
     return out
 
 
+def ends_around(middle: FloatArray, radius: FloatArray) -> FloatArray:
+    """−low and high of boxes around their middles, each end rounded to nearest; radii may differ to both sides."""
+    return np.stack([-middle, middle]) + radius
+
+
 def width_of(ends: FloatArray) -> FloatArray:
     """high − low of boxes, of which ``ends`` has −low and high first, rounded to nearest; below 0 where nothing is left."""
     return ends[0] + ends[1]

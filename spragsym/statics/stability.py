@@ -24,6 +24,7 @@ from ..numerics.interval_arrays import (
     Int8Array,
     IntArray,
     Intervals,
+    ends_around,
     matrix,
     scale_of,
     stacked,
@@ -85,7 +86,7 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray 
     if around is None:
         off = eq.error[states] * scale_of(q)
         with np.errstate(all="ignore"):
-            ends = np.nextafter(np.stack([off - q, q + off]), np.inf)
+            ends = np.nextafter(ends_around(q, off), np.inf)
     else:
         place = np.full(eq.stability.shape, -1)
         place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)

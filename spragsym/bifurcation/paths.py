@@ -305,17 +305,15 @@ class Way:
             return self.joined[stop - 1][place]
         if place < 0:
             return self._begun(stop, place)
-        here = self._candidates(stop - 1, stop)
-        number = self._turned(stop - 1, place, stop) if here.size > 1 else None
+        number = self._turned(stop - 1, place, stop)
         if number is None and place in self._links(stop - 1):
             return self._links(stop - 1)[place]
-        return ~(self._ending(stop - 1, stop, place, here) if number is None else number)
+        return ~(self._ending(stop - 1, place, stop) if number is None else number)
 
-    def vanishing(self, stop: int, goal: int, slot: int) -> int:
+    def vanishing(self, stop: int, slot: int, goal: int) -> int:
         """The number of the point at which a state vanishes on its way to the stop before or behind, if it does."""
-        here = self._candidates(stop, goal)
-        number = self._turned(stop, slot, goal) if here.size > 1 else None
-        return self._ending(stop, goal, slot, here) if number is None else number
+        number = self._turned(stop, slot, goal)
+        return self._ending(stop, slot, goal) if number is None else number
 
     def moved(self, stop: int, slot: int, goal: int) -> FloatArray:
         """By how much a state moves on its way to another stop, angles as they go on."""
@@ -343,10 +341,13 @@ class Way:
         return np.flatnonzero((self.at >= low - self.error) & (self.at <= high + self.error))
 
     def _turned(self, stop: int, slot: int, goal: int) -> int | None:
-        """The fold at which a state is proved to turn back on its way from one stop to another; None if nothing is proved."""
-        here = self._candidates(stop, goal)
-        here = here[self.kinds[here] == "fold"]
-        if not here.size:
+        """The fold at which a state is proved to turn back on its way to another stop, of several points where it may end.
+
+        None if nothing is proved, or there are no two such points.
+        """
+        points = self._candidates(stop, goal)
+        here = points[self.kinds[points] == "fold"]
+        if points.size < 2 or not here.size:
             return None
         tubes, start = self._standing(self.balance, stop, slot)
         if here.size > 1 and (self.at[here] == self.stops[stop]).all():
@@ -372,8 +373,9 @@ class Way:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
         return {name: float(getattr(self.turns, name)[number]) for name in names or self.balance.coordinates}
 
-    def _ending(self, stop: int, goal: int, place: int, here: IntArray) -> int:
-        """The number of the point, one of ``here``, at which a state vanishes on its way from a stop to the next one."""
+    def _ending(self, stop: int, place: int, goal: int) -> int:
+        """The number of the point at which a state vanishes on its way from a stop to the next one."""
+        here = self._candidates(stop, goal)
         if here.size == 1:
             return int(here[0])
         for number in here[self.kinds[here] == "border"].tolist():

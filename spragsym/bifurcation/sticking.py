@@ -143,7 +143,7 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
         for slot, goal in enumerate(goals):
             link(stop - 1, slot, stop, goal)
         for slot in sorted({*range(eq.count[stop])} - {*goals}):
-            link(stop, slot, stop - 1, ~way.vanishing(stop, stop - 1, slot))
+            link(stop, slot, stop - 1, ~way.vanishing(stop, slot, stop - 1))
     sets = [labels == label for label in np.unique(labels)]
     error = np.concatenate([eq.error[eq.states], way.turns.error])
     low, high = (np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q)) for most in (np.min, np.max))

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, Span, as_numbers
-from ..numerics.interval_arrays import FloatArray, IntArray
+from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
 from ..questions import Method, question
 from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Jump, Path
@@ -175,7 +175,7 @@ class Way:
     """
 
     def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
-        self.p, self.vary, self.balance = p, vary, Balance(p.model, contact=True)
+        self.p, self.vary, self.balance = p, vary, Balance(p.model)
         p.model.require_parameter(vary)
         try:
             ends = self._ends(along, BESIDE)
@@ -185,7 +185,7 @@ class Way:
         self.at, self.kinds = getattr(self.turns, vary), self.turns.kind
         #: Coordinates of the points at which states vanish, shape (n, numbers).
         self.q = np.array([getattr(self.turns, name) for name in self.balance.coordinates])
-        self.error = self.turns.error * np.maximum(1.0, np.abs(self.at))
+        self.error = self.turns.error * scale_of(self.at)
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.stops = self._stops(along)
         self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
@@ -205,7 +205,7 @@ class Way:
         for stop in np.flatnonzero(~eq.decided).tolist():
             here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
             states = self.q[:, here].T
-            room = BESIDE * np.maximum(1.0, np.abs(states))
+            room = BESIDE * scale_of(states)
             boxes = [box for box in eq.undecided if box.index == (stop,)]
             around = np.array([((states - box.low <= room) & (box.high - states <= room)).all(axis=-1) for box in boxes])
             if not around.any(axis=-1).all():
@@ -218,7 +218,7 @@ class Way:
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
         """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
-        allowed, room = self.p.ranges[self.vary], beyond * np.maximum(1.0, np.abs(along))
+        allowed, room = self.p.ranges[self.vary], beyond * scale_of(along)
         low, high = max(float((along - room).min()), allowed.low), min(float((along + room).max()), allowed.high)
         found = folds(self.p, self.vary, between={self.vary: (low, high)})
         if not found.decided:
@@ -238,7 +238,7 @@ class Way:
             return np.concatenate([getattr(points, name) for points in ends])
 
         at, error = every(self.vary), every("error")
-        wide = error * np.maximum(1.0, np.abs(at))
+        wide = error * scale_of(at)
         order = np.argsort(at)
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
@@ -255,7 +255,7 @@ class Way:
         known = np.concatenate([along, self.at])
         apart = np.abs(known - self.at[:, None])
         nearest = np.where(apart > 0, apart, np.inf).min(axis=1, initial=np.inf)
-        room = np.minimum(BESIDE * np.maximum(1.0, np.abs(self.at)), 0.25 * nearest)
+        room = np.minimum(BESIDE * scale_of(self.at), 0.25 * nearest)
         beside = np.concatenate([self.at - room, self.at + room])
         # Between floats next to each other there is no other.
         new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)
@@ -358,7 +358,7 @@ class Way:
         found = turned(tubes, start, forward)
         if not found.sure[0]:
             return None
-        away = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / np.maximum(1.0, np.abs(found.z))
+        away = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / scale_of(found.z)
         away = away.max(axis=0)
         nearest = int(away.argmin())
         return int(here[nearest]) if away[nearest] <= MATCH else None
@@ -379,7 +379,7 @@ class Way:
         if here.size == 1:
             return int(here[0])
         for number in here[self.kinds[here] == "border"].tolist():
-            tubes, start = self._standing(Balance(self.p.model, contact=True, room=OVER_BORDER), stop, place)
+            tubes, start = self._standing(Balance(self.p.model, room=OVER_BORDER), stop, place)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():

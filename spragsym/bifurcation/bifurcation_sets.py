@@ -16,7 +16,7 @@ import numpy as np
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, scale_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, quiet, scale_of
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
@@ -247,7 +247,7 @@ def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntA
     gap = place[:, None, :] - place[:, :, None]
     distance = np.linalg.norm(gap, axis=0)
     ahead = (gap * tangent[:, :, None]).sum(axis=0)
-    with np.errstate(all="ignore"):
+    with quiet():
         straight = np.abs(ahead) / distance
         cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
     # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the nearest pairs first.
@@ -342,7 +342,7 @@ class FoldCurves:
         """Where the way from one point to another first comes to an end of a range, and the number of the parameter there."""
         way, (low, high) = to - end, self.spans.T
         last = np.where(way[-2:] > 0, high, low)
-        with np.errstate(all="ignore"):
+        with quiet():
             share = np.where((way[-2:] != 0) & (last != end[-2:]), (last - end[-2:]) / way[-2:], np.inf)
         number = int(share.argmin())
         if not share[number] <= 1:
@@ -368,7 +368,7 @@ class FoldCurves:
     def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
         states, scale = start, self.scale[:, None]
-        with np.errstate(all="ignore"):
+        with quiet():
             for _ in range(STEPS):
                 slopes = self._slopes(Intervals.point(states)).middle * scale
                 off = np.concatenate([self._values(states).middle, (normal * (states - start) / scale).sum(axis=0)[None]])
@@ -401,5 +401,5 @@ class FoldCurves:
         return self.system.residuals(Intervals.point(states), self.system.fixed(states.shape[1]))
 
     def _slopes(self, states: Intervals) -> Intervals:
-        with np.errstate(all="ignore"):
+        with quiet():
             return self.system.jacobian(states, self.system.fixed(states.shape[1]))

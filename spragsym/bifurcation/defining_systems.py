@@ -23,7 +23,7 @@ from ..numerics import contractors
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, quiet, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..statics.balance import ENDLESS, Balance, StateSystem, at_anchors
@@ -333,7 +333,7 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
     if system.condition.order or found.left.shape[2] > MANY:
         return found
-    with np.errstate(all="ignore"):
+    with quiet():
         if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
             return found  # no number of digits tells what is there
     return settled_by_digits(system, system.family.begin, region, found, most=CLUSTERS)

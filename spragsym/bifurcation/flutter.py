@@ -15,7 +15,7 @@ from scipy.optimize import linear_sum_assignment
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, distinct
-from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, ends_around, scale_of
+from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, ends_around, quiet, scale_of
 from ..questions import Method, question
 from ..results.points import Points
 from ..statics import stability
@@ -325,7 +325,7 @@ def _bisected(
 def _state(system: Augmented, z: FloatArray) -> FloatArray:
     """The state of the value z[−1] that Newton's method finds near by."""
     parameters = Intervals.point(system.family.at(z[-1:, None]))
-    with np.errstate(all="ignore"):
+    with quiet():
         q = system.balance.guessed(z[:-1, None], system.balance.prepared(parameters))
     return np.append(q[:, 0], z[-1])
 
@@ -338,7 +338,7 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     if system.condition is HOPF:
         every = stability.roots(*matrices(system.family, z))
         return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
-    with np.errstate(all="ignore"):
+    with quiet():
         tested = system.residuals(Intervals.point(z), system.fixed(z.shape[1])).middle[-1:].T.astype(complex)
     return [row[np.isfinite(row)] for row in tested]
 

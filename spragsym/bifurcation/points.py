@@ -23,7 +23,18 @@ from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant, is_zero
 from ..numerics.certified_roots import Roots, distinct, stepped
 from ..numerics.columns import picked
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, scale_of, spans_of, stacked, width_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    Shape,
+    quiet,
+    scale_of,
+    spans_of,
+    stacked,
+    width_of,
+)
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..progress import doing
 from ..remarks import At, Remark
@@ -130,7 +141,7 @@ def is_affine(family: Family) -> bool:
     balance = family.balance
     if balance.springs:
         return False
-    with np.errstate(all="ignore"):
+    with quiet():
         values = balance.over(family.over[:, :1])
         try:
             rows = balance.at(variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)).rows("forces")
@@ -203,7 +214,7 @@ def shared(system: Augmented, left: FloatArray) -> BoolArray:
     if system.condition.order or not out.size:
         return out
     wide = left + (WIDER * width_of(left) + ROOM * scale_of(left).max(axis=0))
-    with np.errstate(all="ignore"):
+    with quiet():
         alone = _one_root(system, system.fixed(out.size), wide)
         for end in system.family.spans[0]:
             here = (-left[0, -1] <= end) & (end <= left[1, -1])
@@ -219,7 +230,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
     exactly = end == 0 and vary not in system.balance.angles
     value: Any = 0 if exactly else Intervals.point(np.full(count, end))
     try:
-        with np.errstate(all="ignore"):
+        with quiet():
             at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count))
             values = stacked(system.condition.equations(at), (count,))
     except ZeroDivisionError:  # a law that has no value there
@@ -253,7 +264,7 @@ def begins(system: Augmented, around: FloatArray) -> bool:
         return False
     if vary in system.balance.angles:
         return False
-    with np.errstate(all="ignore"):  # whether the condition has bounds in the whole region but for large values
+    with quiet():  # whether the condition has bounds in the whole region but for large values
         below = system.residuals(Intervals(_between(around, 0.0, LOW)), _at_end(system, LOW, 1)).ends[:, -1]
     return bool(vanishes(system, 0.0, around)[0] or not np.isfinite(below).all())
 
@@ -276,7 +287,7 @@ def _joined(one: Roots, other: Roots) -> Roots:
 
 def _raised(ends: FloatArray) -> FloatArray:
     """Boxes of the parameter from boxes of its logarithm."""
-    with np.errstate(all="ignore"):
+    with quiet():
         return np.concatenate([ends[:, :-1], Intervals(ends[:, -1:]).exp().ends], axis=1)
 
 
@@ -290,7 +301,7 @@ def escapes(family: Family) -> Points:
     n, sides = balance.n, np.full((2, balance.n, 1), BESIDE)
     sides[:, balance.around] = TURN
     found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
-    with suppress(NoChart), np.errstate(all="ignore"):
+    with suppress(NoChart), quiet():
         found = certified_roots.search(system, with_sides(sides, family.spans), fixed, fixed, budget=FAR_BUDGET)
         side = system.side(Intervals(found.ends), system.fixed(found.point.size))
     z = found.middle

@@ -39,6 +39,7 @@ from ..numerics.interval_arrays import (
     Shape,
     ends_around,
     matrix,
+    quiet,
     scale_of,
     spans_of,
     stacked,
@@ -131,7 +132,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
 def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
     """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
     balance, (vary,), low, high = family.balance, family.vary, -box[0], box[1]
-    with np.errstate(all="ignore"):
+    with quiet():
         parameters = balance.prepared(Intervals.between(*(family.at(end[-1:, None]) for end in (low, high))))
         sides = Intervals(box[:, :-1, None])
         image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
@@ -192,7 +193,7 @@ def _mirrors(family: Family) -> list[_Mirror]:
 def turned(balance: Balance, over: Intervals) -> list[int]:
     """Numbers of the coordinates that the mirror turns, if the model is its own image for these parameters, shape (P, 1)."""
     about = balance.model.about["mirror"]
-    with np.errstate(all="ignore"):
+    with quiet():
         mu = stacked([balance.at((), balance.over(over)).friction], (1,)).magnitude.max()
     zero = {name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()}
     zero |= {"mu"} if mu <= NOTHING else set()
@@ -230,7 +231,7 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
     ends, n = found.roots.ends, family.balance.n
     shape = ends.shape[2:]
     system = Augmented(family, cusp(column))
-    with np.errstate(all="ignore"):
+    with quiet():
         K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes
         asked = [cofactor(K, column, i) for i in range(n)], [change(K, other) for other in range(n) if other != column]
     nonzero, none = (~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero()) for some in asked)
@@ -290,7 +291,7 @@ def _at(points: Points, row: int) -> tuple[str, str]:
 def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
     """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
     system, balance = Augmented(family, FOLD), family.balance
-    with np.errstate(all="ignore"):
+    with quiet():
         at = system.state(variables(list(box), 1), system.fixed(1))
         K, n = at.stiffness(), balance.n
         rows = at.rows("forces")

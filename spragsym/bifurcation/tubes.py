@@ -25,7 +25,7 @@ from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, matrix, scale_of, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, matrix, quiet, scale_of, stacked
 from ..statics.balance import Balance
 from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
@@ -201,7 +201,7 @@ class Tubes(ByColumn):
     def slopes(self, z: Intervals) -> Intervals:
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
         at = self.balance.state(z[:-1], self._bounds(z[-1]))
-        with np.errstate(all="ignore"):
+        with quiet():
             return matrix(self._rows(at), at.shape)
 
     def over(self, tube: Place) -> Slopes:
@@ -212,7 +212,7 @@ class Tubes(ByColumn):
         shape = self.half.shape[1:]
         if not self.half.any():
             return Slopes([*self.slopes(tube.box())], Intervals(np.zeros((2, *shape))))
-        with np.errstate(all="ignore"):
+        with quiet():
             rows, zero, n = self.affine_slopes(tube), Affine(np.zeros(shape), np.zeros((1, *shape))), range(self.n)
             Y = contractors.inverse(filled([[getattr(row[j], "value", row[j]) for j in self.others] for row in rows], shape))
             return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
@@ -249,7 +249,7 @@ class Tubes(ByColumn):
         columns = self.fixed.copy()
         columns[self.moving] = np.vstack([self.centre, z[-1]])
         at = self.balance.at(list(z[:-1]), self.balance.floats(columns), xp=np)
-        with np.errstate(all="ignore"):
+        with quiet():
             forces, rows = at.rows("forces"), self._rows(at) if slopes else []
         return filled([forces], z.shape[1:])[0], filled(rows, z.shape[1:])
 
@@ -257,7 +257,7 @@ class Tubes(ByColumn):
         """Enclosed, in the middle of the boxes."""
         bounds = replace(self, half=np.zeros_like(self.half))._bounds(Intervals.point(z[-1]))
         at = self.balance.state(Intervals.point(z[:-1]), bounds, self.balance.anywhere)
-        with np.errstate(all="ignore"):
+        with quiet():
             return stacked(at.rows("forces"), at.shape)
 
     def apart(self) -> FloatArray:
@@ -311,7 +311,7 @@ class Tubes(ByColumn):
         z = end.z
         pivot, held = self.pivot, start.held[self.pivot]
         way = z[pivot] - start.z[pivot]
-        with np.errstate(all="ignore"):
+        with quiet():
             along = np.where(way != 0, (z - start.z) / way, 0.0)
         # With another pivot than before the states there lie on either side of the middle.
         wide = np.where(held > 0, held * UP + 2 * np.spacing(np.abs(start.z[pivot]) + held), 0)
@@ -351,7 +351,7 @@ class Tubes(ByColumn):
             alone[others] = np.maximum(reach, alone[others])
             some, tried = self[rows], replace(out[rows], held=swing[:, rows] + alone, off=alone)
             slopes = some.over(tried)
-            with np.errstate(all="ignore"):
+            with quiet():
                 step = slopes.newton(slopes.left(forces[:, rows], tried, some.apart()), others, reach)
             good = np.isfinite(step).all(axis=(0, 1))
             done = good & contractors.inside(step, reach)
@@ -369,7 +369,7 @@ class Tubes(ByColumn):
         slopes, size, direction = self.over(tube), np.abs(by_s[-1]), by_s.copy()
         direction[self.pivot] = 0.0
         known, reach = np.zeros(size.shape, dtype=np.bool_), np.tile(0.1 * size + TINY, (self.n, 1))
-        with np.errstate(all="ignore"):
+        with quiet():
             left = [slopes.taken(slopes.image(i, direction, row[self.pivot])) for i, row in enumerate(slopes.rows)]
             for _ in range(INFLATIONS):
                 # Of what dz/ds differs by from the slope in the middle; v is the last of what follows a coordinate.

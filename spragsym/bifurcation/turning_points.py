@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, quiet
 from .tubes import LEAST, Place, Tubes
 
 #: First step towards the fold, over the size of the coordinate, and how much farther the next one may go.
@@ -144,7 +144,7 @@ def _passed(
 def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray, FloatArray]]:
     """Tubes about the coordinate that moves most, over its size, where it does; their places, numbers, and its slope by v."""
     by_v, _ = tubes.tangents(start.z)
-    with np.errstate(all="ignore"):
+    with quiet():
         pivots = np.argmax(np.abs(by_v[:-1]) / size_of(start.z[:-1]), axis=0)
     for pivot in range(tubes.n):
         rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
@@ -161,7 +161,7 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
         slope = by_s[-1]
         z = tubes.corrected(z + by_s * step)
         by_s = tubes.tangents(z)[0]
-        with np.errstate(all="ignore"):
+        with quiet():
             ahead = -by_s[-1] * step / (by_s[-1] - slope)
         longest = FARTHER * np.abs(step)
         step = np.where(np.isfinite(ahead), np.clip(ahead, -longest, longest), 0.0)

@@ -24,7 +24,7 @@ from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, raised, scale_of, width_of
 from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from ..results.result import Result
@@ -308,7 +308,7 @@ class ClaimOfStates(Claim):
         np.maximum.at(np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0))
         room = ROOM + boxes.MARGIN * np.maximum(width_of(where), 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
-        with np.errstate(all="ignore"):
+        with quiet():
             holds = whole & self.true(balance, bounds, states)
         return replace(parts, holds=holds, around=where), self._weights(parts, states)
 
@@ -317,7 +317,7 @@ class ClaimOfStates(Claim):
         balance, middle, out = self.balance, 0.5 * (parts.low + parts.high), parts.slight
         ends, point = states.every
         q = Intervals(ends).middle
-        with np.errstate(all="ignore"):
+        with quiet():
             K = balance.jacobian(Intervals.point(q), balance.prepared_at(middle[:, point])).middle
             back = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
             for row in np.flatnonzero((parts.low != parts.high).any(axis=1)):

@@ -16,7 +16,7 @@ from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, as_numbers, set_of
-from ..numerics.interval_arrays import BoolArray, FloatArray
+from ..numerics.interval_arrays import BoolArray, FloatArray, quiet
 from ..questions import Method, model_of, question
 from ..results.result import Named
 from ..statics.balance import Balance
@@ -163,7 +163,7 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     names, shape, states = list(balance.parameters), found.value.shape, found.state.reshape(balance.n, -1)
     moving = names.index(vary)
     columns = (found.value if name == vary else getattr(p, name) for name in names)
-    with np.errstate(all="ignore"):
+    with quiet():
         values = balance.floats(np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns]))
         at = balance.at(list(states), values, xp=np)
         K, moved = (

@@ -29,7 +29,7 @@ from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
 from ..numerics import polynomials
 from ..numerics.chains import link, walked
 from ..numerics.columns import ByColumn, picked
-from ..numerics.interval_arrays import BoolArray, IntArray
+from ..numerics.interval_arrays import BoolArray, IntArray, quiet
 from ..numerics.polynomials import (
     Polynomial,
     Root,
@@ -153,7 +153,7 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
     t, theta0, mu0 = points
     c, s, _ = on_circle(t)
     c0, s0 = kernel.cos_sin(theta0)
-    with np.errstate(all="ignore"):  # at the ends of a curve θ₀ may be 0 or π
+    with quiet():  # at the ends of a curve θ₀ may be 0 or π
         trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
         curvature = np.sign(kernel.f_curvature(c, s, *trig))
         changes = _catastrophe.unfolding(c, s, c0, s0, mu0, *fixed)
@@ -235,7 +235,7 @@ def curves(condition: Condition, fixed: Fixed, t: FloatArray, step: float) -> It
 
     Those out of contact are included, and what is sought at ``t`` first.
     """
-    with np.errstate(all="ignore"):
+    with quiet():
         columns = _Columns.at(np.unique(t), condition, fixed)
         while True:
             before, after = columns[:-1], columns[1:]

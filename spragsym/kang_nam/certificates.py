@@ -21,7 +21,7 @@ from ..models.parameters import NAMES, FloatArray, Parameters
 from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray
+from ..numerics.interval_arrays import BoolArray, quiet
 from ..questions import NotInClosedForm
 from ..results.equilibria import Stability
 from . import kernel
@@ -130,7 +130,7 @@ def _no_jump(boxes: Boxes) -> Proved:
 
 
 def _followed_with(boxes: Boxes, margin: float) -> Proved:
-    with np.errstate(all="ignore"):
+    with quiet():
         middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
         *_, first, later, result = with_and_without_friction(middle)
         # A direction below the state at μ₀ = 0, one above it, and one above the state at the largest friction.
@@ -357,7 +357,7 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
     for halving in range(_HALVINGS + 1):
         if not box.size:
             break
-        with np.errstate(all="ignore"):
+        with quiet():
             done, decisive = test(over(boxes[box], low[box], high[box], begin, end))
         parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
         useful = [part[-1] > _SHARE * part[:-1].sum(axis=0) for part in parts]

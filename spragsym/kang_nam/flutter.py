@@ -26,7 +26,7 @@ from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, atan2, decided, sign, with_enough_bits
-from ..numerics.interval_arrays import IntArray
+from ..numerics.interval_arrays import IntArray, quiet
 from ..numerics.polynomials import RootOf, eigenvalues, in_t, on_circle, real_roots, roots_on_the_line
 from ..questions import NotInClosedForm, of_article
 from ..results.result import Result
@@ -134,7 +134,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     found = []
     directions = 1 + np.exp(np.linspace(-_FAR, _FAR, n // 2))  # flutter needs π/2 < θ < π
     for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 6 / n)):
-        with np.errstate(all="ignore"):
+        with quiet():
             L, x, y = kernel.state_of(*on_circle(t)[:2], *kernel.cos_sin(theta0), *fixed)
         good = (y < 0) & (mu0 > 0)
         found.append(np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good])
@@ -165,7 +165,7 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
     From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
     """
     c0, s0 = kernel.cos_sin(theta0)
-    with np.errstate(all="ignore"):
+    with quiet():
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
         roots = eigenvalues(np.stack(quartic, axis=-1)).T
         t = np.where(roots.imag == 0, roots.real, np.nan)

@@ -20,7 +20,7 @@ from ..numerics import balls, bernstein
 from ..numerics.affine import Rounded, as_number, cosine_and_sine
 from ..numerics.arithmetic import Polynomial
 from ..numerics.balls import Ball, as_floats, ends
-from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array
+from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet
 from ..numerics.polynomials import on_circle
 from . import kernel
 from .kernel import LINEAR
@@ -48,7 +48,7 @@ class FoldArrays:
 
 def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     """All folds along one of the six of ``size`` points, in its range; the others are arrays of ``size`` or one number each."""
-    with np.errstate(all="ignore"):
+    with quiet():
         return _in_theta0(given, size) if vary == "theta0" else _along(vary, given, size)
 
 
@@ -156,7 +156,7 @@ _BITS = 160
 
 def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> tuple[Rounded, Rounded]:
     """t = tan(θ/2) and the values on folds with less uncertainty; ``given`` has for each fold the others of the six."""
-    with np.errstate(all="ignore"):
+    with quiet():
         exact = {name: Rounded(column) for name, column in given.items()}
         wide = Rounded(found.value.value, 2 * found.value.error)  # with the surface beside the fold
         return _sharpened(

@@ -14,7 +14,7 @@ from ..generated import kernel as solver
 from ..generated import laws
 from ..generated import linear_sprag as _linear
 from ..models.parameters import NAMES, NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_numbers
-from ..numerics.interval_arrays import Int8Array
+from ..numerics.interval_arrays import Int8Array, quiet
 from ..questions import of_article
 from ..results.equilibria import Stability
 from ..results.result import Result
@@ -79,7 +79,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     except ValueError as error:
         raise ParameterError(f"theta {direction.shape}, theta0 {reference.shape} and the parameters do not broadcast") from error
     c, s, c0, s0 = *kernel.cos_sin(direction), *kernel.cos_sin(reference)
-    with np.errstate(all="ignore"):
+    with quiet():
         mu0 = _catastrophe.surface(c, s, c0, s0, *fixed)
         L, x, y = kernel.state_of(c, s, c0, s0, *fixed)
         point = solver.Point(c0, s0, mu0, *[*fixed, 1])

@@ -19,7 +19,7 @@ import numpy as np
 
 from . import interval_arrays
 from .arithmetic import Arithmetic, repeated_product
-from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, raised
+from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, quiet, raised
 from .jets import Functions, Jet
 
 #: Half a unit in the last place, relative.
@@ -203,7 +203,7 @@ def _through(name: str) -> Callable[[Affine], Affine]:
     function = getattr(interval_arrays, name)
 
     def through(x: Affine) -> Affine:
-        with np.errstate(all="ignore"):
+        with quiet():
             slope = _INTERVALS.of(name, Jet.variable(x.interval(), 0, 1)).derivative(0)
             return Affine.linear(x, Affine.between(function(Intervals.point(x.value))), slope)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from .affine import UNIT, Rounded, as_number
 from .columns import ByColumn
-from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array
+from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array, quiet
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
 DEPTH = 30
@@ -83,7 +83,7 @@ def signs_between(coefficients: Sequence[Any], low: FloatArray, high: FloatArray
     """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``), which are known to ``off``."""
     size = low.size
     whole = _beginning(coefficients, size)
-    with np.errstate(all="ignore"):
+    with quiet():
         upper = _cut(whole.value, low)[1]
         value = _cut(upper, np.clip((high - low) / (1 - low), 0.0, 1.0))[0]
     # Two cuts round as often as two evaluations. A place off by ε moves a value by 2 · degree · ε times the largest coefficient.

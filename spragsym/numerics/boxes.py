@@ -16,7 +16,7 @@ import numpy as np
 
 from . import contractors
 from .columns import ByColumn
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, scale_of, width_of
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, quiet, scale_of, width_of
 from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
@@ -122,7 +122,7 @@ def search(
     """
     points = tree(low, high)
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
-    with np.errstate(all="ignore"):
+    with quiet():
         beyond = np.asarray(system.limits)[..., None]
         regions = points.hulls(region) if region.shape[2] > 1 else None
         here = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), regions, system.prepared(points.bounds))

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import boxes, contractors
 from .boxes import Outcome, System
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, raised, scale_of, width_of
+from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, raised, scale_of, width_of
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
@@ -101,7 +101,7 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
     place, point = outcome.points.below(outcome.unique.nodes)
     open_, left_point = outcome.points.below(outcome.undecided.nodes)
     alone = outcome.unique.ends[:, :, place]
-    with np.errstate(all="ignore"):
+    with quiet():
         ends = np.minimum(outcome.where.ends[:, :, place], alone)
         ends, gone = _refined(system, ends, Intervals.between(low, high), point)
         # Each holds a root; where a law ends at the root itself, as a contact's at the touch, refinement may lose it: undecided.

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, ends_around, raised, scaled, width_of
+from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, ends_around, quiet, raised, scaled, width_of
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ def apart(one: FloatArray, other: FloatArray) -> BoolArray:
 def inverse(matrices: FloatArray) -> FloatArray:
     """Inverses of matrices of shape (n, n, N), roughly; the unit matrix where there is none."""
     n = matrices.shape[0]
-    with np.errstate(all="ignore"):
+    with quiet():
         if n == 1:
             out = 1 / matrices
         elif n == 2:

@@ -11,13 +11,13 @@ keeps the order of numbers, so that it does not fall below that float. :data:`TI
 
 An end that is NaN bounds nothing, nor does an infinite one: every comparison with NaN is false, so that code which concludes from
 comparisons that hold concludes nothing from it. NaN comes from ∞ − ∞, 0 · ∞, and division by an interval that holds 0.
-NumPy's warnings on such numbers are for the caller to silence, with :func:`numpy.errstate` around a whole computation.
+NumPy's warnings on such numbers are for the caller to silence, with :data:`quiet` around a whole computation.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import reduce
+from functools import partial, reduce
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -32,6 +32,9 @@ IndexArray: TypeAlias = NDArray[np.intp]
 Int8Array: TypeAlias = NDArray[np.int8]
 ComplexArray: TypeAlias = NDArray[np.complex128]
 Shape: TypeAlias = tuple[int, ...]
+
+#: Context in which what has no bounds, or no value, is infinite or NaN without a warning.
+quiet = partial(np.errstate, all="ignore")
 
 #: Twice the unit of rounding.
 EPS = 2.0**-52

@@ -25,7 +25,7 @@ import numpy as np
 from . import balls, contractors
 from .arithmetic import Matrix, is_zero, solved
 from .balls import Ball, Undecided, ball
-from .interval_arrays import FloatArray, Intervals
+from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
 from .polynomials import derivative, evaluate, shifted
 
@@ -123,7 +123,7 @@ def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
         middles = np.array([[float(sum(balls.ends(entry)) / 2) for entry in row] for row in rows])
     except OverflowError:  # of no number that is a float
         middles = np.full((len(rows), len(rows)), np.nan)
-    with np.errstate(all="ignore"):
+    with quiet():
         return [[ball(float(entry), bits) for entry in row] for row in contractors.inverse(middles[:, :, None])[:, :, 0]]
 
 

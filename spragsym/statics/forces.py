@@ -15,7 +15,18 @@ from ..models.field import undecorated
 from ..models.model import Model
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, is_zero
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, atan2, length, stacked, unit_vector
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    Shape,
+    atan2,
+    length,
+    quiet,
+    stacked,
+    unit_vector,
+)
 from ..numerics.jets import argument, binomial_series, change_along, constant, order_of, turned
 from .namespaces import XP
 
@@ -79,7 +90,7 @@ class Forces:
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P, N)."""
-        with np.errstate(all="ignore"):
+        with quiet():
             values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
         return stacked([values[code] for code in self.codes], bounds.shape[1:])
 

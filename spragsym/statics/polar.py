@@ -44,7 +44,7 @@ import numpy as np
 
 from ..numerics import certified_roots, contractors, jets
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, raised, stacked, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, quiet, raised, stacked, width_of
 from .balance import SCALE, Balance, StateSystem
 from .forces import State, Values, as_intervals
 from .namespaces import XP
@@ -198,7 +198,7 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
     """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs, points)."""
-    with np.errstate(all="ignore"):
+    with quiet():
         return stacked(balance.at((), balance.over(Intervals.point(given))).of_springs(name), given.shape[1:])
 
 
@@ -230,7 +230,7 @@ def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Po
 def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: IntArray) -> Roots:
     """Roots and undecided boxes of some points, by their numbers."""
     given, around, roots = given[:, points], around[:, :, points], Roots.none(system.balance.n)
-    with np.errstate(all="ignore"):
+    with quiet():
         sides, scale, narrow = _sides(system, given, around)
         for tight in (False, True):
             some = np.flatnonzero(narrow == tight)

@@ -18,7 +18,7 @@ from ..numerics import contractors
 from ..numerics.balls import Ball, Undecided
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, different
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
 from ..numerics.precise_roots import Reduced, as_intervals, exact_ends, narrowed, outward, reduced_roots
 from .balance import PreciseBalance, StateSystem
 
@@ -82,7 +82,7 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
     """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave something."""
     cluster = cluster + (0.25 * width_of(cluster) + 1e-9)
     middle = Intervals(cluster).middle
-    with np.errstate(all="ignore"):
+    with quiet():
         parameters = system.prepared_at(given[:, None])
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
         pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
@@ -146,7 +146,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
 
 def on_side(system: StateSystem, parameters: Intervals, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
     """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that lie beyond it."""
-    with np.errstate(all="ignore"):
+    with quiet():
         return system.state(Intervals(ends), parameters).beside_border()
 
 

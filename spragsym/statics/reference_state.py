@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import undecorated
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, scale_of, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, quiet, scale_of, stacked
 from ..numerics.jets import gradient, variables
 from ..results.equilibria import Equilibria, Stability
 from .equilibria import equilibria
@@ -77,7 +77,7 @@ def chosen_state(
     }  # of the motion: not felt here
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
     energy, every, shape = undecorated(model.algebra.strain_energy), range(len(q)), (*p.shape, 1)
-    with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
+    with quiet():  # beyond ``count`` there are no numbers
         strain, place = energy(*q, *given, 1, xp=np), np.array(q)
         origin = variables([Intervals.point(np.zeros(shape))] * len(q), 2)
         series = energy(*origin, *map(Intervals.point, given), 1, xp=XP)

@@ -24,7 +24,7 @@ import numpy as np
 from ..errors import ParameterError
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, raised, stacked, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, raised, stacked, width_of
 from .balance import Balance, linear
 from .forces import State, as_intervals
 from .namespaces import FREE
@@ -84,7 +84,7 @@ def by_hand(coordinates: Sequence[str], within: Ranges | None) -> FloatArray | N
 def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArray]:
     """Bounds of all equilibria by their forces, and where there are any."""
     count = bounds.shape[1]
-    with np.errstate(all="ignore"):
+    with quiet():
         parameters = balance.prepared(bounds)
         border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
         ends = np.minimum(FAR, border)
@@ -138,7 +138,7 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
     """For each point the largest length of the model: of springs, to anchors, to where forces balance; at least 1."""
     scale = np.ones(bounds.shape[1])
     origin = np.zeros((balance.n, bounds.shape[1]))
-    with np.errstate(all="ignore"):
+    with quiet():
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared_at(given)
             lengths = [part for line in balance.state(Intervals.point(origin), parameters).geometry for part in line]

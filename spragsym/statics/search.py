@@ -13,7 +13,7 @@ from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, scale_of, spans_of, width_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, quiet, scale_of, spans_of, width_of
 from ..questions import question
 from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided
@@ -192,7 +192,7 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     count, n = left.shape[2], balance.n
     if not count:
         return []
-    with np.errstate(all="ignore"):
+    with quiet():
         values = balance.over(Intervals.point(np.nan_to_num(given))) | balance.with_angles(varied or {}, XP)
         at = balance.at(list(Intervals(left[:, :n])), values, (count,))
         pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)

@@ -26,6 +26,7 @@ from ..numerics.interval_arrays import (
     Intervals,
     ends_around,
     matrix,
+    quiet,
     scale_of,
     stacked,
 )
@@ -85,7 +86,7 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray 
     q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
     if around is None:
         off = eq.error[states] * scale_of(q)
-        with np.errstate(all="ignore"):
+        with quiet():
             ends = np.nextafter(ends_around(q, off), np.inf)
     else:
         place = np.full(eq.stability.shape, -1)
@@ -120,7 +121,7 @@ def classified(
     States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each (2, n, N). A sign that is not known
     counts as that of 0.
     """
-    with np.errstate(all="ignore"):
+    with quiet():
         elementary, minors, conservative = _over(balance, balance.prepared_at(given), ends)
     codes, proved = _told(elementary, minors, conservative)
     for row, (elementary, minors) in _with_digits(balance, given, ends, ~proved, lambda _: _types):
@@ -152,7 +153,7 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
 
     They are NaN where a law has no value, like Hertz's beyond the touch.
     """
-    with np.errstate(all="ignore"):
+    with quiet():
         at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
         return tuple(np.moveaxis(filled(part, at.shape), -1, 0) for part in (at.mass(), at.damping(), at.stiffness()))
 
@@ -206,7 +207,7 @@ def decay(balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8A
     def asked(shift: Any) -> Ask:
         return lambda at, taken: _routh_twice(shift, *map(taken, (at.mass(), at.damping(), at.stiffness())))
 
-    with np.errstate(all="ignore"):
+    with quiet():
         at = balance.state(Intervals(ends), balance.prepared_at(given))
         without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
@@ -313,7 +314,7 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
 def _damping(balance: Balance, over: Intervals, pushing: int | None = None) -> Matrix:
     """C at states of all kinds."""
     at = balance.at([Intervals(np.full((2, 1), FAR))] * balance.n, balance.over(over), (1,))
-    with np.errstate(all="ignore"):
+    with quiet():
         return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(pushing)
 
 
@@ -340,11 +341,11 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
 
 def slope_over(balance: Balance, over: Intervals) -> Intervals:
     """The slope of the friction law over the ranges."""
-    with np.errstate(all="ignore"):
+    with quiet():
         return as_intervals(balance.at((), balance.over(over)).slope(), over.shape[1:])
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:
     """Whether all κ are real all over the ranges, whatever the state is: K is symmetric, or one number."""
-    with np.errstate(all="ignore"):
+    with quiet():
         return bool(without_flutter(balance, balance.prepared(over)).all())

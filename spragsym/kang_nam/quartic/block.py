@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...generated import kernel
 from ...numerics.double_double import DoubleDouble, cosine_and_sine
-from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray
+from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, quiet
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
 TOLERANCE = 1e-12
@@ -31,7 +31,7 @@ _STORED = 4 * 2.0**-53
 A_THREAD, A_COUNTING_THREAD = 1 << 16, 1 << 19
 
 
-@np.errstate(all="ignore")
+@quiet()
 def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
 
@@ -43,7 +43,7 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
 
 
-@np.errstate(all="ignore")
+@quiet()
 def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
     """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
@@ -65,7 +65,7 @@ def _solved(point: kernel.Point, line: kernel.Balance, u: np.floating[Any], out:
     return np.flatnonzero(~settled)
 
 
-@np.errstate(all="ignore")
+@quiet()
 def count(values: list[FloatArray], size: int) -> Int8Array:
     """The number of equilibria in contact, 0 where that is open."""
     found = kernel.one_or_three(_point(values, True), np.float64(2.0**-53))

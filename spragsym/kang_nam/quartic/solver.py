@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...errors import BackendError, ConvergenceError, one_of
 from ...models.parameters import NAMES, Parameters, as_count
-from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray
+from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, quiet
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
@@ -71,7 +71,7 @@ class _Closed(Linearizing):
         """The four λ of (27)."""
         others = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
         theta, L = map(self._padded, ("theta", "L"))
-        with np.errstate(all="ignore"):  # empty slots; parameters near the largest floats overflow
+        with quiet():  # empty slots; parameters near the largest floats overflow
             trace, determinant, discriminant = kernel.invariants(*kernel.cos_sin(theta), L, *others, int(self.contact))
             # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
             root = np.sqrt(discriminant.astype(complex))

@@ -42,7 +42,7 @@ def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
 
 def fewest_terms(polynomial: sp.Expr, cosine: sp.Symbol, sine: sp.Symbol) -> sp.Expr:
     """By c² + s² = 1 either square may go: whichever leaves fewer terms."""
-    forms = [reduce_circles(polynomial, (pair,)) for pair in ((cosine, sine), (sine, cosine))]
+    forms = (reduce_circles(polynomial, (pair,)) for pair in ((cosine, sine), (sine, cosine)))
     return min(forms, key=lambda form: len(sp.Add.make_args(form)))
 
 

@@ -125,7 +125,7 @@ def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
         step=float(f"{0.1 * time.nominal:.0e}"),
         borders=(
             *(["gap"] if it.unilateral and it.gap is not None else []), *(["slip"] if it.slide is not None else []),
-            *(["ahead", "behind"] if motion.Motion(it).holds else []),
+            *(["ahead", "behind"] if it.holds else []),
             *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
         ),
         rooted=not it.polynomial,

@@ -80,7 +80,7 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     # The whole algebra is kept where other languages are printed from its text (the first model), where the place does not tell the
     # regime (turnings of torsion springs; sticking), and where it is short (no inclined springs).
     it = model.mechanics
-    by_regimes = bool(shared and it.lines and not it.torsions and not motion.Motion(it).holds)
+    by_regimes = bool(shared and it.lines and not it.torsions and not it.holds)
     for part in parts:
         own = []
         for function in part.functions:
@@ -121,7 +121,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
     return entries | {
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
-        str(SIDE): f"1 where the belt is ahead, −1 where the mass is{', 0 where it sticks' * motion.Motion(model).holds}",
+        str(SIDE): f"1 where the belt is ahead, −1 where the mass is{', 0 where it sticks' * model.holds}",
         str(laws.HELD): "share of the static friction coefficient that is used, −1 to 1",
         **{acceleration_of(symbol): f"acceleration of {symbol}" for symbol in model.coordinates},
         **{str(symbol): "1 where an exponential of the friction law is felt, 0 where it is left out" for symbol in laws.near(9)},

@@ -91,7 +91,9 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
 def static_coefficients(model: Mechanics) -> Pair:
     """Static friction coefficients with the belt and against it: not less than the kinetic ones at sliding speed 0."""
     sliding = model.page.sliding
-    holds = sp.S.Zero if sliding is None or sliding.holds is None else model.scaled(sliding.holds)
+    assert sliding is not None
+    assert sliding.holds is not None
+    holds = model.scaled(sliding.holds)
     found = []
     for side, sign in zip(_sides(model), (1, -1), strict=True):
         begins = sign * limit(model, side, SLIP, sp.S.Zero)
@@ -102,11 +104,10 @@ def static_coefficients(model: Mechanics) -> Pair:
     return found[0], found[1]
 
 
-def friction_held(model: Mechanics) -> Pair:
-    """μ where a share of the static coefficient is used, and its slope by that."""
+def friction_held(model: Mechanics) -> sp.Expr:
+    """μ where a share of the static coefficient is used, in which it is linear."""
     ahead, behind = static_coefficients(model)
-    held = (ahead + behind) / 2 * HELD + (ahead - behind) / 2
-    return held, sp.diff(held, HELD)
+    return (ahead + behind) / 2 * HELD + (ahead - behind) / 2
 
 
 def friction_at_speed(model: Mechanics) -> sp.Expr:

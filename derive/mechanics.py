@@ -138,6 +138,11 @@ class Mechanics:
     slide: sp.Expr | None  #: the displacement that friction opposes
     belt: sp.Expr
 
+    @property
+    def holds(self) -> bool:
+        """Whether friction holds the mass where nothing slides."""
+        return self.page.sliding is not None and self.page.sliding.holds is not None
+
     # ------------------------------------------------------------------------------------------------ names
 
     @cached_property

@@ -26,11 +26,6 @@ class Motion:
         """μ on either SIDE."""
         return laws.smooth_friction(self.model)
 
-    @property
-    def holds(self) -> bool:
-        """Whether friction holds the mass where nothing slides."""
-        return self.model.page.sliding is not None and self.model.page.sliding.holds is not None
-
     @cached_property
     def along(self) -> Row:
         """Derivatives of the displacement that friction opposes."""
@@ -52,7 +47,7 @@ class Motion:
 
         Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0 where the contact is lost.
         """
-        if not self.holds:
+        if not self.model.holds:
             return {}
         force = (1 - STUCK) * MU * self.model.normal + STUCK * self.holding
         return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
@@ -66,7 +61,7 @@ class Motion:
     def side(self) -> sp.Expr:
         """The sign of the sliding speed; where nothing slides 0 if friction holds, else that of what it slides into."""
         sliding = sp.sign(self.borders[1])
-        if not self.holds:
+        if not self.model.holds:
             return sliding
         within_ahead, within_behind = (
             sp.sign(2 * sp.sign(margin) + 1) for margin in self.margins(self.holding)
@@ -109,7 +104,7 @@ class Motion:
     @cached_property
     def forces(self) -> Row:
         """M q″, in MU or in the FRICTION that holds."""
-        if not self.holds:
+        if not self.model.holds:
             return self.pull
         return tuple(row.subs(MU, 0) + FRICTION * share for row, share in zip(self.pull, self.along, strict=True))
 
@@ -140,7 +135,7 @@ class Motion:
     def solved(self) -> Names:
         """The accelerations by their symbols, where derivatives take them."""
         named = dict(zip(self.named, self.accelerations, strict=True))
-        return {**self.inverted, **named} if self.is_coupled or self.holds else {}
+        return {**self.inverted, **named} if self.is_coupled or self.model.holds else {}
 
     @cached_property
     def inverted(self) -> Names:
@@ -167,7 +162,7 @@ class Motion:
 
     def friction_slope(self, symbol: sp.Symbol) -> sp.Expr:
         """The derivative of μ; or that of a force that holds, which keeps the sliding speed from changing."""
-        if not self.holds:
+        if not self.model.holds:
             return self.model.derivative(self.friction, symbol)
         slipping = self.model.derivative(self.friction * self.model.normal, symbol)
         changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
@@ -177,7 +172,7 @@ class Motion:
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turn: sp.Expr) -> sp.Expr:
         """By a coordinate, a rate or a parameter, with ``turn`` for that of MU, or of FRICTION."""
         it = self.model
-        return it.tidy(it.derivative(expression, symbol) + sp.diff(expression, FRICTION if self.holds else MU) * turn)
+        return it.tidy(it.derivative(expression, symbol) + sp.diff(expression, FRICTION if self.model.holds else MU) * turn)
 
     # ------------------------------------------------------------------------------------------------ energy
 
@@ -326,13 +321,13 @@ def module(model: Mechanics) -> Module:
         function("turning_rates", "How they change along a motion.", (*accelerated, *ways),
                  tuple(motion.rate(border, accelerations) for border in turnings), "rates of (b_1, …)"),
     )  # fmt: skip
-    grips = () if not motion.holds else (
+    grips = (
         smooth("grip", "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
                "it sticks.", motion.margins(motion.holding), "(ahead, behind)"),
         smooth("grip_slopes", "Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters.",
                _slopes(motion, (*place, *map(number, model.parameters))),
                "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)"),
-    )  # fmt: skip
+    ) if model.holds else ()  # fmt: skip
     return Module(
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
@@ -361,7 +356,7 @@ def module(model: Mechanics) -> Module:
             function("strain_energy", "Energy stored in springs, contact and potentials, without the applied forces.",
                      (*model.coordinates, *model.arguments, PUSHING), motion.strain_energy, "energy"),
             function("friction_force", "The force of friction, along what it opposes.", regime,
-                     FRICTION if motion.holds else motion.friction_force, "force"),
+                     FRICTION if model.holds else motion.friction_force, "force"),
             function("power_besides_friction", "Rate at which dampers, and applied forces without a potential, change the energy.",
                      moving, motion.damper_power + motion.applied_power, "power"),
         ),

@@ -71,10 +71,10 @@ def module(model: Mechanics) -> Module:
         function("torsions", "The stiffness of every torsion spring.", place,
                  tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
     )  # fmt: skip
-    held = () if model.page.sliding is None or model.page.sliding.holds is None else (
-        function("friction_held", "The friction coefficient while it sticks, by the share of the static one that is used; its slope.",
-                 (*model.arguments, laws.HELD), laws.friction_held(model), "(mu, ∂mu/∂held)"),
-    )  # fmt: skip
+    held = (
+        function("friction_held", "The friction coefficient while it sticks, by the share of the static one that is used.",
+                 (*model.arguments, laws.HELD), laws.friction_held(model), "mu"),
+    ) if model.holds else ()  # fmt: skip
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",

@@ -56,8 +56,7 @@ class Definition:
         def each(part: Any) -> Any:
             return tuple(map(each, part)) if isinstance(part, tuple) else of(part)
 
-        names = ("arguments", "further", "statements", "results")
-        return replace(self, **{name: each(getattr(self, name)) for name in names})
+        return replace(self, **{name: each(getattr(self, name)) for name in ("arguments", "further", "statements", "results")})
 
     def tree(self, spelled: Mapping[str, str]) -> ast.Module:
         """Its statements and its return statement, with other names for some."""

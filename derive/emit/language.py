@@ -96,8 +96,8 @@ class KernelError(ArithmeticError):
 
 def read(path: Path, *further: Path) -> Source:
     """Parse the kernel in a file, or in several of which the first describes it; what they import of each other is left out."""
-    text = path.read_text(encoding="utf-8")
-    return parse("\n\n".join([text, *(definitions(it.read_text(encoding="utf-8")) for it in further)]))
+    others = (definitions(it.read_text(encoding="utf-8")) for it in further)
+    return parse("\n\n".join([path.read_text(encoding="utf-8"), *others]))
 
 
 def definitions(text: str) -> str:

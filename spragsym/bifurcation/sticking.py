@@ -89,10 +89,13 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
 def _held(model: Model) -> Any:
     """The class of parameters of a model whose friction coefficient is a parameter: the share of the static one that is used."""
     algebra, about, arguments = model.algebra, dict(model.about), model.about["arguments"]
-    law = {
-        "friction_at_rest": lambda *given: algebra.friction_held(*given)[0],
-        "friction_by_parameters": lambda *given: (*[0] * len(model.parameters), algebra.friction_held(*given)[1]),
-    }
+
+    def slopes(*given: Any) -> tuple[Any, ...]:
+        *fixed, _ = given  # μ is linear in the share
+        none, whole = (algebra.friction_held(*fixed, share) for share in (0, 1))
+        return (*[0] * len(model.parameters), whole - none)
+
+    law = {"friction_at_rest": algebra.friction_held, "friction_by_parameters": slopes}
     share: dict[str, Any] = {"name": HELD, "meaning": "share of the static friction coefficient that is used", "unit": "1"}
     share |= {"domain": "[-1, 1]", "low": -1.0, "high": 1.0, "low_open": False, "high_open": False, "base": 0.0, "role": "both"}
     about["parameters"] = [*about["parameters"], share]

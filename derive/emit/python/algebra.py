@@ -152,8 +152,7 @@ def _statements(function: Function, body: Body) -> list[str]:
         if not function.accepted:
             raise
     printer = AlgebraPrinter(body, "_one")
-    total = " + ".join(map(str, function.accepted))
-    return [_wrap(f"    {printer.one} = 0*({total}) + 1"), *_printed(printer)]
+    return [_wrap(f"    {printer.one} = 0*({' + '.join(map(str, function.accepted))}) + 1"), *_printed(printer)]
 
 
 def _printed(printer: AlgebraPrinter) -> list[str]:

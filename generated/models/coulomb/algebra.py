@@ -52,11 +52,10 @@ def friction_by_parameters(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V)
 
 
 def friction_held(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, held):
-    """The friction coefficient while it sticks, by the share of the static one that is used; its slope. Returns (mu,
-    ∂mu/∂held). Source: the page. Operations: 9."""
+    """The friction coefficient while it sticks, by the share of the static one that is used. Returns mu. Source: the page.
+    Operations: 9."""
     w0 = mu0/2
-    w1 = ratio*w0 + w0 + abs(mu0*ratio - mu0)/2
-    return (held*w1, w1)
+    return held*(ratio*w0 + w0 + abs(mu0*ratio - mu0)/2)
 
 
 def contact_force(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing):

@@ -54,10 +54,9 @@ def friction_by_parameters(mu_s, mu_k, V):
 
 
 def friction_held(mu_s, mu_k, V, held):
-    """The friction coefficient while it sticks, by the share of the static one that is used; its slope. Returns (mu,
-    ∂mu/∂held). Source: the page. Operations: 8."""
-    w0 = mu_k/2 + mu_s/2 + abs(mu_k - mu_s)/2
-    return (held*w0, w0)
+    """The friction coefficient while it sticks, by the share of the static one that is used. Returns mu. Source: the page.
+    Operations: 8."""
+    return held*(mu_k/2 + mu_s/2 + abs(mu_k - mu_s)/2)
 
 
 def forces(x, mu, pushing):

@@ -163,7 +163,8 @@ def test_ctrl_c_ends_a_command(after: float, begin: Begin) -> None:
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=10)
     assert process.returncode in (130, -signal.SIGINT)
-    assert "Traceback" not in said
+    # While Python still imports the package, before the command's own code runs, it is Python that tells of it.
+    assert "Traceback" not in said or "_get_module_details" in said
 
 
 @pytest.mark.thorough

@@ -163,8 +163,8 @@ def test_ctrl_c_ends_a_command(after: float, begin: Begin) -> None:
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=10)
     assert process.returncode in (130, -signal.SIGINT)
-    # While Python still imports the package, before the command's own code runs, it is Python that tells of it.
-    assert "Traceback" not in said or "_get_module_details" in said
+    # What comes before the first line of the package, on a machine that is slow to start Python, has no frame of it.
+    assert "spragsym" not in said.partition("Traceback")[2]
 
 
 @pytest.mark.thorough

@@ -82,14 +82,8 @@ def project(
     for border in problem.field.stays(mode):
         near = (other for other in problem.field.modes if sum(a != b for a, b in zip(mode, other, strict=True)) == 1)
         ways = [other for other in near if border.sign(other)]
-        saltation(
-            problem,
-            border,
-            (max(ways, key=lambda way: speed_across(problem, border, way, state)), mode),
-            state,
-            directions,
-            columns,
-        )
+        fastest = max(ways, key=lambda way: speed_across(problem, border, way, state))
+        saltation(problem, border, (fastest, mode), state, directions, columns)
 
 
 def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:

@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import magnitude
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Conditions, Loop, recut, solved
@@ -294,7 +295,7 @@ def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
     for i, touch in enumerate(one):
         for k, each in enumerate(other):
             if touch.way == each.way:
-                apart = abs((touch.share - each.share + 0.5) % 1 - 0.5) + float(np.abs(touch.state - each.state).max())
+                apart = abs((touch.share - each.share + 0.5) % 1 - 0.5) + magnitude(touch.state - each.state)
                 off.append((apart, i, k))
     for apart, i, k in sorted(off):
         if apart < ALIKE and i not in found and k not in found.values():
@@ -345,7 +346,7 @@ def touching(border: int, _: Setting, near: Loop, target: FloatArray, level: flo
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         both, begin, size = partial(level_and_rate, loop, border, mode), loop.states.size + 1, loop.field.size
-        place = np.append(loop.states[0], loop.guess.varied)
+        place = np.append(loop.state, loop.guess.varied)
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
         return both(place) - (level, 0.0), rows

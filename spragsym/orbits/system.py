@@ -186,7 +186,7 @@ def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
     """Eigenvalues with their vectors and errors: by how much more than the matrix each moves; infinite for a double one."""
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore"):  # vectors that are one but for rounding: infinite, too
             moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
     except np.linalg.LinAlgError:
         moves = np.full(len(vectors), np.inf)

@@ -127,9 +127,9 @@ def classified(
     for row, (elementary, minors) in _with_digits(balance, given, ends, ~proved, lambda _: _types):
         codes[row], proved[row] = _told(elementary, minors, conservative[row])
     M, _, K = linearization(balance, states, given)
-    lambdas = -squares(M, K)
-    lambdas = np.take_along_axis(lambdas, np.argsort(-np.abs(lambdas), axis=1), axis=1)
-    roots = np.sqrt(lambdas)
+    negated = -squares(M, K)  # λ²
+    negated = np.take_along_axis(negated, np.argsort(-np.abs(negated), axis=1), axis=1)
+    roots = np.sqrt(negated)
     return codes, proved, np.concatenate([roots, -roots], axis=1)
 
 

@@ -369,7 +369,7 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
 
 MISTAKES = [
     (lambda _: ss.cycle(), "p is missing"),
-    (lambda _: ss.cycle(at(42.0), onset=1), "leave out p and near, or the onset"),  # type: ignore[call-overload]
+    (lambda _: ss.cycle(at(42.0), onset=1), "leave out p and near, or the onset"),  # type: ignore[call-overload]  # the mistake
     (lambda slow: ss.cycle(ss.load("stick_slip").Parameters(V=0.2), near=slow), "near is a cycle of kang_nam, not of stick_slip"),
     (
         lambda slow: ss.diagram(at(42.0, mu0=0.4, **BELT), "theta0", (0.7, 0.75), starts=[slow]),

@@ -17,6 +17,7 @@ from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, quiet, scale_of
+from ..numerics.vectors import norm
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
@@ -354,9 +355,9 @@ class FoldCurves:
     def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:
         """Whether a point of the curve lies between two others near to each other, or is the second one."""
         chord, away = (two - one) / self.scale, (point - one) / self.scale
-        length = float(np.linalg.norm(chord))
+        length = norm(chord)
         share = float(away @ chord) / length**2
-        return bool(1e-9 < share <= 1 + 1e-6 and np.linalg.norm(away - share * chord) <= BESIDE * length)
+        return bool(1e-9 < share <= 1 + 1e-6 and norm(away - share * chord) <= BESIDE * length)
 
     def tangents(self, states: FloatArray) -> FloatArray:
         """Unit vectors along the curve, over the scales; 0 where there is none."""

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
-from ..models.field import apart
 from ..models.parameters import ParameterSet, Span
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
+from ..numerics.vectors import apart
 from ..questions import Method, question
 from ..results.equilibria import Equilibria
 from ..results.points import Points

@@ -11,6 +11,7 @@ import numpy as np
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
+from ..numerics.vectors import magnitude, norm
 from ..questions import model_of
 from ..remarks import Remark
 from ..results.points import Curve, Points
@@ -262,14 +263,14 @@ class _Plane(Family):
     def _between(self, curves: FoldCurves, one: FloatArray, two: FloatArray, first: str) -> list[float]:
         for _ in range(HALVINGS):
             chord = (two - one) / curves.scale
-            length = float(np.linalg.norm(chord))
+            length = norm(chord)
             found, good = curves.on_curve((0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length]))
             kind = told(self.forms(curves, found)[0])[0] if good[0] else "undecided"
             if kind == "undecided":
                 break
             one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
         middle, n = 0.5 * (one + two), self.balance.n
-        return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
+        return [*middle[n:], *middle[:n], magnitude(two - one)]
 
 
 def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:

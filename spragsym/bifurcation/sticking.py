@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError, ParameterError
-from ..models.field import TURN, apart
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import Intervals
+from ..numerics.vectors import TURN, apart
 from ..questions import Method, question
 from ..results.points import Points, StickingStates
 from ..statics.balance import NOTHING

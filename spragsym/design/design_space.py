@@ -22,6 +22,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number, set_of
 from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray, FloatArray
+from ..numerics.vectors import norm
 from ..progress import doing
 from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
 
@@ -215,15 +216,15 @@ class Border:
             for _ in range(STEPS):
                 ahead, by_z = self.ahead(z)
                 step = _smallest(by_z, float(by_z @ z) - ahead, *self.designs.limits()) - z
-                moved = float(np.linalg.norm(step))
+                moved = norm(step)
                 share, best = (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
                 z = z + share * step
-                if moved <= LAST * float(np.linalg.norm(z)):
+                if moved <= LAST * norm(z):
                     break
             ahead, by_z = self.ahead(z)
         except ConvergenceError:
             return None
-        return z if abs(ahead) < ON * float(np.linalg.norm(by_z)) else None
+        return z if abs(ahead) < ON * norm(by_z) else None
 
 
 def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
@@ -271,7 +272,7 @@ def nearest(member: Member, limits: Limits, improved: Improved) -> FloatArray | 
             return None
         found = _better(member, _turned(member, far, limits), improved)
     for _ in range(_ROUNDS):
-        nearer = _on_rays(member, rays, limits, float(np.linalg.norm(found)) * _SHARES)
+        nearer = _on_rays(member, rays, limits, norm(found) * _SHARES)
         if nearer is None:
             break
         found = _better(member, nearer, improved)
@@ -280,12 +281,12 @@ def nearest(member: Member, limits: Limits, improved: Improved) -> FloatArray | 
 
 def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray:
     """The border on the ray to a member, or the nearest member about there."""
-    radius = np.array([np.linalg.norm(point)])
+    radius = np.array([norm(point)])
     ray = point[None] / radius
     border = np.asarray(ray[0] * _shortened(member, ray, radius, _FINE))
     # Just inside of the border.
     found = improved(border * (1 - 1e-9))
-    return border if found is None or np.linalg.norm(found) > np.linalg.norm(border) else found
+    return border if found is None or norm(found) > norm(border) else found
 
 
 def _on_rays(member: Member, rays: FloatArray, limits: Limits, radii: FloatArray) -> FloatArray | None:
@@ -303,14 +304,14 @@ def _on_rays(member: Member, rays: FloatArray, limits: Limits, radii: FloatArray
 
 def _rays(size: int) -> FloatArray:
     """Unit vectors: both ways along every axis, and evenly in between."""
-    from scipy.stats import norm, qmc
+    from scipy import stats
 
     axes = np.concatenate([np.eye(size), -np.eye(size)])
     if size == 1:
         return axes
     number = 1 << int(np.ceil(np.log2(RAYS * size * size)))
-    points = qmc.Sobol(size, scramble=True, rng=np.random.default_rng(20)).random(number)
-    normal = norm.ppf(np.clip(points, 1e-9, 1 - 1e-9))
+    points = stats.qmc.Sobol(size, scramble=True, rng=np.random.default_rng(20)).random(number)
+    normal = stats.norm.ppf(np.clip(points, 1e-9, 1 - 1e-9))
     return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
 
 
@@ -337,7 +338,7 @@ def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: i
 
 def _turned(member: Member, point: FloatArray, limits: Limits) -> FloatArray:
     """The ray to a member turned a little, and less and less, as long as that shortens it."""
-    radius = float(np.linalg.norm(point))
+    radius = norm(point)
     ray = point / radius
     if ray.size > 1:
         normal = np.random.default_rng(21).standard_normal((RAYS * ray.size, ray.size))

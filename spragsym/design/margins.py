@@ -11,6 +11,7 @@ from ..errors import ParameterError
 from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray
+from ..numerics.vectors import norm
 from ..questions import Method, model_of, question
 from ..results.result import Result
 from .certificates import SAFE, Boxes
@@ -108,7 +109,7 @@ def jump_margin(
 
     best = nearest(jumped, designs.limits(), on_fold)
     # Where nothing was found two tolerances are enough for a proof.
-    reach, proved = 2.0 if best is None else float(np.linalg.norm(best)), np.nan
+    reach, proved = 2.0 if best is None else norm(best), np.nan
     if prove:
         radii = (share * reach for share in _SHARES if reach)
         proved = next((radius for radius in radii if safe_within(designs, radius, name, first)), 0.0)
@@ -241,10 +242,10 @@ def redesign(
             if better is not None:
                 outward = better * (1 + _OUTWARD)[:, None]
                 candidates += list(outward[keeps(outward)][:1])
-        return min(candidates, key=np.linalg.norm, default=None)
+        return min(candidates, key=norm, default=None)
 
     best = nearest(keeps, designs.limits(), on_target)
     if best is None:
         return Redesign(np.inf, {}, None, {})
     jump = {border.vary: float(jump_value(designs.sets(best), border.vary, begin=border.begin)) for border in borders}
-    return Redesign(float(np.linalg.norm(best)), designs.change(best), designs.made(best), jump)
+    return Redesign(norm(best), designs.change(best), designs.made(best), jump)

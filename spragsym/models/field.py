@@ -50,9 +50,6 @@ WIDTH = 5.0
 #: Sliding speeds up to this are 0 where friction holds.
 STILL = 2 * GAP
 
-#: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
-TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
-
 #: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
 SETTLED = 1e-4
 
@@ -101,32 +98,6 @@ class Border:
     jumps: Callable[..., bool] | None = None
     slopes: Callable[..., Any] | None = None
     stays: Callable[..., float] | None = None
-
-
-def magnitude(numbers: Any) -> float:
-    """The largest of some numbers, in size."""
-    return float(np.abs(numbers).max())
-
-
-def norm(numbers: Any) -> float:
-    """The Euclidean norm of some numbers."""
-    return float(np.linalg.norm(numbers))
-
-
-def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
-    """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
-    off: FloatArray = np.subtract(one, other, dtype=float)
-    for place in around:
-        off[..., place] -= TURN * np.round(off[..., place] / TURN)
-    return off
-
-
-def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
-    """The state with periodic coordinates in the turn from :data:`BEGIN` on."""
-    found = np.array(state, dtype=float)
-    for place in around:
-        found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
-    return found
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, SETTLED, Field, Mode, in_one_turn, magnitude
+from ..models.field import FLOATS, SETTLED, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
+from ..numerics.vectors import in_one_turn, magnitude
 from .measures import KEPT, Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime

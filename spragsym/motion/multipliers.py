@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..models.field import magnitude, norm
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
+from ..numerics.vectors import magnitude, norm
 
 if TYPE_CHECKING:
     from .shooting import Loop

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..display import named_fields
-from ..models.field import SETTLED, apart, magnitude
+from ..models.field import SETTLED
+from ..numerics.vectors import apart, magnitude
 from ..results.result import Named
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.

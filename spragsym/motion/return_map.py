@@ -18,8 +18,9 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import REACH, TURN, Field, apart, in_one_turn, magnitude
+from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
+from ..numerics.vectors import TURN, apart, in_one_turn, magnitude
 from . import integrators
 from .integrators import Flow
 from .measures import Course

@@ -13,8 +13,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import FLOATS, TURN, Field, Values, apart, magnitude, norm
+from ..models.field import FLOATS, Field, Values
 from ..models.parameters import FloatArray
+from ..numerics.vectors import TURN, apart, magnitude, norm
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of

@@ -14,9 +14,10 @@ from ..display import Table, caption, words
 from ..errors import ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
-from ..models.field import SETTLED, Field, magnitude
+from ..models.field import SETTLED, Field
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from ..numerics.interval_arrays import IndexArray
+from ..numerics.vectors import magnitude
 from ..questions import model_of
 from ..results.result import Named
 from ..statics.search import rest_index

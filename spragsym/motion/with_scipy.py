@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, GAP, Mode, magnitude
+from ..models.field import FLOATS, GAP, Mode
 from ..models.parameters import FloatArray
+from ..numerics.vectors import magnitude
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed, start_mode

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, Mode, magnitude, norm
+from ..models.field import FLOATS, Mode
 from ..models.parameters import FloatArray, Span
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
@@ -28,6 +28,7 @@ from ..motion.shooting import (
     rounding,
     solved,
 )
+from ..numerics.vectors import magnitude, norm
 
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6

@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import Values, apart, magnitude
+from ..models.field import Values
 from ..models.parameters import FloatArray
 from ..motion.regimes import SAME, Regime
+from ..numerics.vectors import apart, magnitude
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of, same_cycle

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import magnitude, norm
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
+from ..numerics.vectors import magnitude, norm
 from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria

@@ -10,11 +10,12 @@ from itertools import islice
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, one_of, require_kind
-from ..models.field import Field, norm
+from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, Span, as_count, as_number, as_range
 from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop, extent, rate, recut
 from ..numerics.interval_arrays import BoolArray
+from ..numerics.vectors import norm
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result

@@ -17,9 +17,9 @@ import numpy as np
 
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
-from ..models.field import apart, magnitude
 from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
+from ..numerics.vectors import apart, magnitude
 from ..questions import model_of
 from ..remarks import At, Remark
 from ..results.result import Result

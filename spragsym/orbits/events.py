@@ -10,10 +10,10 @@ from functools import partial
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import magnitude
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Conditions, Loop, recut, solved
+from ..numerics.vectors import magnitude
 from .arclength import (
     LOCATED,
     Point,

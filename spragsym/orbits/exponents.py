@@ -16,11 +16,11 @@ import numpy as np
 from scipy.stats import t as student
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import norm
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.shooting import rate
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
+from ..numerics.vectors import norm
 from ..results.result import Result
 from .attractors import settled
 from .system import System, judged

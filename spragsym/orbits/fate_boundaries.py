@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field, apart, magnitude
+from ..models.field import Field
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
 from ..motion.regimes import Outcome, same_limit
 from ..motion.simulation import state_of
+from ..numerics.vectors import apart, magnitude
 from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result

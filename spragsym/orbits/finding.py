@@ -12,7 +12,7 @@ import numpy as np
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
-from ..models.field import FLOATS, Field, Values, apart, magnitude
+from ..models.field import FLOATS, Field, Values
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
@@ -21,6 +21,7 @@ from ..motion.regimes import Regime
 from ..motion.shooting import Guess, Loop, across, error_of, extent, rate, solved, split
 from ..motion.solution import Turn
 from ..numerics.balls import Undecided
+from ..numerics.vectors import apart, magnitude
 from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged

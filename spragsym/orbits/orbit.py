@@ -14,7 +14,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
-from ..models.field import Field, Values, apart, magnitude
+from ..models.field import Field, Values
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
@@ -32,6 +32,7 @@ from ..motion.shooting import (
 from ..motion.simulation import motion_of
 from ..motion.solution import Events, events_of
 from ..numerics.interval_arrays import ComplexArray, IndexArray
+from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import magnitude, norm
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, extent, rate, solved
+from ..numerics.vectors import magnitude, norm
 from .arclength import SURE, Point, Setting, at_zero, corrected, directions, fixed, point_of, turning
 from .events import MERGES
 from .orbit import Cycle, cycle_of

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import FLOATS, GAP, Field, Mode, Values, magnitude, norm
+from ..models.field import FLOATS, GAP, Field, Mode, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
@@ -20,6 +20,7 @@ from ..motion.regimes import Outcome, Regime
 from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
 from ..motion.solution import Passage
+from ..numerics.vectors import magnitude, norm
 from ..questions import model_of
 from .arclength import Point, Setting, started
 from .orbit import Cycle

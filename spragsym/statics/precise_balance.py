@@ -13,13 +13,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..models.field import BEGIN, TURN
 from ..numerics import contractors
 from ..numerics.balls import Ball, Undecided
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
 from ..numerics.precise_roots import Reduced, as_intervals, exact_ends, narrowed, outward, reduced_roots
+from ..numerics.vectors import BEGIN, TURN
 from .balance import PreciseBalance, StateSystem
 
 #: Bits of the forces where roots are looked for, and of a root that is known.

@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ParameterError, ParameterTypeError
-from ..models.field import SETTLED, apart
+from ..models.field import SETTLED
 from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, quiet, scale_of, spans_of, width_of
+from ..numerics.vectors import apart
 from ..questions import question
 from ..remarks import At, Remark
 from ..results.equilibria import Equilibria, Undecided

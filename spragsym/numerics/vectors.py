@@ -1,0 +1,39 @@
+"""Sizes and differences of vectors, some of whose numbers may be angles that come around."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from .interval_arrays import FloatArray
+
+#: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
+TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
+
+
+def magnitude(numbers: Any) -> float:
+    """The largest of some numbers, in size."""
+    return float(np.abs(numbers).max())
+
+
+def norm(numbers: Any) -> float:
+    """The Euclidean norm of some numbers."""
+    return float(np.linalg.norm(numbers))
+
+
+def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
+    """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
+    off: FloatArray = np.subtract(one, other, dtype=float)
+    for place in around:
+        off[..., place] -= TURN * np.round(off[..., place] / TURN)
+    return off
+
+
+def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
+    """The state with periodic coordinates in the turn from :data:`BEGIN` on."""
+    found = np.array(state, dtype=float)
+    for place in around:
+        found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
+    return found

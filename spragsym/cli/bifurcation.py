@@ -65,8 +65,10 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
       spragsym bifurcation --data brake.toml
       spragsym bifurcation --model two_springs --vary theta0=10:80 --vary mu0=0:1
     """
-    names, name = _plane(case), case.span.name
-    if plot is not None and len(names) < 2:
+    names, name = case.names, case.span.name
+    if len(names) > 1:
+        case.model.two(names)
+    elif plot is not None:
         raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
     found: dict[str, Any] = {}
 
@@ -94,15 +96,6 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
             print_points(title.capitalize(), one, titles[: len(found[title].vary)])
 
     return {"parameters": case.told(), **told}, tables
-
-
-def _plane(case: Case) -> tuple[str, ...]:
-    """What varies: one parameter, or two different ones."""
-    names = tuple(span.name for span in case.spans)
-    if len(names) > 2 or len(set(names)) < len(names):
-        typed = " --vary ".join(span.typed for span in case.spans)
-        raise ParameterError(f"--vary {typed}: give one parameter, or two different ones")
-    return names
 
 
 def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], n: int, undamped: bool) -> None:
@@ -143,9 +136,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
       spragsym onsets --model stick_slip --vary V=0:1 --vary zeta=0:2 --plot map.pdf
       spragsym onsets --model mode_coupling --vary sigma=0.1:2 --vary mu0=0:2 --undamped --plot map.pdf
     """
-    names = _plane(case)
-    if len(names) != 2:
-        raise ParameterError(f"onsets of {case.model.name} are curves in a plane; give two different parameters with --vary")
+    names = case.model.two(case.names)
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
     with show_progress(f"searching for onsets {plane}"):
         found = ss.onset_curves(case.set(*names), names, n, damping=False if undamped else None, between=case.between)

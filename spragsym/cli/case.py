@@ -84,7 +84,7 @@ class Case:
         """An error that names the option of a parameter that has no value, and is not one of those that vary."""
         for name in (name for name, value in values.items() if value is None and name not in spanned):
             flag, number = options_of(self.model.about, name)[0], "DEGREES" if self.model.is_angle(name) else "NUMBER"
-            varying = f" while {' and '.join(span.name for span in self.spans)} varies" if self.spans else ""
+            varying = f" while {' and '.join(self.names)} varies" if self.spans else ""
             raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
 
     @property
@@ -100,6 +100,11 @@ class Case:
     def span(self) -> Span:
         """The first that varies."""
         return self.spans[0]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The parameters that vary."""
+        return tuple(span.name for span in self.spans)
 
     def require_ends(self) -> None:
         """An error for a range that is missing."""

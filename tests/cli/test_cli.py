@@ -163,7 +163,7 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["report"], USAGE, ["FILE is missing"]),
         (["report", "a.toml", "--html", "a.txt"], USAGE, ["--html a.txt", ".html"]),
         (["bifurcation", "--theta0", "30", "--vary", "mu0=0:1", "--plot", "a.pdf"], USAGE, ["another --vary"]),
-        (["onsets", "--model", "stick_slip", "--vary", "V=0.1:1"], USAGE, ["onsets of stick_slip are curves"]),
+        (["onsets", "--model", "stick_slip", "--vary", "V=0.1:1"], USAGE, ["--vary = ('V',)", "two different"]),
         (["cycles", "--theta0", "42", "--plot", "a.svg"], USAGE, ["--plot a.svg", "needs --vary"]),
         (["cycles", "--theta0", "42", "--diagram"], USAGE, ["--diagram", "--vary"]),
         (["cycles", "--theta0", "42", "--digits", "20"], USAGE, ["--digits", "--prove"]),

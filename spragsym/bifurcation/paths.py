@@ -252,10 +252,11 @@ class Way:
 
     def _stops(self, along: FloatArray) -> FloatArray:
         """The values in their order, with a stop on each side of each fold."""
-        known = np.concatenate([along, self.at])
+        known, size = np.concatenate([along, self.at]), scale_of(self.at)
         apart = np.abs(known - self.at[:, None])
-        nearest = np.where(apart > 0, apart, np.inf).min(axis=1, initial=np.inf)
-        room = np.minimum(BESIDE * scale_of(self.at), 0.25 * nearest)
+        # Between a fold and what is nearer than that no stop has room: those beside the fold are farther off than both.
+        nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(axis=1, initial=np.inf)
+        room = np.minimum(BESIDE * size, 0.25 * nearest)
         beside = np.concatenate([self.at - room, self.at + room])
         # Between floats next to each other there is no other.
         new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ModelError, ParameterError
+from ..errors import ConvergenceError, ModelError, ParameterError
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
@@ -57,7 +57,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     ParameterError
         Where the belt moves, or a parameter is missing or an array.
     ConvergenceError
-        Where folds, or states at a limit of the force, are not all decided.
+        Where folds, or states at a limit of the force, are not all decided, as where they only just touch that limit.
 
     Notes
     -----
@@ -82,8 +82,14 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         )
     own = _held(model)(**{name: getattr(p, name) for name in p.ranges})
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
-    way = Way(own, HELD, np.unique(np.concatenate([[-1.0, 1.0], *(getattr(points, HELD) for points in turns)])))
-    return _sets(p, way, turns)
+    try:
+        way = Way(own, HELD, np.unique(np.concatenate([[-1.0, 1.0], *(getattr(points, HELD) for points in turns)])))
+        return _sets(p, way, turns)
+    except ConvergenceError as error:
+        raise ConvergenceError(
+            "not all states of sticking are told apart over the share of the static coefficient of friction that is used, from "
+            "-1 to 1: some may only just touch the limit of friction, or nearly; change a parameter by some thousandths"
+        ) from error
 
 
 def _held(model: Model) -> Any:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation import sticking
 from tests.oracles import dry_friction
 from tests.oracles.user_pages import model_of, shipped_page
 
@@ -49,12 +50,28 @@ def test_sets_of_the_articles_model_hold_its_equilibria_at_all_coefficients(
 
 
 @pytest.mark.parametrize(
-    ("mu_s", "ends"), [(0.6, [(-36.86989765, 36.86989765), (143.13010235, 216.86989765)]), (1.5, [(-180, 180)])]
+    ("mu_s", "ends"),
+    [(0.6, [(-36.86989765, 36.86989765), (143.13010235, 216.86989765)]), (math.nextafter(1.0, 2.0), [(-180, 180)])],
 )
 def test_an_angle_goes_on_beyond_half_a_turn(mu_s: float, ends: list[tuple[float, float]]) -> None:
     """A bearing holds a pendulum where |sin φ| ≤ μ_s; where μ_s > 1, anywhere."""
     found = ss.sticking_states(model_of(BEARING, "bearing").Parameters(mu_s=mu_s, V=0.0))
     assert list(zip(np.degrees(found.x_low), np.degrees(found.x_high), strict=True)) == [pytest.approx(end) for end in ends]
+
+
+def test_what_only_touches_the_limit_is_undecided_in_terms_of_the_user() -> None:
+    with pytest.raises(ss.ConvergenceError, match="share of the static coefficient of friction"):
+        ss.sticking_states(model_of(BEARING, "bearing").Parameters(mu_s=1.0, V=0.0))
+
+
+def test_the_slope_of_the_friction_by_the_share() -> None:
+    """Of a law that is steeper one way, so that μ is not 0 at half of the limits."""
+    law = ("slip=lambda v: mu_k * sgn(v)", "slip=lambda v: mu_k * (sgn(v) + sgn(v) ** 2 / 2)")
+    uneven = model_of(shipped_page("coulomb_stick_slip", law), "uneven").Parameters(mu_s=0.5, mu_k=0.4, V=0.0)
+    found, own = ss.sticking_states(uneven), sticking._held(uneven.model)
+    low, high = (own._model.algebra.friction_at_rest(0.5, 0.4, 0.0, share) for share in (-1, 1))
+    assert [found.x_low[0], found.x_high[0], low, high] == pytest.approx([-0.5, 0.6, -0.5, 0.6])
+    assert own._model.algebra.friction_by_parameters(0.5, 0.4, 0.0, 0.3)[-1] == pytest.approx((high - low) / 2)
 
 
 def test_two_sets_of_the_pendulum_whose_tip_sticks() -> None:

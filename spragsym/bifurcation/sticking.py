@@ -102,8 +102,10 @@ def _held(model: Model) -> Any:
         return (*[0] * len(model.parameters), whole - none)
 
     law = {"friction_at_rest": algebra.friction_held, "friction_by_parameters": slopes}
-    share: dict[str, Any] = {"name": HELD, "meaning": "share of the static friction coefficient that is used", "unit": "1"}
-    share |= {"domain": "[-1, 1]", "low": -1.0, "high": 1.0, "low_open": False, "high_open": False, "base": 0.0, "role": "both"}
+    share = {
+        "name": HELD, "meaning": "share of the static friction coefficient that is used", "unit": "1", "role": "both",
+        "base": 0.0, "domain": "[-1, 1]", "low": -1.0, "high": 1.0, "low_open": False, "high_open": False,
+    }  # fmt: skip
     about["parameters"] = [*about["parameters"], share]
     about["arguments"] = arguments | {name: [*arguments["motion"], HELD] for name in law}
     kind: Any = parameter_class(about, model.where)

@@ -19,14 +19,14 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import MissingExtraError, ParameterError
+from ..errors import MissingExtraError, ParameterError, require_kind
 
 try:
     from matplotlib.axes import Axes
 except ModuleNotFoundError as error:
     raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
 
-from ..results import Stability
+from ..results import Result, Stability
 from .bifurcation_sets import figure_11, figure_12, figure_14, figure_cusp_friction, figure_false_double_root
 from .curves import (
     Branch,
@@ -107,6 +107,8 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
 
     Raises
     ------
+    ParameterTypeError
+        For what is no result.
     ParameterError
         For a result without columns: there is nothing to draw.
 
@@ -120,6 +122,7 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
     >>> len(ax.lines)
     1
     """
+    require_kind("result", result, Result, "what a question gives, as ss.folds(p)")
     name = type(result).__name__
     if name in _FIGURES:
         return _FIGURES[name](result, **options)

@@ -22,6 +22,7 @@ from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet, Span
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import ComplexArray, IntArray
+from ..questions import model_of
 from ..results import Equilibria, Named, Path, Points, Stability
 from ..statics.stability import NEUTRAL, REAL
 from .style import (
@@ -166,7 +167,8 @@ def _range(
     p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool
 ) -> tuple[str, Span, Points | None]:
     """The parameter that varies, its ends that are given, or those that are shown, and the folds between them, in contact."""
-    model, vary = p.model, p.model.one(vary)
+    model = model_of(p)
+    vary = model.one(vary)
     model.require_parameter(vary)
     allowed = p.ranges[vary]
     ends = window(model, (vary,), {})[vary]
@@ -252,10 +254,11 @@ def plot_equilibria(
     >>> len(plot_equilibria(ss.load("cubic_contact").Parameters(), "theta", ax=Figure().add_subplot(), n=20))
     8
     """
-    ax = own_axes(ax)
-    quantity, (vary, ends, turns) = quantity or p.model.coordinates[0], _range(p, vary, low, high, contact)
-    one_of("quantity", quantity, columns_of(p.model))
-    name_axes(ax, p.model, vary, quantity)
+    vary, ends, turns = _range(p, vary, low, high, contact)
+    ax, model = own_axes(ax), p.model
+    quantity = quantity or model.coordinates[0]
+    one_of("quantity", quantity, columns_of(model))
+    name_axes(ax, model, vary, quantity)
     lines = draw_branches(curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options)
     if turns is not None:
         lines += mark_folds(turns, quantity, ax=ax, color=color)
@@ -378,7 +381,7 @@ def eigenvalue_figure(
 ) -> Sheet:  # fmt: skip
     """Frequencies above growth rates, as a figure; arguments as :func:`plot_eigenvalues`."""
     figure, axes = panels(2, 1, SINGLE, 4.2, sharex=True)
-    vary = vary or p.model.axes[0]
+    vary = model_of(p).one(vary)
     _, frequencies, rates = _drawn([*axes[:, 0]], p, vary, low, high, contact, n)
     return figure.describe(
         f"""Eigenvalues λ of {p.model.name} at its equilibria over {vary}: (a) frequencies, (b) growth rates. Black with all

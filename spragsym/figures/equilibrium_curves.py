@@ -50,7 +50,9 @@ def figure_4() -> Sheet:
     contact, lifted = branches(p), branches(p, contact=False)
     for place, ax in enumerate(axes.flat):
         name, above = "xy"[place % 2], place < 2
-        draw_panel(ax, p if above else None, contact if above else lifted, name)
+        curves = contact if above else lifted
+        draw_panel(ax, p if above else None, curves, name)
+        figure.tables["abcd"[place]] = table_of(curves)
         remark(ax, "contact" if above else "lift-off")
     for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
         write_along(axes[0, 0], text, x, y)
@@ -61,9 +63,8 @@ def figure_4() -> Sheet:
     write_along(axes[1, 0], "divergent", 98, 0.5)
     return figure.describe(
         f"""Figure 4. Equilibria over the inclination at μ₀ = 0.5, {BASE_TEXT}: in contact (a) x, (b) y, and
-        in lift-off (c) x, (d) y. {LINES_TEXT} Displacements over L₀. {RANGE_TEXT}""",
-        a=table_of(contact), b=table_of(contact), c=table_of(lifted), d=table_of(lifted),
-    )  # fmt: skip
+        in lift-off (c) x, (d) y. {LINES_TEXT} Displacements over L₀. {RANGE_TEXT}"""
+    )
 
 
 @styled

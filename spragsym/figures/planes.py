@@ -15,6 +15,7 @@ from ..bifurcation.hopf_curves import OnsetCurves
 from ..errors import ModelError
 from ..models import Model
 from ..models.parameters import ParameterSet, Ranges
+from ..questions import model_of
 from ..results import BifurcationSet
 from .style import (
     BLACK,
@@ -151,7 +152,7 @@ def draw_plane(
     ax: Axes, p: ParameterSet, between: Ranges, vary: Sequence[str] | None = None, n: int | None = None
 ) -> tuple[BifurcationSet, bool]:
     """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model that counts in closed form."""
-    model = p.model
+    model = model_of(p)
     vary = tuple(model.two(vary))
     between = window(model, vary, between, lambda: ss.cusps(p, vary))
     found = ss.bifurcation_set(p, vary, n, between=between)
@@ -190,8 +191,8 @@ def bifurcation_figure(
         Of :func:`spragsym.onset_curves` in this plane, drawn as well.
     """
     figure, ax = single(SINGLE, 2.7)
-    model = p.model
     found, shaded = draw_plane(ax, p, between or (onsets.between if onsets else {}), vary, n)
+    model = p.model
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):

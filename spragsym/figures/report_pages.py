@@ -21,6 +21,7 @@ from ..bifurcation.defining_systems import ranges
 from ..errors import ConvergenceError, SpragsymError
 from ..files.text import filled
 from ..models.parameters import ParameterSet
+from ..questions import model_of
 from ..report.advice import Rows
 from ..report.states import unit_of
 from ..report.texts import sections
@@ -255,8 +256,9 @@ def draw_rising(
     list of artists
         Of the path.
     """
-    ax, first = own_axes(ax), p.model.coordinates[0]
-    allowed, end = p.ranges[vary], ranges(p.model, (vary,), {})[0, 1]
+    model = model_of(p)
+    ax, first = own_axes(ax), model.coordinates[0]
+    allowed, end = p.ranges[vary], ranges(model, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (_TOP, _FAR) if vary == "mu0" else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
@@ -269,10 +271,10 @@ def draw_rising(
         path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, low=begin, high=top)
-    ax.axvspan(*as_drawn(p.model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)
-    ax.set_xlim(as_drawn(p.model, vary, (begin, top)))
+    ax.axvspan(*as_drawn(model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)
+    ax.set_xlim(as_drawn(model, vary, (begin, top)))
     in_units(ax.xaxis, (across, size))
-    in_units(ax.yaxis, (label or with_unit(p.model, first), length))
+    in_units(ax.yaxis, (label or with_unit(model, first), length))
     return artists
 
 

@@ -1,5 +1,6 @@
 """Figures: every one is drawn, once and small; what they are drawn from is held to what it promises."""
 
+import inspect
 import io
 from dataclasses import replace
 from pathlib import Path
@@ -80,6 +81,19 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
 
 
 # ----------------------------------------------------------------------------------------------------- curves
+
+
+def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> None:
+    drawn = (getattr(ss.figures, name) for name in ss.figures.__all__)
+    asked = [(draw, *inspect.signature(draw).parameters) for draw in drawn if inspect.isfunction(draw)]
+    of_parameters = [(draw, more) for draw, *more in asked if more[:1] == ["p"]]
+    assert len(of_parameters) == 7
+    for draw, more in of_parameters:
+        needed = dict.fromkeys({"theta0", "mu0", "ends"} & {*more}, (0.0, 1.0))
+        with pytest.raises(ss.ParameterTypeError, match="p = 'stick_slip' is no set of parameters; make one"):
+            draw("stick_slip", **needed)
+    with pytest.raises(ss.ParameterTypeError, match="result = 'stick_slip' is no Result; give what a question gives"):
+        ss.figures.plot("stick_slip")
 
 
 def test_branches_end_at_the_exact_folds() -> None:

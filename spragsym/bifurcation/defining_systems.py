@@ -23,7 +23,7 @@ from ..numerics import contractors
 from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, quiet, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, quiet, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..statics.balance import ENDLESS, Balance, StateSystem, at_anchors
@@ -41,7 +41,9 @@ MANY = 400
 #: Clusters of boxes that are looked at.
 CLUSTERS = 12
 #: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more covers what rounding leaves.
-ARC, ARCS = np.pi / 16, 33
+ARC, ARCS = np.pi / 16, np.arange(33)
+#: Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
+FEW = 64
 
 
 @dataclass(frozen=True)
@@ -340,10 +342,19 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
 
 
 def _regular(at: State, spring: int) -> BoolArray:
-    """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is."""
+    """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is: most that fail do so along an axis."""
+    out = np.ones(at.shape, dtype=np.bool_)
+    for arcs in (ARCS[::8], ARCS)[out.size < FEW :]:
+        rows = np.flatnonzero(out)
+        out[rows] = _regular_along(at.some(rows), spring, arcs)
+    return out
+
+
+def _regular_along(at: State, spring: int, numbers: IntArray) -> BoolArray:
+    """The same of directions on some of the arcs."""
     count, place = at.shape[0], 3 * spring
-    every, turn = np.tile(np.arange(count), ARCS), np.repeat(ARC * np.arange(ARCS + 1), count)
-    arc, known = Intervals.between(turn[:-count], turn[count:]), stacked(at.directions[place : place + 2], (count,))
+    every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
+    arc, known = Intervals.between(ARC * turns, ARC * (turns + 1)), stacked(at.directions[place : place + 2], (count,))
     arcs = stacked([XP.cos(arc), XP.sin(arc)], every.shape)
     possible = np.flatnonzero(~contractors.apart(arcs.ends, known[:, every].ends))
     at, arcs = at.some(every[possible]), arcs[:, possible]

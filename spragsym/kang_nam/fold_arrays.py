@@ -7,8 +7,9 @@ The same folds as of :mod:`.folds`, by the same polynomials in t = tan(θ/2): th
 from __future__ import annotations
 
 import functools
+import itertools
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -20,7 +21,7 @@ from ..numerics import balls, bernstein
 from ..numerics.affine import Rounded, as_number, cosine_and_sine
 from ..numerics.arithmetic import Polynomial
 from ..numerics.balls import Ball, as_floats, ends
-from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet
+from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet, scale_of
 from ..numerics.polynomials import on_circle
 from . import kernel
 from .kernel import LINEAR
@@ -148,21 +149,31 @@ def _where(which: BoolArray, *numbers: Any) -> Rounded:
 # ------------------------------------------------------------------------------------------------------ more digits
 
 
-#: Steps of Newton's rule, each of which squares the error, for arrays and then for balls.
+#: Most steps of Newton's rule, each of which squares the error, for arrays and then for balls.
 _STEPS, _FURTHER = 2, 3
+#: Largest error of a value over max(1, |value|), proved.
+LARGEST_ERROR = 1e-12
 #: Bits of balls: enough for a value that loses half of the digits of float64, twice over.
 _BITS = 160
 
 
-def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> tuple[Rounded, Rounded]:
-    """t = tan(θ/2) and the values on folds with less uncertainty; ``given`` has for each fold the others of the six."""
+def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> tuple[Rounded, Rounded, IndexArray]:
+    """t = tan(θ/2) and the values on folds with less uncertainty, and where it is still too large.
+
+    ``given`` has for each fold the others of the six.
+    """
+    exact = {name: Rounded(column) for name, column in given.items()}
+    wide = Rounded(found.value.value, 2 * found.value.error)  # with the surface beside the fold
+    steps = _sharpened(
+        vary, exact, (found.t, wide), _cosine_and_sine, lambda one: Rounded(one.value),
+        lambda one, other: _where(2 * other.error <= one.error, other, one),
+    )  # fmt: skip
     with quiet():
-        exact = {name: Rounded(column) for name, column in given.items()}
-        wide = Rounded(found.value.value, 2 * found.value.error)  # with the surface beside the fold
-        return _sharpened(
-            vary, exact, (found.t, wide), _cosine_and_sine, lambda one: Rounded(one.value),
-            lambda one, other: _where(2 * other.error <= one.error, other, one), _STEPS,
-        )  # fmt: skip
+        for t, value in itertools.islice(steps, _STEPS):
+            left = np.flatnonzero(~(value.error <= LARGEST_ERROR * scale_of(value.value)))
+            if not left.size:
+                break
+    return t, value, left
 
 
 def _cosine_and_sine(angle: Rounded) -> tuple[Rounded, Rounded]:
@@ -183,15 +194,16 @@ def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: R
 
     with balls.precision(_BITS):
         exact = {name: balls.exact(Fraction(number)) for name, number in given.items()}
-        _, best = _sharpened(vary, exact, (around(t), around(value)), balls.cos_sin, balls.middle, narrower, _FURTHER)
+        steps = _sharpened(vary, exact, (around(t), around(value)), balls.cos_sin, balls.middle, narrower)
+        *_, (_, best) = itertools.islice(steps, _FURTHER)
         return as_floats((best,))[0][0]
 
 
 def _sharpened(
     vary: str, given: Mapping[str, Any], near: tuple[Any, Any], cos_sin: Callable[[Any], tuple[Any, Any]],
-    middle: Callable[[Any], Any], narrower: Callable[[Any, Any], Any], steps: int,
-) -> tuple[Any, Any]:  # fmt: skip
-    """t and the value v with less uncertainty, of arrays with bounds or of one ball each.
+    middle: Callable[[Any], Any], narrower: Callable[[Any, Any], Any],
+) -> Iterator[tuple[Any, Any]]:  # fmt: skip
+    """t and the value v with less uncertainty after each step, of arrays with bounds or of one ball each.
 
     ``near`` holds what they are on the fold, and beside it, in the directions of t, the surface f = 0. On that dv/dθ = −f′/f_v,
     which is 0 on the fold: v in the middle of the directions is off by at most their width times the largest \\|f′/f_v\\| over
@@ -205,7 +217,7 @@ def _sharpened(
         return *(level or cos_sin(v)), *(v if name == vary else given[name] for name in LINEAR)
 
     t, value = near
-    for _ in range(steps):
+    while True:
         centre, v = middle(t), middle(value)
         (here, around), values = (on_circle(one) for one in (centre, t)), with_value(value)
         trig, change = kernel.f_coefficients(*values, 1), kernel.f_changes(*values)[NAMES.index(vary)]
@@ -214,4 +226,4 @@ def _sharpened(
         value = narrower(value, on_surface + drift)
         slope = kernel.f_slope(*here[:2], *kernel.f_coefficients(*with_value(value), 1))
         t = narrower(t, centre - slope / kernel.f_curvature(*around[:2], *trig) * around.scale / 2)
-    return t, value
+        yield t, value

@@ -24,7 +24,7 @@ from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import Undecided
 from ..numerics.columns import picked
-from ..numerics.interval_arrays import BoolArray, IndexArray, scale_of
+from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..questions import NotInClosedForm
 from ..results.equilibria import Equilibria, Stability
 from . import fold_arrays, kernel
@@ -34,8 +34,6 @@ from .quartic.solver import equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13
-#: Largest error of a value over max(1, |value|), proved.
-_LARGEST_ERROR = 1e-12
 
 
 def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None) -> Ends:
@@ -82,7 +80,7 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
             angles = *kernel.cos_sin(theta), *kernel.cos_sin(at["theta0"])
             state[:, here] = kernel.state_of(*angles, *(at[name] for name in kernel.FIXED))[1:]
     end = RANGES[vary].high if forward > 0 else RANGES[vary].low
-    errors, until = np.full(shape, _LARGEST_ERROR), np.full(shape, end)
+    errors, until = np.full(shape, fold_arrays.LARGEST_ERROR), np.full(shape, end)
     return Ends(value.reshape(shape), errors, state.reshape(2, *shape), hopeless, until)
 
 
@@ -114,9 +112,9 @@ def _block(
         near = np.flatnonzero(~(np.abs(value[points] - marks[points]) > 1.01 * there.value.error))
         points, there = points[near], there.rows(near)
     theirs = {name: column[points] if column.ndim else column for name, column in others.items()}
-    t, best = fold_arrays.sharpened(vary, theirs, there)
+    t, best, left = fold_arrays.sharpened(vary, theirs, there)
     value[points] = best.value
-    for k in np.flatnonzero(~(best.error <= _LARGEST_ERROR * scale_of(best.value))):
+    for k in left:
         point = point_at(given, points[k])
         try:
             value[points[k]] = fold_arrays.with_more_digits(vary, point, t.rows(k), best.rows(k))

@@ -197,6 +197,7 @@ class Field:
         return np.vstack([np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)])
 
 
+@cache
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
     """The algebra of a generated function, without the common shape of results; it takes a namespace even where it needs none."""
     algebra: Callable[..., Any] = inspect.unwrap(function)

@@ -74,14 +74,14 @@ class Rounded(Arithmetic):
     def __mul__(self, other: Any) -> Any:
         if not isinstance(other, Rounded):
             return _rounded(self.value * other, self.terms * other, self.error * abs(other) + _TINY)
-        value = self.value * other.value
         left, right = abs(self.value), abs(other.value)
-        own, others = _spread(self), _spread(other)
-        carried = left * other.error + right * self.error + (own + self.error) * (others + other.error)
-        # What may be the 0 of numbers without terms stands on the left: its own product is taken before NumPy's.
-        rounding = UNIT * ((others * left + own * right) * 3 + abs(value))
-        terms = other.terms * self.value + self.terms * other.value
-        return _number(value, terms, (carried + rounding) * _SLACK + _TINY)
+        error, terms = left * other.error + (right + other.error) * self.error + _TINY, _ZERO
+        if self.terms is not _ZERO or other.terms is not _ZERO:
+            own, others = _spread(self), _spread(other)
+            # What may be the 0 of numbers without terms stands on the left: its own product is taken before NumPy's.
+            error = error + own * (others + other.error) + others * self.error + (others * left + own * right) * (2 * UNIT)
+            terms = other.terms * self.value + self.terms * other.value
+        return _rounded(self.value * other.value, terms, error)
 
     def __truediv__(self, other: Any) -> Any:
         other = as_number(other)
@@ -164,9 +164,9 @@ def _number(value: Any, terms: Any, error: Any) -> Rounded:
 
 def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
     """A number with the error of one rounding added."""
-    found = _number(value, terms, error)
-    found.error = (error + UNIT * (_spread(found) + abs(value))) * _SLACK
-    return found
+    if terms is _ZERO:
+        return Rounded(value, (error + UNIT * abs(value)) * _SLACK)
+    return Affine(value, terms, (error + UNIT * (np.abs(terms).sum(axis=0) + abs(value))) * _SLACK)
 
 
 def as_number(value: Any) -> Rounded:

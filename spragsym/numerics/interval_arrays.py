@@ -40,6 +40,8 @@ quiet = partial(np.errstate, all="ignore")
 EPS = 2.0**-52
 #: More than half the distance between subnormal numbers, and far enough from them that products with it stay fast.
 TINY = 2.0**-1000
+#: Both as arrays: NumPy takes an array in a third of the time that it takes to make one of a float.
+_UNIT, _TINY = np.array(EPS), np.array(TINY)
 #: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's own tests allow is 4.
 FUNCTION_ULPS = 8
 #: What an upper end −∞ is given as, a bound like it with which one can go on.
@@ -49,8 +51,8 @@ _LEAST = -1e300
 def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
     """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵² relative, or by one rounding."""
     out = np.abs(ends)
-    out *= ulps * EPS
-    out += TINY
+    out *= _UNIT if ulps == 1.0 else ulps * EPS
+    out += _TINY
     out += ends
     return out
 

@@ -175,7 +175,8 @@ class State:
     def some(self, rows: IntArray) -> State:
         """The evaluation at some of the boxes."""
         values = {name: value[rows] if isinstance(value, Intervals) else value for name, value in self.values.items()}
-        return replace(self, q=[part[rows] for part in self.q], values=values, shape=rows.shape)
+        q, fixed = ([part[rows] for part in parts] for parts in (self.q, self.directions))
+        return replace(self, q=q, values=values, shape=rows.shape, fixed=fixed)
 
     # ------------------------------------------------------------------------------------------ directions
 
@@ -351,4 +352,8 @@ def as_intervals(value: Any, shape: Shape) -> Intervals:
 
 def filled(rows: Matrix, shape: Shape) -> FloatArray:
     """A matrix of numbers and arrays as an array, each entry of one shape."""
-    return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])
+    found = np.empty((len(rows), len(rows[0]) if rows else 0, *shape))
+    for i, row in enumerate(rows):
+        for j, entry in enumerate(row):
+            found[i, j] = entry
+    return found

@@ -18,8 +18,8 @@ def where(flag: Any, one: Any, other: Any) -> Any:
     ones, others = (_bits(one), _bits(other)) if _is_mixed(flag) else (None, None)
     if ones is None or others is None:
         return numpy.where(flag, one, other)
-    mask = numpy.negative(flag.view(numpy.int8)).astype(numpy.int64)  # all bits set, or none
-    chosen = (ones ^ others) & mask  # of the shape of all three
+    mask, change = numpy.negative(flag.view(numpy.int8)).astype(numpy.int64), ones ^ others  # all bits set, or none
+    chosen = numpy.bitwise_and(mask, change, out=mask if mask.size >= change.size else None)
     chosen ^= others
     return chosen.view(numpy.float64)
 

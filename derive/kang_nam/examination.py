@@ -89,20 +89,19 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     rounding = COUNT_STATE * u
     L_error = L_size * (1.01 * relative * swing + rounding)
     y_size = sigma * (sin0 + s_size) + kappa
-    y_error = (1.01 * sigma * radius * swing + rounding * y_size) * over
+    off = 1.01 * sigma * radius * swing + rounding * y_size
+    y_error = off * over
     turn = 1.01 * radius * (s_size + radius)
     x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
     state_error = maximum(L_error, x_error) / maximum(minimum(L, absolute(x)), 1.0)
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
     side = 1.0 - 2.0 * nbar  # the sign of y, by n̄
-    reach = 2.1 * y_error * (stiff + sigma) / sigma  # sin θ and sin θ* differ by less where y may be 0
+    reach = 2.1 * off / sigma  # sin θ and sin θ* differ by less where y may be 0
     monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < rough(at.sine))
     ordered = monotone & (absolute(y) <= y_error)
-    beyond = side * where(ordered, -slope, y)
-    doubt = where(ordered, 0.0, y_error)
+    member = (L > L_error) & ((side * y > y_error) | (ordered & (side * slope < 0.0)))
+    outsider = (L < -L_error) | (side * y < -y_error) | (ordered & (side * slope > 0.0))
     y = where(ordered & (y * slope > 0.0), 0.0, y)
-    member = (L > L_error) & (beyond > doubt)
-    outsider = (L < -L_error) | (beyond < -doubt)
     uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
     kind = stability(at, wide_L, slope, uncertainty, point)
     return Root(L, x, y, radius, error, member, outsider, kind.code, proved & kind.certain)

@@ -1182,20 +1182,19 @@ INLINE Root at_root(double t, Point point, Balance line, double u) {
     const double rounding = COUNT_STATE * u;
     const double L_error = L_size * (1.01 * relative * swing + rounding);
     const double y_size = sigma * (sin0 + s_size) + kappa;
-    const double y_error = (1.01 * sigma * radius * swing + rounding * y_size) * over;
+    const double off = 1.01 * sigma * radius * swing + rounding * y_size;
+    const double y_error = off * over;
     const double turn = 1.01 * radius * (s_size + radius);
     const double x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding;
     const double state_error = larger(L_error, x_error) / larger(smaller(L, fabs(x)), 1.0);
     const double error = larger(state_error, larger(radius + COUNT_THETA * u, y_error));
     const double side = 1.0 - 2.0 * nbar;
-    const double reach = 2.1 * y_error * (stiff + sigma) / sigma;
+    const double reach = 2.1 * off / sigma;
     const int monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < at.sine);
     const int ordered = monotone & (fabs(y) <= y_error);
-    const double beyond = side * (ordered ? -slope : y);
-    const double doubt = ordered ? 0.0 : y_error;
+    const int member = (L > L_error) & ((side * y > y_error) | (ordered & (side * slope < 0.0)));
+    const int outsider = (L < -L_error) | (side * y < -y_error) | (ordered & (side * slope > 0.0));
     y = (ordered & (y * slope > 0.0)) ? 0.0 : y;
-    const int member = (L > L_error) & (beyond > doubt);
-    const int outsider = (L < -L_error) | (beyond < -doubt);
     const double uncertainty = larger(relative, L_error / fabs(L)) + 8.0 * u;
     const Kind kind = stability(at, wide_L, slope, uncertainty, point);
     const Root result = {L, x, y, radius, error, member, outsider, kind.code, (proved & kind.certain)};
@@ -1577,20 +1576,19 @@ INLINE Root wide_at_root(Wide t, WidePoint point, WideBalance line, double u) {
     const double rounding = COUNT_STATE * u;
     const double L_error = L_size * (1.01 * relative * swing + rounding);
     const double y_size = sigma * (sin0 + s_size) + kappa;
-    const double y_error = (1.01 * sigma * radius * swing + rounding * y_size) * over;
+    const double off = 1.01 * sigma * radius * swing + rounding * y_size;
+    const double y_error = off * over;
     const double turn = 1.01 * radius * (s_size + radius);
     const double x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding;
     const double state_error = larger(L_error, x_error) / larger(smaller(L, fabs(x)), 1.0);
     const double error = larger(state_error, larger(radius + COUNT_THETA * u, y_error));
     const double side = 1.0 - 2.0 * nbar;
-    const double reach = 2.1 * y_error * (stiff + sigma) / sigma;
+    const double reach = 2.1 * off / sigma;
     const int monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < at.sine.high);
     const int ordered = monotone & (fabs(y) <= y_error);
-    const double beyond = side * (ordered ? -slope : y);
-    const double doubt = ordered ? 0.0 : y_error;
+    const int member = (L > L_error) & ((side * y > y_error) | (ordered & (side * slope < 0.0)));
+    const int outsider = (L < -L_error) | (side * y < -y_error) | (ordered & (side * slope > 0.0));
     y = (ordered & (y * slope > 0.0)) ? 0.0 : y;
-    const int member = (L > L_error) & (beyond > doubt);
-    const int outsider = (L < -L_error) | (beyond < -doubt);
     const double uncertainty = larger(relative, L_error / fabs(L)) + 8.0 * u;
     const Kind kind = wide_stability(at, wide_L, slope, uncertainty, point);
     const Root result = {L, x, y, radius, error, member, outsider, kind.code, (proved & kind.certain)};
@@ -1608,13 +1606,13 @@ INLINE int wide_apart(Wide low, double low_radius, Wide high, double high_radius
 /*
  * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
  * - spragsym_prepare: 62 operations
- * - spragsym_equilibria: 12548 operations, 10 sqrt
- * - spragsym_equilibria_batch: 942880 operations, 640 sqrt
+ * - spragsym_equilibria: 12572 operations, 10 sqrt
+ * - spragsym_equilibria_batch: 944416 operations, 640 sqrt
  * - spragsym_critical_friction: 597964 operations, 38 sqrt
  * - spragsym_step: 2008 operations, 37 sqrt, 37 exp
  * - balance: 42 operations
  * - guesses: 289 operations, 5 sqrt
- * - at_root: 214 operations
+ * - at_root: 217 operations
  * - runge_kutta: 198 operations, 4 sqrt, 4 exp
  */
 

@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "f85bac51badc1508"
+#define SPRAGSYM_SOURCE "691b0be023c458ed"
 
 /** What became of a call. */
 typedef enum {
@@ -93,7 +93,7 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
  *
  * @param regime       SPRAGSYM_CONTACT: those with L > 0 and y < 0; SPRAGSYM_LIFTOFF: those with L > 0 and y >= 0.
  * @param equilibria   the first *count are written, the others cleared.
- * Worst case: 12548 operations, 10 sqrt.
+ * Worst case: 12572 operations, 10 sqrt.
  */
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count);
@@ -112,7 +112,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * @param statuses    of each point, as spragsym_prepare and spragsym_equilibria would return
  * @return the largest of the statuses, so that SPRAGSYM_UNCERTAIN is nothing unusual; SPRAGSYM_BAD_INPUT with nothing written
  *         for a null pointer or no such regime.
- * Worst case, for each block or part of one: 942880 operations, 640 sqrt.
+ * Worst case, for each block or part of one: 944416 operations, 640 sqrt.
  */
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
     spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[], spragsym_status statuses[]);

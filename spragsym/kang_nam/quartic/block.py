@@ -39,7 +39,7 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β, arrays of length ``size`` or 1.
     """
     point = _point(values, contact)
-    line = kernel.Balance(*np.broadcast_arrays(*kernel.balance(point), np.empty(size))[:-1])
+    line = kernel.Balance(*(value if value.ndim else np.full(size, value) for value in kernel.balance(point)))
     return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
 
 
@@ -160,12 +160,15 @@ class Slots:
         return table.T
 
 
-def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, dict[str, NDArray[Any]]]:
-    """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them."""
+def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, Columns]:
+    """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them.
+
+    Points without one keep what they have.
+    """
     count = members.sum(axis=0)
-    packed = {name: np.array(candidates[name], dtype=kind) for name, kind in _TYPES.items()}
-    partial = np.flatnonzero(count < len(members))
+    partial, packed = np.flatnonzero((0 < count) & (count < len(members))), candidates
     if partial.size:
+        packed = {name: np.array(candidates[name], dtype=kind) for name, kind in _TYPES.items()}
         place = np.arange(len(members))[:, None]
         # Where they are and where they go in a table that is read as one row.
         order = np.argsort(~members[:, partial], axis=0, kind="stable")

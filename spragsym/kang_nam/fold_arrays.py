@@ -169,11 +169,11 @@ def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> 
         lambda one, other: _where(2 * other.error <= one.error, other, one),
     )  # fmt: skip
     with quiet():
-        for t, value in itertools.islice(steps, _STEPS):
-            left = np.flatnonzero(~(value.error <= LARGEST_ERROR * scale_of(value.value)))
+        for near in itertools.islice(steps, _STEPS):
+            left = np.flatnonzero(~(near[1].error <= LARGEST_ERROR * scale_of(near[1].value)))
             if not left.size:
                 break
-    return t, value, left
+    return *near, left
 
 
 def _cosine_and_sine(angle: Rounded) -> tuple[Rounded, Rounded]:

@@ -12,7 +12,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -168,14 +168,14 @@ class Field:
         first = self.modes[0]
         return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
 
-    @property
-    def holds(self) -> bool:
-        """Whether a motion may stay on a border, as where friction holds."""
-        return any(border.stays for border in self.borders)
+    @cached_property
+    def holding(self) -> tuple[Border, ...]:
+        """The borders on which a motion may stay, as where friction holds."""
+        return tuple(border for border in self.borders if border.stays)
 
     def stays(self, mode: Mode) -> tuple[Border, ...]:
-        """The borders on which a motion stays in a mode, as where friction holds."""
-        return tuple(border for border in self.borders if border.stays and not border.sign(mode))
+        """Those on which it stays in a mode."""
+        return tuple(border for border in self.holding if not border.sign(mode))
 
     def check(self, name: str, value: float) -> None:
         """An error where a parameter may not have a value."""
@@ -240,7 +240,7 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
-    if model.field.holds:
+    if model.field.holding:
         raise ParameterError("friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks")
     if model.about.get("waves"):
         raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")

@@ -25,6 +25,7 @@ def lobatto() -> tuple[FloatArray, FloatArray]:
     return points, weights
 
 
+@cache
 def unit_points() -> FloatArray:
     """The Lobatto points in [0, 1]."""
     return (lobatto()[0] + 1) / 2
@@ -32,7 +33,7 @@ def unit_points() -> FloatArray:
 
 def sample_times(begin: Any, end: Any) -> FloatArray:
     """The Lobatto points of a step, or of each of many."""
-    t: FloatArray = np.multiply.outer(end - begin, unit_points()) + np.expand_dims(begin, -1)
+    t: FloatArray = np.asarray(end - begin)[..., None] * unit_points() + np.asarray(begin)[..., None]
     t[..., -1] = end
     return t
 

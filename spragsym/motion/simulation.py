@@ -384,7 +384,7 @@ class Trajectory(Named):
     def _sides(self) -> IndexArray:
         """The sign of the sliding speed at the samples, 0 where the mass sticks."""
         field, constants = self.model.field, self._arguments()
-        if not field.holds:
+        if not field.holding:
             return np.where(self._levels()[1] >= 0, 1, -1)
         return np.array([field.initial_mode(state, constants)[1] for state in self.state.T.tolist()])
 

@@ -148,12 +148,11 @@ class Solution:
 
 def assembled(pieces: Sequence[Samples], crossings: Sequence[Crossing], t_record: float) -> Solution:
     """From samples by steps to samples in a row."""
-    t, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    samples = PiecewisePolynomial(
-        np.append(t[:, :-1].ravel(), t[-1, -1]),
-        np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),
-    )
-    if t_record > t[0, 0]:
+    times = [t[:, :-1].ravel() for t, _ in pieces]
+    states = [part[:, :, :-1].swapaxes(0, 1).reshape(part.shape[1], -1) for _, part in pieces]
+    t_end, end = pieces[-1]
+    samples = PiecewisePolynomial(np.concatenate([*times, t_end[-1, -1:]]), np.concatenate([*states, end[-1, :, -1:]], axis=1))
+    if t_record > samples.t[0]:
         samples = samples.after(t_record)
     return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
 

@@ -102,7 +102,7 @@ class Flight:
         from scipy.integrate import DOP853, Radau
 
         field, rtol = self.problem.field, max(self.problem.rtol, IMPLICIT * self.stiff)
-        if field.curved and not self.stiff and field.holds:
+        if field.curved and not self.stiff and field.holding:
             rtol = RTOL  # what stays on a curved border is kept there by the equations of motion alone
         options: dict[str, Any] = {"rtol": rtol, "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE), "first_step": first}
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
@@ -204,10 +204,9 @@ class Flight:
         """When the motion first leaves its mode, and through which border."""
         found = []
         levels = self._levels(piece.mode, piece.samples[: self.problem.field.size], inside=True)
-        for row, (distance, rate) in enumerate(levels[:-1]):
-            if distance.min() > magnitude(rate) * np.diff(piece.t).max():
-                continue
-            border = partial(self._at, piece, True, row)
+        least, fastest = levels[:-1, 0].min(axis=1), np.abs(levels[:-1, 1]).max(axis=1)
+        for row in np.flatnonzero(~(least > fastest * np.diff(piece.t).max())).tolist():
+            (distance, rate), border = levels[row], partial(self._at, piece, True, row)
             for i in np.flatnonzero((distance[1:] < 0) | ((rate[:-1] < 0) & (rate[1:] > 0))).tolist():
                 begin, end = piece.t[i : i + 2].tolist()
                 if not distance[i + 1] < 0:  # it may dip below 0 between two points

@@ -90,6 +90,8 @@ class Ball(Arithmetic):
         return decided(self, "the sign of a ball that holds 0")
 
     def __mul__(self, other: Any) -> Ball:
+        if isinstance(other, int):
+            return Ball(self.mid * other, self.rad * abs(other), self.exp, self.bits)
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
             return NotImplemented
         m, n, r, s = self.mid, other.mid, self.rad, other.rad

@@ -65,8 +65,14 @@ class Rounded(Arithmetic):
         return (_spread(self) + self.error) * _SLACK
 
     def __add__(self, other: Any) -> Any:
-        other = as_number(other)
+        if not isinstance(other, Rounded):
+            return _rounded(self.value + other, self.terms, self.error)
         return _rounded(self.value + other.value, self.terms + other.terms, self.error + other.error)
+
+    def __sub__(self, other: Any) -> Any:
+        if not isinstance(other, Rounded):
+            return _rounded(self.value - other, self.terms, self.error)
+        return _rounded(self.value - other.value, self.terms - other.terms, self.error + other.error)
 
     def __neg__(self) -> Any:
         return _number(-self.value, -self.terms, self.error)

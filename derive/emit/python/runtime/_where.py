@@ -15,13 +15,12 @@ _MANY, _RARE = 1024, 1 / 16
 
 def where(flag: Any, one: Any, other: Any) -> Any:
     """As ``numpy.where``, bit for bit; of many doubles with mixed flags by their bits, ((one ^ other) & mask) ^ other."""
-    ones, others = (_bits(one), _bits(other)) if _is_mixed(flag) else (None, None)
-    if ones is None or others is None:
-        return numpy.where(flag, one, other)
-    mask, change = numpy.negative(flag.view(numpy.int8)).astype(numpy.int64), ones ^ others  # all bits set, or none
-    chosen = numpy.bitwise_and(mask, change, out=mask if mask.size >= change.size else None)
-    chosen ^= others
-    return chosen.view(numpy.float64)
+    if _is_mixed(flag) and (ones := _bits(one)) is not None and (others := _bits(other)) is not None:
+        mask, change = numpy.negative(flag.view(numpy.int8)).astype(numpy.int64), ones ^ others  # all bits set, or none
+        chosen = numpy.bitwise_and(mask, change, out=mask if mask.size >= change.size else None)
+        chosen ^= others
+        return chosen.view(numpy.float64)
+    return numpy.where(flag, one, other)
 
 
 def _is_mixed(flag: Any) -> bool:

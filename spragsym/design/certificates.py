@@ -50,8 +50,8 @@ class Certificate(Result):
         As given.
     outcome : str
         ``"proved"``, ``"refuted"`` or ``"undecided"``.
-    counterexample : Parameters or None
-        A point of the box at which the claim is false, if it is refuted.
+    counterexample : Parameters, mapping of str to float, or None
+        A point of the box at which the claim is false, if it is refuted; of a :class:`spragsym.Study` its quantities in SI.
     undecided : float
         Share of the volume of the box that is neither proved nor known to hold a counterexample.
     boxes : int
@@ -60,7 +60,7 @@ class Certificate(Result):
 
     claim: str
     outcome: str
-    counterexample: ParameterSet | None
+    counterexample: Any
     undecided: float
     boxes: int
 

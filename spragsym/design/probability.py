@@ -23,9 +23,8 @@ from ..numerics.interval_arrays import FloatArray
 from ..progress import advance
 from ..questions import WAYS, Method, model_of
 from ..results.result import Result
-from . import sampling
 from .jumps import have_jumped
-from .sampling import Correlation, Dependence, dependence
+from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums
 from .tube_certificates import Pieces, Splitting
 
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
@@ -34,6 +33,8 @@ Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tu
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
+#: Fewer hits or misses than this make no normal distribution of the means.
+_FEW = 50
 #: Points by default, of which the indices take as many again for every two variables.
 POINTS = 1 << 16
 
@@ -117,19 +118,62 @@ def estimated(
     if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
         raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
-    tasks = sampling.chunks(n, replicates, seeds)
-    work = partial(sampling.sums, partial(_at_points, variables, together, event), together.groups, sobol)
+    tasks = chunks(n, replicates, seeds)
+    work = partial(sums, partial(_at_points, variables, together, event), together.groups, sobol)
     done: dict[int, list[float]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _told)
     with advance(progress, len(tasks), 0) as step, closing(results):
-        for i, sums in results:
-            done[i] = sums
+        for i, record in results:
+            done[i] = record
             step()
-    found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence)
+    records, titles = [done[i] for i in range(len(tasks))], together.titles if sobol else ()
+    return estimate(records, [task.replicate for task in tasks], confidence, titles)
+
+
+def estimate(
+    records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float, titles: Sequence[str]
+) -> JumpProbability:  # fmt: skip
+    """From the sums of all chunks, of a function that is 0 or 1; ``titles`` are what indices are of.
+
+    Source: the replicates are independent means of one distribution, from whose spread the interval follows (Student); indices of
+    first order by Saltelli et al. (2010), total ones by Jansen (1999).
+    """
+    from scipy.stats import binomtest
+    from scipy.stats import t as student
+
+    number = max(replicate) + 1
+    table = np.zeros((number, len(records[0])))
+    np.add.at(table, np.asarray(replicate), np.asarray(records))
+    count, unknown, added, squares = table[:, :4].T
+    means = added / count
+    mean, n = float(added.sum() / count.sum()), float(count.sum())
+    quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
+    half = quantile * float(means.std(ddof=1)) / number**0.5
+    # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
+    half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
+    low, high = mean - half, mean + half
+    hits, missing = float(added.sum()), float(unknown.sum() / n)
+    if min(hits, n - hits) < _FEW:
+        # As for independent points, which spread no less.
+        low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
+    # Points without a value may be either.
+    low, high = max(low, 0.0), min(high + missing, 1.0)
+    variances = (squares - 2 * mean * added + mean * mean * count) / count
+    alone, alone_error = _index(2 * table[:, 4::2] / count[:, None], variances, quantile)
+    whole, whole_error = _index(table[:, 5::2] / count[:, None], variances, quantile)
     first, total, first_error, total_error = (
-        dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {} for part in found[6:]
+        dict(zip(titles, part.tolist(), strict=True)) for part in (alone, whole, alone_error, whole_error)
     )
-    return JumpProbability(*found[:6], first, total, first_error, total_error)
+    return JumpProbability(mean, low, high, confidence, int(n), missing, first, total, first_error, total_error)
+
+
+def _index(values: FloatArray, variances: FloatArray, quantile: float) -> tuple[FloatArray, FloatArray]:
+    """A ratio to the variance, and the half-width of its interval from the spread over the replicates (linearized)."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        variance = variances.mean()
+        ratio = values.mean(axis=0) / variance
+        spread = (values - ratio * variances[:, None]).std(axis=0, ddof=1) / variance
+    return ratio, quantile * spread / len(values) ** 0.5
 
 
 # ------------------------------------------------------------------------------------------------------ variables
@@ -163,7 +207,7 @@ def _at_points(variables: Mapping[str, Any], together: Dependence, event: Event,
     })  # fmt: skip
 
 
-def _told(chunk: sampling.Chunk) -> str:
+def _told(chunk: Chunk) -> str:
     return f"points {chunk.begin} to {chunk.begin + chunk.size} of replicate {chunk.replicate}"
 
 

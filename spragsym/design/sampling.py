@@ -1,12 +1,10 @@
-"""Mean, variance and Sobol' indices of a function of quantities that vary, by quasi-Monte Carlo, with intervals.
+"""Points at which a function of quantities that vary is looked at, by quasi-Monte Carlo, what of them is kept, and dependence.
 
-Several independent scramblings of one Sobol' sequence give as many independent means of one distribution, from whose spread the
-interval follows (Student). One more set of points, and mixtures of both, give the indices: first order by Saltelli et al. (2010),
-total by Jansen (1999). Of a chunk only sums are kept. Quantities depend on each other by a Gaussian copula: the correlations of
-normal scores behind whatever distributions they have.
+They are several independent scramblings of one Sobol' sequence; one more set of points, and mixtures of both, are for Sobol'
+indices. Of a chunk only sums are kept. Quantities depend on each other by a Gaussian copula: the correlations of normal scores
+behind whatever distributions they have.
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -19,9 +17,6 @@ from ..models.parameters import FloatArray, Range, as_number
 
 #: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has none.
 Function = Callable[[FloatArray], FloatArray]
-
-#: Fewer hits or misses than this make no normal distribution of the means.
-_FEW = 50
 
 
 class Chunk(NamedTuple):
@@ -62,58 +57,6 @@ def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chu
     for value in values[own:]:
         result += [float(values[1] @ (value - values[0])), float(((values[0] - value) ** 2).sum())]
     return result
-
-
-class Estimate(NamedTuple):
-    """Mean with its interval, share without a value, and indices with half-widths of theirs, an array over the variables each."""
-
-    mean: float
-    low: float
-    high: float
-    confidence: float
-    n: int
-    undecided: float
-    first: FloatArray
-    total: FloatArray
-    first_error: FloatArray
-    total_error: FloatArray
-
-
-def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float) -> Estimate:
-    """From the sums of all chunks, of a function that is 0 or 1."""
-    from scipy.stats import binomtest
-    from scipy.stats import t as student
-
-    number = max(replicate) + 1
-    table = np.zeros((number, len(records[0])))
-    np.add.at(table, np.asarray(replicate), np.asarray(records))
-    count, unknown, total, squares = table[:, :4].T
-    means = total / count
-    mean, n = float(total.sum() / count.sum()), float(count.sum())
-    quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
-    half = quantile * float(means.std(ddof=1)) / number**0.5
-    # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
-    half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
-    low, high = mean - half, mean + half
-    hits, missing = float(total.sum()), float(unknown.sum() / n)
-    if min(hits, n - hits) < _FEW:
-        # As for independent points, which spread no less.
-        low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
-    # Points without a value may be either.
-    low, high = max(low, 0.0), min(high + missing, 1.0)
-    variances = (squares - 2 * mean * total + mean * mean * count) / count
-    first, first_error = _index(2 * table[:, 4::2] / count[:, None], variances, quantile)
-    whole, whole_error = _index(table[:, 5::2] / count[:, None], variances, quantile)
-    return Estimate(mean, low, high, confidence, int(n), missing, first, whole, first_error, whole_error)
-
-
-def _index(values: FloatArray, variances: FloatArray, quantile: float) -> tuple[FloatArray, FloatArray]:
-    """A ratio to the variance, and the half-width of its interval from the spread over the replicates (linearized)."""
-    with np.errstate(invalid="ignore", divide="ignore"):
-        variance = variances.mean()
-        ratio = values.mean(axis=0) / variance
-        spread = (values - ratio * variances[:, None]).std(axis=0, ddof=1) / variance
-    return ratio, quantile * spread / len(values) ** 0.5
 
 
 #: Pairs of quantities → how they are correlated, from −1 to 1.

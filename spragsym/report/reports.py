@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 from .._version import __version__
 from ..bifurcation.critical import critical_friction, cusp_friction
 from ..bifurcation.folds import folds
+from ..design.certificates import Certificate
 from ..design.jumps import jump_value
 from ..design.probability import JumpProbability
 from ..display import Table
@@ -27,7 +28,7 @@ from .advice import FRICTION, cautions, next_steps
 from .redesigns import Change, changes, distance
 from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
 from .study import Study
-from .tolerances import BoxCertificate, bracket, certificate, chance, effort, speed_for, varied
+from .tolerances import bracket, certificate, chance, effort, speed_for, varied
 from .units import Numbers
 
 T = TypeVar("T")
@@ -282,7 +283,7 @@ class Report(Result):
         return self._known("the oscillation is", lambda: oscillation_of(self.study, settles, holds))
 
     @cached_property
-    def certificate(self) -> BoxCertificate | None:
+    def certificate(self) -> Certificate | None:
         """What is proved of all brakes within the tolerances, if it was asked."""
         if not self.asked.probability or self.study.rise is None:
             return None

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.stats import qmc
 
 from ..bifurcation.tubes import halves
-from ..design.certificates import corner_values
+from ..design.certificates import Certificate, corner_values
 from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
@@ -17,7 +17,6 @@ from ..errors import ConvergenceError
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Intervals
-from ..results.result import Result
 from ..statics.balance import NOTHING, BalanceInUnits
 from ..statics.forces import as_intervals
 from .study import Spread, Study
@@ -59,22 +58,6 @@ _ENDLESS = Effort(
 def effort(study: Study) -> Effort:
     """Effort for the study's model."""
     return _ENDLESS if math.isinf(study.top) else Effort()
-
-
-@dataclass(frozen=True)
-class BoxCertificate(Result):
-    """What is known of "nothing jumps" for every brake within the tolerances.
-
-    ``outcome`` is ``"proved"``, ``"refuted"`` or ``"undecided"``; ``counterexample`` is a brake within the tolerances that jumps,
-    in SI; ``undecided`` is the share of the box that is not proved. Of a normal distribution that is not cut off the box holds
-    three standard deviations on either side, and nothing is said of what lies beyond.
-    """
-
-    claim: str
-    outcome: str
-    counterexample: Numbers | None
-    undecided: float
-    boxes: int
 
 
 def deciding(study: Study) -> tuple[str, ...]:
@@ -148,21 +131,23 @@ def _all_works(study: Study) -> bool:
     return study.kind.law["at_rest"] != "mu0" or study.law == "friction_at_rest"
 
 
-def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
-    """Whether any brake within the tolerances jumps: proved, refuted by one that does, or undecided; ``hasty`` ends earlier.
+def certificate(study: Study, *, hasty: bool = False) -> Certificate:
+    """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided; ``hasty`` ends earlier.
+
+    Of a normal distribution that is not cut off the box holds three standard deviations on either side, and nothing is said of
+    what lies beyond.
 
     Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that are their units.
     """
     amount = effort(study)
     point = counterexample(study, amount.points_of_change if hasty else amount.points)
     if point is not None:
-        return BoxCertificate("no jump", "refuted", point, 0.0, 0)
+        return Certificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
     most = amount.boxes_of_change if hasty else amount.boxes
     found = certify(low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along())
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
-    outcome = found.outcome if found.outcome == "proved" else "undecided"
-    return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
+    return found if found.outcome == "proved" else replace(found, outcome="undecided", counterexample=None)
 
 
 def counterexample(study: Study, number: int) -> Numbers | None:

@@ -14,6 +14,7 @@ from scipy.stats import truncnorm
 import spragsym as ss
 from spragsym.design import sampling
 from spragsym.design.design_space import space
+from spragsym.design.probability import estimate
 from spragsym.kang_nam import jump_values
 from spragsym.kang_nam.certificates import CLAIMS, Boxes
 from spragsym.kang_nam.jump_values import have_jumped
@@ -282,19 +283,19 @@ TOLERANCES: dict[str, Any] = {
 }  # fmt: skip
 
 
-def estimated(function: sampling.Function, variables: int, n: int, seed: int, indices: bool) -> sampling.Estimate:
+def estimated(function: sampling.Function, variables: int, n: int, seed: int, indices: bool) -> ss.JumpProbability:
     tasks = sampling.chunks(n, 16, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
     records = [sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks]
-    return sampling.estimate(records, [task.replicate for task in tasks], 0.95)
+    return estimate(records, [task.replicate for task in tasks], 0.95, [str(j) for j in range(variables * indices)])
 
 
 def test_indices_of_a_linear_model_are_its_squares() -> None:
     weights = np.array([1.0, 2.0, 3.0, 0.5])
     found = estimated(lambda u: (u @ weights + 7.0) / 14.0, 4, 8192, 1, True)
     share = weights**2 / (weights @ weights)
-    np.testing.assert_allclose(found.first, share, atol=2e-3)
-    np.testing.assert_allclose(found.total, share, atol=2e-3)
-    assert 14 * found.mean == pytest.approx(7 + weights.sum() / 2, rel=1e-5)
+    np.testing.assert_allclose([*found.first.values()], share, atol=2e-3)
+    np.testing.assert_allclose([*found.total.values()], share, atol=2e-3)
+    assert 14 * found.probability == pytest.approx(7 + weights.sum() / 2, rel=1e-5)
 
 
 @pytest.mark.parametrize("share", few([0.3, 0.002]))

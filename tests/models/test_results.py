@@ -126,7 +126,6 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "State": lambda: _report().states[0],
     "JumpPeak": lambda: _report().peak,
     "Oscillation": lambda: _report().oscillation,
-    "BoxCertificate": lambda: _report().certificate,
     "Change": lambda: _report().redesign[0],
 }
 

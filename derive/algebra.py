@@ -27,6 +27,11 @@ def expanded(expression: sp.Expr) -> sp.Expr:
     return sp.expand(expression.xreplace(kept)).xreplace({dummy: node for node, dummy in kept.items()})
 
 
+def quotients(expression: sp.Expr) -> list[sp.Pow]:
+    """Quotients and roots in it: powers that are no products."""
+    return [node for node in expression.atoms(sp.Pow) if not (node.exp.is_Integer and node.exp.is_positive)]
+
+
 def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² on each unit circle."""
     polynomial = sp.expand(polynomial)

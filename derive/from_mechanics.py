@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from . import limits, units
+from .algebra import quotients
 
 if TYPE_CHECKING:
     from .model import Page
@@ -127,8 +128,7 @@ class _Reader:
 
     def bases(self, expression: sp.Expr) -> set[sp.Expr]:
         """What it takes roots and quotients of, where that moves."""
-        powers = (node for node in expression.atoms(sp.Pow) if not (node.exp.is_Integer and node.exp.is_positive))
-        return {node.base for node in powers if node.base.has(*self.places)}
+        return {node.base for node in quotients(expression) if node.base.has(*self.places)}
 
     def expanded(self, expression: sp.Expr) -> sp.Expr:
         """An expression multiplied out, with its roots and quotients of coordinates kept."""

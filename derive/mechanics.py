@@ -18,7 +18,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from .algebra import Names, Pair, Row, Symbols, expanded, fewest_terms
+from .algebra import Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
 from .model import Datum, Element, Page, PageError, Point, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
@@ -210,8 +210,7 @@ class Mechanics:
     def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
         """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and sine, as 1/(1 + cos² v²) is none."""
         directions = {symbol for line in self.lines for symbol in (line.c, line.s)}
-        powers = (node for node in expression.atoms(sp.Pow) if not (node.exp.is_Integer and node.exp.is_positive))
-        return {node for node in powers if waves(node.base) or node.base.free_symbols & directions}
+        return {node for node in quotients(expression) if waves(node.base) or node.base.free_symbols & directions}
 
     # ------------------------------------------------------------------------------------------------ forces
 

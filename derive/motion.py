@@ -1,5 +1,6 @@
 """Motion of any model: accelerations in each regime in which they are smooth, their derivatives, borders, energy and powers."""
 
+import functools
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -7,7 +8,7 @@ import sympy as sp
 
 from . import laws
 from .algebra import Names, Row, Symbols, difference
-from .emit.function import Function, Module, Results
+from .emit.function import Function, Module, Results, of_page
 from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
 from .model import acceleration_of
 
@@ -301,13 +302,11 @@ def module(model: Mechanics) -> Module:
     shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.dry_friction, **motion.solved}
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
-
-    def function(name: str, summary: str, taken: Symbols, results: Results, returns: str) -> Function:
-        return Function(name, summary, "the page", taken, results, returns, shorthands)
+    function = functools.partial(of_page, shorthands=shorthands)
 
     def smooth(name: str, summary: str, results: Results, returns: str) -> Function:
         continued = shorthands | {torsion.phi: torsion.continued for torsion in model.torsions}
-        return Function(name, summary, "the page", (*regime, *ways), results, returns, continued)
+        return of_page(name, summary, (*regime, *ways), results, returns, continued)
 
     below = sp.Symbol("_below", real=True)
     signs = {below: 1 - sp.sign(borders[0]), PUSHING: below / 2 if model.unilateral else sp.S.One, SIDE: motion.side}
@@ -332,8 +331,7 @@ def module(model: Mechanics) -> Module:
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
         (
-            Function("rhs", "Accelerations, kinked where a border is zero.", "the page", moving, motion.accelerations, "(q_1″, …)",
-                     kinked),
+            of_page("rhs", "Accelerations, kinked where a border is zero.", moving, motion.accelerations, "(q_1″, …)", kinked),
             smooth("regime_rhs", "Accelerations in a smooth regime, continued beyond its borders.", motion.accelerations,
                    "(q_1″, …)"),
             smooth("regime_jacobian", "Derivatives of regime_rhs by the coordinates and the rates.", jacobian,

@@ -1,10 +1,12 @@
 """Statics of any model: the balance of forces at steady sliding or in lift-off, with first and second derivatives."""
 
+import functools
+
 import sympy as sp
 
 from .algebra import Row, Symbols
 from . import laws, balance_rows, symmetry
-from .emit.function import Function, Module, Results, rows
+from .emit.function import Module, of_page, rows
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
 
@@ -51,10 +53,7 @@ def module(model: Mechanics) -> Module:
     shorthands = {DEPTH: model.depth, **{line.l: line.length for line in model.lines}}
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
-
-    def function(name: str, summary: str, taken: Symbols, results: Results, returns: str) -> Function:
-        return Function(name, summary, "the page", taken, results, returns, shorthands)
-
+    function = functools.partial(of_page, shorthands=shorthands)
     T = balance_rows.sums(model)
     apart = () if T.is_Identity else (
         function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,

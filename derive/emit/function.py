@@ -31,6 +31,11 @@ class Function:
         return (*self.arguments, *self.further)
 
 
+def of_page(name: str, summary: str, taken: Symbols, results: Results, returns: str, shorthands: Names | None = None) -> Function:
+    """One of a model's own functions, which follow from its page."""
+    return Function(name, summary, "the page", taken, results, returns, shorthands or {})
+
+
 def renamed(function: Function, spelled: Callable[[str], str]) -> Function:
     """The function with all of its symbols spelled anew."""
 

@@ -1,8 +1,7 @@
 """Motion of any model: accelerations in each regime in which they are smooth, their derivatives, borders, energy and powers."""
 
-import functools
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import sympy as sp
 
@@ -302,7 +301,7 @@ def module(model: Mechanics) -> Module:
     shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.dry_friction, **motion.solved}
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
-    function = functools.partial(of_page, shorthands=shorthands)
+    function = partial(of_page, shorthands=shorthands)
 
     def smooth(name: str, summary: str, results: Results, returns: str) -> Function:
         continued = shorthands | {torsion.phi: torsion.continued for torsion in model.torsions}

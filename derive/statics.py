@@ -1,6 +1,6 @@
 """Statics of any model: the balance of forces at steady sliding or in lift-off, with first and second derivatives."""
 
-import functools
+from functools import partial
 
 import sympy as sp
 
@@ -53,7 +53,7 @@ def module(model: Mechanics) -> Module:
     shorthands = {DEPTH: model.depth, **{line.l: line.length for line in model.lines}}
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
-    function = functools.partial(of_page, shorthands=shorthands)
+    function = partial(of_page, shorthands=shorthands)
     T = balance_rows.sums(model)
     apart = () if T.is_Identity else (
         function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,

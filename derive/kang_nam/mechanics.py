@@ -92,10 +92,12 @@ def further_parameters() -> tuple[sp.Symbol, ...]:
 
 def quantities() -> dict[str, Quantity]:
     """The nomenclature, with what a changed page has besides."""
-    found, data = {**nm.quantities()}, page().parameters
-    for symbol, it in zip(map(symbol_of, data), data, strict=True):
+    found = {**nm.quantities()}
+    for it in page().parameters:
+        symbol = symbol_of(it)
         found.setdefault(str(symbol), Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain))
-    for symbol, it in zip(map(_measured, data), data, strict=True):
+    for it in page().parameters:
+        symbol = _measured(it)
         found.setdefault(str(symbol), Quantity(symbol, it.latex, it.meaning, it.unit, it.domain))
     return found
 

@@ -20,8 +20,7 @@ from ..kang_nam.flutter import flutter_boundary
 from ..kang_nam.steady_sliding import linear_critical_friction, linear_sprag
 from ..models import load
 from ..models.parameters import FloatArray, Parameters, ParameterSet
-from ..motion import simulate
-from ..motion.regimes import Regime
+from ..motion import Regime, simulate
 from ..motion.sweeps import sensitivity
 from ..numerics.polynomials import primitive, real_roots, root_bound
 from ..orbits import Cycle, cycle, fate_boundary

@@ -19,8 +19,7 @@ from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
 from ..numerics.vectors import apart
 from ..questions import Method, question
-from ..results.equilibria import Equilibria
-from ..results.points import Points
+from ..results import Equilibria, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.search import columns

@@ -15,8 +15,7 @@ from ..numerics.columns import picked
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
-from ..results.paths import LowestEnd
-from ..results.points import Points
+from ..results import LowestEnd, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import nearest_state, taken_up

@@ -14,8 +14,7 @@ from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Inte
 from ..numerics.vectors import magnitude, norm
 from ..questions import model_of
 from ..remarks import Remark
-from ..results.points import Curve, Points
-from ..results.result import Result
+from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of

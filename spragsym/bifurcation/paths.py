@@ -18,10 +18,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, Span, as_numbers
 from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
 from ..questions import Method, question
-from ..results.equilibria import Equilibria, Stability
-from ..results.paths import Jump, Path
-from ..results.points import Points
-from ..results.result import Result
+from ..results import Equilibria, Jump, Path, Points, Result, Stability
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import chosen_state, least_slot, nearest_state

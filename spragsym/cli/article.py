@@ -15,8 +15,7 @@ import click
 
 from ..display import aligned
 from ..errors import ParameterError, one_of
-from ..models import load
-from ..models.load import page_of
+from ..models.load import load, page_of
 from ..progress import advance, show_progress
 from . import options as o
 from .output import print_json, refuse, wrapped, write

@@ -8,8 +8,7 @@ from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
 from ..errors import ParameterError, StoreError
 from ..files.storage import probe
-from ..models import load
-from ..models.load import USUAL, page_of
+from ..models.load import USUAL, load, page_of
 from . import options as o
 from .case import study_of
 from .output import refuse, write

@@ -15,8 +15,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..models import load
-from ..models.load import USUAL
+from ..models.load import USUAL, load
 from ..models.model import options_of
 from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, Range, as_number, as_numbers, degrees, shown
 from .case import COUNT, Case, Span, in_degrees, is_typed, study_of
@@ -113,26 +112,22 @@ class Numbers(Number):
         return numbers
 
 
-class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+def _span(typed: str) -> Span:
     """``NAME``, ``NAME=FROM:TO`` or ``NAME=FROM:TO:COUNT``."""
-
-    name = "range"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Span:
-        name, sign, rest = value.partition("=")
-        numbers = rest.split(":")
-        try:
-            if sign and len(numbers) not in (2, 3):
-                raise ValueError
-            ends = (float(numbers[0]), float(numbers[1])) if sign else None
-            count = int(numbers[2]) if len(numbers) == 3 else COUNT
-        except ValueError:
-            self.fail(f"{value!r} is neither a name nor a range; give it as mu0=0:1, or with values as mu0=0:1:11")
-        if not 2 <= count <= 100_000:
-            self.fail(f"{value!r}: values with both ends are 2 to 100000")
-        if ends and ends[0] == ends[1]:
-            self.fail(f"{value!r}: both ends are {shown(ends[0])}; give two values")
-        return Span(value, name, ends, count)
+    name, sign, rest = typed.partition("=")
+    if not sign:
+        return Span(typed, name)
+    try:
+        low, high, *counts = rest.split(":")
+        ends, (count,) = (float(low), float(high)), map(int, counts or [COUNT])
+    except ValueError as error:
+        cure = "give it as mu0=0:1, or with values as mu0=0:1:11"
+        raise click.BadParameter(f"{typed!r} is neither a name nor a range; {cure}") from error
+    if not 2 <= count <= 100_000:
+        raise click.BadParameter(f"{typed!r}: values with both ends are 2 to 100000")
+    if ends[0] == ends[1]:
+        raise click.BadParameter(f"{typed!r}: both ends are {shown(ends[0])}; give two values")
+    return Span(typed, name, ends, count)
 
 
 def _flag(param: click.Parameter | None) -> str:
@@ -142,11 +137,11 @@ def _flag(param: click.Parameter | None) -> str:
 
 def vary(text: str, several: bool = False) -> Decorator:
     """``--vary``, of one parameter or of several."""
-    return click.option("--vary", type=Vary(), metavar="NAME[=FROM:TO]", multiple=several, help=text)
+    return click.option("--vary", type=_span, metavar="NAME[=FROM:TO]", multiple=several, help=text)
 
 
 within: Decorator = click.option(
-    "--within", type=Vary(), multiple=True, metavar="NAME=FROM:TO",
+    "--within", type=_span, multiple=True, metavar="NAME=FROM:TO",
     help="Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own; angles in degrees. Repeatable.",
 )  # fmt: skip
 followed: Decorator = click.option(

@@ -26,8 +26,7 @@ from ..numerics.certified_roots import Roots
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, raised, scale_of, width_of
 from ..progress import doing
-from ..results.equilibria import Equilibria, Stability
-from ..results.result import Result
+from ..results import Equilibria, Result, Stability
 from ..statics import stability
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria

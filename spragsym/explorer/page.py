@@ -15,9 +15,8 @@ from typing import Any
 from .._version import __version__
 from ..derive.kang_nam.library import exported
 from ..errors import MissingExtraError
-from ..models import Model, load
-from ..models.load import USUAL, page_of
-from ..models.model import options_of, title_drawing_words
+from ..models.load import USUAL, load, page_of
+from ..models.model import Model, options_of, title_drawing_words
 from ..models.parameters import ParameterSet
 from ..questions import model_of
 

@@ -18,8 +18,7 @@ from ..models.field import SETTLED
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
-from ..results.equilibria import Equilibria
-from ..results.points import Points
+from ..results import Equilibria, Points
 
 #: Energy of numbers without checks.
 _energy: Any = unwrap(algebra.energy)

@@ -16,8 +16,7 @@ from ..generated import linear_sprag as _linear
 from ..models.parameters import NAMES, NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_numbers
 from ..numerics.interval_arrays import Int8Array, quiet
 from ..questions import of_article
-from ..results.equilibria import Stability
-from ..results.result import Result
+from ..results import Result, Stability
 from . import kernel
 from .kernel import FIXED
 

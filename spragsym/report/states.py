@@ -13,8 +13,7 @@ from ..design.jumps import jump_value
 from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
 from ..models.parameters import FloatArray, Ranges
-from ..motion import simulate
-from ..motion.regimes import Regime
+from ..motion import Regime, simulate
 from ..numerics.interval_arrays import ComplexArray
 from ..orbits import cycle
 from ..results import Equilibria, Named, Result, Stability

@@ -14,15 +14,13 @@ import numpy as np
 from click.core import ParameterSource
 
 from ..errors import ParameterError, hint
-from ..models.model import options_of
-from ..models.parameters import FloatArray, Range, as_number
+from ..models.model import Model, options_of
+from ..models.parameters import FloatArray, ParameterSet, Range, as_number
 from ..models.quantities import Quantities, quantities
 from ..remarks import Remark
 from ..results.equilibria import Stability
 
 if TYPE_CHECKING:
-    from ..models import Model
-    from ..models.parameters import ParameterSet
     from ..report import Study
 
 #: What JSON and a table say of one thing, by its columns; a title, and what one of the model's own units is there.

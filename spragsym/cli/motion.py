@@ -12,14 +12,13 @@ import numpy as np
 import spragsym as ss
 
 from ..errors import ParameterError
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, ParameterSet
 from ..progress import show_progress
 from . import options as o
 from .case import Case, Row, is_typed
 from .output import drawn, print_rows, refuse, resumed
 
 if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
     from ..orbits import Cycle
 
 #: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a sweep followed to the end.

@@ -16,13 +16,12 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..models.load import USUAL, load
-from ..models.model import options_of
+from ..models.model import Model, options_of
 from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, Range, as_number, as_numbers, degrees, shown
 from .case import COUNT, Case, Span, in_degrees, is_typed, study_of
 from .output import print_json, refuse
 
 if TYPE_CHECKING:
-    from ..models import Model
     from ..report import Study
 
 #: What makes an option of a command.

@@ -17,7 +17,7 @@ from ..errors import ModelError, ParameterError
 from ..explorer import explorer_page
 from ..files.storage import probe
 from ..models.load import USUAL, load, shipped
-from ..models.parameters import POSITIVE
+from ..models.parameters import POSITIVE, ParameterSet
 from ..progress import show_progress
 from . import options as o
 from .case import study_of
@@ -25,7 +25,6 @@ from .output import print_json, refuse, write
 
 if TYPE_CHECKING:
     from ..models import Model
-    from ..models.parameters import ParameterSet
     from ..report import Study
 
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -22,6 +22,7 @@ from ..errors import ConvergenceError, SpragsymError
 from ..files.text import filled
 from ..models.parameters import ParameterSet
 from ..questions import model_of
+from ..report import Report
 from ..report.advice import Rows
 from ..report.states import unit_of
 from ..report.texts import sections
@@ -44,9 +45,6 @@ from .style import (
     write_along,
 )
 from .style import picture as content
-
-if TYPE_CHECKING:
-    from ..report.reports import Report
 
 #: Letters of a picture in a page: text in the page's own family, 13.6 pixels as its captions.
 _AS_TEXT: Any = {"svg.fonttype": "none", "font.family": "sans-serif", "mathtext.fontset": "dejavusans"} | dict.fromkeys(

@@ -265,15 +265,16 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
         {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
         for label in found.labels
     ]
-    ends = [branch.mode for branch in found.equilibria]
-    ends += ["; ".join(case.said(end.how for end in branch.of("end", "homoclinic"))) for branch in found.cycles]
-    every: dict[str, Sequence[Any]] = {"equilibria": found.equilibria, "cycles": found.cycles}
-    kinds = [(of, i, one) for of, those in every.items() for i, one in enumerate(those)]
-    branches = [
-        {"of": of, "branch": i, "points": len(one.values), "from": unit * one.values[0], "to": unit * one.values[-1],
-         "stable": int(one.stable.sum()), "ends": end}
-        for (of, i, one), end in zip(kinds, ends, strict=True)
-    ]  # fmt: skip
+
+    def row(of: str, number: int, branch: Any, ends: str) -> Row:
+        return {
+            "of": of, "branch": number, "points": len(branch.values), "from": unit * branch.values[0],
+            "to": unit * branch.values[-1], "stable": int(branch.stable.sum()), "ends": ends,
+        }  # fmt: skip
+
+    branches = [row("equilibria", i, branch, branch.mode) for i, branch in enumerate(found.equilibria)]
+    for i, branch in enumerate(found.cycles):
+        branches.append(row("cycles", i, branch, "; ".join(case.said(end.how for end in branch.of("end", "homoclinic")))))
     remarks = case.said(found.remarks)
 
     def tables() -> None:

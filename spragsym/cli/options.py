@@ -118,7 +118,7 @@ def _span(typed: str) -> Span:
         return Span(typed, name)
     try:
         low, high, *counts = rest.split(":")
-        ends, (count,) = (float(low), float(high)), map(int, counts or [COUNT])
+        ends, (count,) = (float(low), float(high)), [int(one) for one in counts] or [COUNT]
     except ValueError as error:
         cure = "give it as mu0=0:1, or with values as mu0=0:1:11"
         raise click.BadParameter(f"{typed!r} is neither a name nor a range; {cure}") from error

@@ -287,11 +287,12 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
         return None
     course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS)))
     springs, contact = _forces(study, _extremes(at, course))
-    ends = (end(course[: start.size], axis=1) for end in (np.min, np.max))
-    lowest, highest = (in_units(study, dict(zip(p.model.coordinates, end, strict=True))) for end in ends)
+    ranges = {}
+    for name, row in zip(p.model.coordinates, course[: start.size], strict=True):
+        unit, size = unit_of(study, name)
+        ranges[f"{name}_{unit}"] = size * float(row.min()), size * float(row.max())
     return JumpPeak(
-        at=study.told(value), before=in_units(study, turn.before), after=in_units(study, turn.after),
-        ranges={name: (lowest[name], highest[name]) for name in lowest},
+        at=study.told(value), before=in_units(study, turn.before), after=in_units(study, turn.after), ranges=ranges,
         spring_force_N=springs, contact_force_N=contact, lifts_off=contact is not None and contact[0] == 0,
         settles=_COMES_TO.get(comes_to, "unsettled"), followed_s=float(motion.t[-1] * study.scales.time),
     )  # fmt: skip

@@ -119,7 +119,7 @@ def estimated(
         raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     tasks = chunks(n, replicates, seeds)
-    work = partial(sums, partial(_at_points, variables, together, event), together.groups, sobol)
+    work = partial(sums, partial(_at_points, variables, together, event), [*together.factors], sobol)
     done: dict[int, list[float]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _told)
     with advance(progress, len(tasks), 0) as step, closing(results):

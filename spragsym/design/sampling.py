@@ -71,18 +71,17 @@ _LEAST = 2.0**-40
 
 @dataclass(frozen=True)
 class Dependence:
-    """``groups`` of positions in ``names`` that are correlated among each other, and for each a factor F: scores are F g."""
+    """For each group of positions in ``names`` that are correlated among each other a factor F: scores are F g."""
 
     names: tuple[str, ...]
-    groups: tuple[tuple[int, ...], ...]
-    factors: tuple[FloatArray, ...]
+    factors: Mapping[tuple[int, ...], FloatArray]
 
     def shares(self, points: FloatArray) -> FloatArray:
         """Points of the unit cube, of shape (n, names), as shares of distributions that are correlated so."""
         from scipy.special import ndtr, ndtri
 
         result = np.array(points)
-        for group, factor in zip(self.groups, self.factors, strict=True):
+        for group, factor in self.factors.items():
             if len(group) > 1:
                 scores = ndtri(np.clip(points[:, group], _LEAST, 1 - _LEAST))
                 result[:, group] = ndtr(scores @ factor.T)
@@ -91,18 +90,18 @@ class Dependence:
     def corners(self) -> FloatArray:
         """Shares of 0 and 1 that may occur together: all of them, but where some quantities decide others."""
         parts = []
-        for group, factor in zip(self.groups, self.factors, strict=True):
+        for group, factor in self.factors.items():
             kept = factor[:, np.abs(factor).max(axis=0) > _SINGULAR**0.5]
             kept = kept if kept.shape[1] < len(group) else np.eye(len(group))
             scores = np.array(list(product((-1.0, 1.0), repeat=kept.shape[1]))) @ kept.T
             parts.append(np.unique(0.5 + 0.5 * np.sign(np.where(np.abs(scores) < 1e-9, 0.0, scores)), axis=0))
-        order = np.argsort([i for group in self.groups for i in group])
+        order = np.argsort([i for group in self.factors for i in group])
         return np.array([np.concatenate([[], *choice])[order] for choice in product(*parts)])
 
     @property
     def titles(self) -> tuple[str, ...]:
         """A name for each group."""
-        return tuple(", ".join(self.names[i] for i in group) for group in self.groups)
+        return tuple(", ".join(self.names[i] for i in group) for group in self.factors)
 
 
 def dependence(names: Sequence[str], correlation: Correlation | None = None) -> Dependence:
@@ -128,9 +127,9 @@ def dependence(names: Sequence[str], correlation: Correlation | None = None) -> 
             raise ParameterError(f"correlation of {pair!r} is there twice; keep one of the two")
         matrix[i, j] = matrix[j, i] = as_number(f"correlation of {', '.join(pair)}", given, _ALLOWED)
     _, label = connected_components(coo_array(matrix != 0), directed=False)
-    groups = tuple(tuple(np.flatnonzero(label == one).tolist()) for one in dict.fromkeys(label.tolist()))
-    factors = []
-    for group in groups:
+    factors = {}
+    for one in dict.fromkeys(label.tolist()):
+        group = tuple(np.flatnonzero(label == one).tolist())
         values, vectors = np.linalg.eigh(matrix[np.ix_(group, group)])
         if values[0] < -_SINGULAR:
             together = ", ".join(names[i] for i in group)
@@ -138,5 +137,5 @@ def dependence(names: Sequence[str], correlation: Correlation | None = None) -> 
                 f"the correlations of {together} can't all be true at once (their matrix has the eigenvalue {values[0]:.3g}); "
                 "give smaller ones, or those of all pairs"
             )
-        factors.append(vectors * np.sqrt(np.where(values > _SINGULAR, values, 0.0)))
-    return Dependence(tuple(names), groups, tuple(factors))
+        factors[group] = vectors * np.sqrt(np.where(values > _SINGULAR, values, 0.0))
+    return Dependence(tuple(names), factors)

@@ -172,8 +172,10 @@ def begins_alike(study: Study, after: Numbers) -> bool:
     """Whether the state that is followed in a changed brake is the one of the brake as drawn, not one behind its end."""
     if study.of_friction:
         return True
-    ends = {name: sorted((value, after.get(name, value))) for name, value in study.values.items()}
-    moved = {name: replace(one.alone, low=ends[name][0], high=ends[name][1]) for name, one in study.quantities.items()}
+    moved = {}
+    for name, one in study.quantities.items():
+        low, high = sorted((one.value, after.get(name, one.value)))
+        moved[name] = Measured(one.value, low, high, one.unit)
     of = sides(study)
     try:
         way = splitting(study.with_quantities(moved))
@@ -276,8 +278,8 @@ class _Law:
 
     def __init__(self, study: Study) -> None:
         names = study.kind.law["quantities"]
-        taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
-        low, high, units = parameter_ends(study.with_quantities(taken))
+        exact = {name: replace(one, low=one.value, high=one.value) for name, one in study.quantities.items() if name not in names}
+        low, high, units = parameter_ends(study.with_quantities({**study.quantities, **exact}))
         self.low, self.high = corner_values(low.model.parameters, low, high, units)
         self.balance = BalanceInUnits(low.model, units, study.law)
 

@@ -62,11 +62,6 @@ class Measured:
         return self.high > self.low
 
     @property
-    def alone(self) -> Measured:
-        """The value without its tolerance."""
-        return Measured(self.value, self.value, self.value, self.unit)
-
-    @property
     def whole(self) -> Measured:
         """Its distribution; a normal one that is not cut off is taken to six standard deviations, beyond which lie 2e-9 of it."""
         low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))

@@ -86,11 +86,11 @@ from .report import Study as Study
 from .results.equilibria import Equilibria as Equilibria
 from .results.equilibria import Stability as Stability
 from .results.files import open as open
-from .results.paths import Jump as Jump
-from .results.paths import LowestEnd as LowestEnd
-from .results.paths import Path as Path
 from .results.points import BifurcationSet as BifurcationSet
 from .results.points import Curve as Curve
+from .results.points import Jump as Jump
+from .results.points import LowestEnd as LowestEnd
+from .results.points import Path as Path
 from .results.points import Points as Points
 from .results.points import StickingStates as StickingStates
 from .statics.equilibria import count as count

@@ -12,7 +12,7 @@ from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, on_circle
 from ..questions import NotInClosedForm
-from ..results.paths import LowestEnd
+from ..results import LowestEnd
 from . import kernel
 from .cusps import proved_cusps
 from .folds import Angles, Point, in_contact, lines_and_sextic, unfolded, with_multiplicity

@@ -1,8 +1,7 @@
 """Results on equilibria, and on the points, curves and paths on which they change: one class each, for every model."""
 
 from .equilibria import Equilibria, Stability, Undecided
-from .paths import Jump, LowestEnd, Path
-from .points import BifurcationSet, Curve, Points
+from .points import BifurcationSet, Curve, Jump, LowestEnd, Path, Points
 from .result import Named, Result, Rows
 
 __all__ = [

@@ -21,7 +21,7 @@ from ..numerics.vectors import norm
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import Remark
-from ..results.points import BifurcationSet, Curve, Points
+from ..results import BifurcationSet, Curve, Points
 from ..statics.precise_balance import on_side
 from ..statics.search import of_ranges
 from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family

@@ -17,7 +17,7 @@ from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, distinct
 from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, ends_around, quiet, scale_of
 from ..questions import Method, question
-from ..results.points import Points
+from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
 from ..statics.precise_balance import TOLERANCE, clusters, on_its_side, refined

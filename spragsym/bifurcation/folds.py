@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..models.parameters import ParameterSet, Ranges
 from ..questions import Method, question
-from ..results.points import Points
+from ..results import Points
 
 
 @question

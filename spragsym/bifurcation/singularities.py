@@ -47,7 +47,7 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import exact_ends, third_derivative
-from ..results.equilibria import Stability
+from ..results import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.balance import NOTHING, Balance, PreciseBalance
 from ..statics.equilibria import equilibria

@@ -18,7 +18,7 @@ from ..models.model import Model, options_of
 from ..models.parameters import FloatArray, ParameterSet, Range, as_number
 from ..models.quantities import Quantities, quantities
 from ..remarks import Remark
-from ..results.equilibria import Stability
+from ..results import Stability
 
 if TYPE_CHECKING:
     from ..report import Study

@@ -18,7 +18,7 @@ from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, as_numbers, set_of
 from ..numerics.interval_arrays import BoolArray, FloatArray, quiet
 from ..questions import Method, model_of, question
-from ..results.result import Named
+from ..results import Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.forces import filled

@@ -13,7 +13,7 @@ from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..questions import Method, model_of, question
-from ..results.result import Result
+from ..results import Result
 from .certificates import SAFE, Boxes
 from .design_space import Border, Design, Space, nearest, space
 from .jumps import jump_value

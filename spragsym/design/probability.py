@@ -22,7 +22,7 @@ from ..motion.sweeps.workers import Workers
 from ..numerics.interval_arrays import FloatArray
 from ..progress import advance
 from ..questions import WAYS, Method, model_of
-from ..results.result import Result
+from ..results import Result
 from .jumps import have_jumped
 from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums
 from .tube_certificates import Pieces, Splitting

@@ -42,7 +42,7 @@ from ..numerics.polynomials import (
     real_roots,
 )
 from ..questions import NotInClosedForm
-from ..results.points import BifurcationSet, Curve, Points
+from ..results import BifurcationSet, Curve, Points
 from . import kernel
 from .cusps import cusps
 from .folds import folds

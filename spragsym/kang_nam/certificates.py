@@ -23,7 +23,7 @@ from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, quiet
 from ..questions import NotInClosedForm
-from ..results.equilibria import Stability
+from ..results import Stability
 from . import kernel
 from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction
 from .quartic.solver import count, equilibria

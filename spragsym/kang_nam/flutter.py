@@ -29,7 +29,7 @@ from ..numerics.balls import Interval, Undecided, atan2, decided, sign, with_eno
 from ..numerics.interval_arrays import IntArray, quiet
 from ..numerics.polynomials import RootOf, eigenvalues, in_t, on_circle, real_roots, roots_on_the_line
 from ..questions import NotInClosedForm, of_article
-from ..results.result import Result
+from ..results import Result
 from . import kernel
 from .bifurcation_sets import Condition, curves
 from .folds import Point, listed

@@ -29,7 +29,7 @@ POINTS = 200
 
 def aloft(constants: tuple[float, ...], state: FloatArray) -> bool:
     """Whether a state is in a well of the energy above the belt that it can't leave."""
-    from ..results.equilibria import Stability
+    from ..results import Stability
     from .quartic.solver import equilibria
 
     if not state[1] > 0:

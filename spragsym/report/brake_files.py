@@ -28,7 +28,7 @@ from ..models import Model
 from ..models.load import USUAL, shipped
 from ..models.parameters import FINITE, FloatArray, Range, Ranges, Span
 from ..models.quantities import Quantities, factor, quantities
-from ..results.result import Result
+from ..results import Result
 from .study import PLAIN_UNITS, Rise, Study, rise_of, spanned
 from .units import ENDS, EXAMPLES, WITHIN, Measured, Numbers, read, remedy
 

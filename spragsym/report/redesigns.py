@@ -18,7 +18,7 @@ from ..errors import SpragsymError
 from ..models.parameters import Range, Span
 from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
-from ..results.result import Result
+from ..results import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
 from .units import Numbers

@@ -6,7 +6,7 @@ from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.interval_arrays import Int8Array
 from ..questions import Method, question
-from ..results.equilibria import Equilibria
+from ..results import Equilibria
 
 
 @question

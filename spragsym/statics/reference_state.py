@@ -14,7 +14,7 @@ from ..models.field import undecorated
 from ..models.parameters import ParameterSet
 from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, quiet, scale_of, stacked
 from ..numerics.jets import gradient, variables
-from ..results.equilibria import Equilibria, Stability
+from ..results import Equilibria, Stability
 from .equilibria import equilibria
 from .namespaces import XP
 

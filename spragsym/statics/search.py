@@ -17,7 +17,7 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArra
 from ..numerics.vectors import apart
 from ..questions import question
 from ..remarks import At, Remark
-from ..results.equilibria import Equilibria, Undecided
+from ..results import Equilibria, Undecided
 from . import stability
 from .balance import NOTHING, Balance
 from .forces import as_intervals

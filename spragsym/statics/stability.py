@@ -31,7 +31,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.precise_roots import as_balls, narrowed
-from ..results.equilibria import Equilibria, Stability
+from ..results import Equilibria, Stability
 from .balance import NOTHING, Balance, PreciseBalance
 from .forces import State, as_intervals, filled
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import Int8Array, IntArray
-from ..results.equilibria import Equilibria
+from ..results import Equilibria
 
 if TYPE_CHECKING:
     from .stability import Linearized

@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Literal, ParamSpec, TypeAlias, TypeVar
 
 from .errors import ModelError, ParameterTypeError, one_of
-from .models.model import Model
+from .models import Model
 from .models.parameters import Parameters, ParameterSet
 
 P = ParamSpec("P")

@@ -21,8 +21,8 @@ from typing import Any
 
 import numpy as np
 
+from ..models import Model
 from ..models.field import undecorated
-from ..models.model import Model
 from ..numerics import balls
 from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
 from ..numerics.balls import XP, Ball, Undecided, ball

@@ -13,8 +13,8 @@ import numpy as np
 
 from ..display import Table
 from ..errors import ParameterError, one_of
+from ..models import Model
 from ..models.load import USUAL, load
-from ..models.model import Model
 from ..models.parameters import Parameters, Range, as_count, as_number
 from ..models.quantities import PhysicalParameters, Quantities, quantities
 from ..motion.sweeps import workers as processes

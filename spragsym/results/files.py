@@ -23,9 +23,9 @@ from .._version import __version__
 from ..errors import ParameterError
 from ..files.storage import put
 from ..files.text import text_of
+from ..models import Model
 from ..models.field import Field
 from ..models.load import load, shipped
-from ..models.model import Model
 from ..models.parameters import ParameterSet, set_of
 from .result import Result
 

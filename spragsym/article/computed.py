@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from .. import precise
-from ..assumed import MU0_RANGE, D, V
+from ..assumed import MU0_RANGE, ON_CYCLE, D, V
 from ..bifurcation.bifurcation_sets import bifurcation_set
 from ..bifurcation.critical import critical_friction, critical_value, cusp_friction
 from ..bifurcation.flutter import flutter_onsets
@@ -40,8 +40,6 @@ FAR_BELOW, WITH_OTHERS = (10.0, 20.0, 30.0, 40.0), 30.0
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
 #: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: of our belt, and of each of these.
 FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
-#: A state on the oscillation at 42°.
-ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
 #: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a state, on cycles under it.
 OF_STATICS = (10.0, 30.0, 49.0, 90.0, 160.0)

@@ -17,7 +17,7 @@ from matplotlib.patches import Patch
 
 import spragsym as ss
 
-from ..assumed import D, V
+from ..assumed import ON_CYCLE, D, V
 from ..errors import ConvergenceError, ParameterError
 from ..files.text import shipped_text
 from ..models.parameters import FloatArray, Parameters
@@ -58,9 +58,6 @@ from .style import (
 
 if TYPE_CHECKING:
     from ..orbits.diagram import Diagram, Label
-
-#: A state on the cycle of period 34 at 42 degrees.
-ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
 #: Of branches, in the order in which they were found; doubled ones have the colour of those that they come from.
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)

@@ -342,16 +342,19 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
 
 
 def _regular(at: State, spring: int) -> BoolArray:
-    """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is: most that fail do so along an axis."""
+    """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is.
+
+    Most of those in which it may be 0 show it in a direction along an axis already, a fourth of a turn apart.
+    """
     out = np.ones(at.shape, dtype=np.bool_)
-    for arcs in (ARCS[::8], ARCS)[out.size < FEW :]:
+    for arcs in (ARCS,) if out.size < FEW else (ARCS[::8], ARCS):
         rows = np.flatnonzero(out)
         out[rows] = _regular_along(at.some(rows), spring, arcs)
     return out
 
 
 def _regular_along(at: State, spring: int, numbers: IntArray) -> BoolArray:
-    """The same of directions on some of the arcs."""
+    """Boxes in which det K is not 0 for directions of the spring on these arcs."""
     count, place = at.shape[0], 3 * spring
     every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
     arc, known = Intervals.between(ARC * turns, ARC * (turns + 1)), stacked(at.directions[place : place + 2], (count,))

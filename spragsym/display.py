@@ -43,9 +43,9 @@ class Shown:
 
     @property
     def table_model(self) -> Any:
-        """The model that says which columns are angles; None where a result does not know it."""
-        given = getattr(self, "model", None)
-        return getattr(getattr(self, "parameters", None), "model", None) if given is None else given
+        """The model that says which columns are angles, its own or that of a part; None where a result does not know it."""
+        parts = (getattr(self, name, None) for name in ("parameters", "sweep"))
+        return next((known for each in (self, *parts) if (known := getattr(each, "model", None)) is not None), None)
 
     def table_values(self) -> dict[str, Any]:
         """What stands in the table, by name."""

@@ -22,6 +22,9 @@ from .problem import Event, Problem
 from .regimes import Outcome, Regime
 from .return_map import Onward, on_cycle
 
+#: Events of the contact.
+CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED]
+
 #: Fewest maxima of x in a window from which a decay is read.
 FEW = 8
 
@@ -51,7 +54,7 @@ def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
     :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
     problem = onward.problem
-    apart = not course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any()
+    apart = not course.events[CONTACT].any()
     if apart and problem.field.aloft and problem.field.aloft(problem.constants, course.last):
         found = Outcome(Regime.LIFT_OFF)
     else:
@@ -63,7 +66,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = abs(course.last[0] - course.first[0]) <= 4 * tol and course.reach[1] - course.reach[0] <= 4 * tol
     # On a belt that stands still the law of friction is smooth where x' changes its sign.
-    kinks = bool((course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]).any())
+    kinks = bool((course.events if problem.belt > 0 else course.events[CONTACT]).any())
     decaying = len(course.maxima) >= FEW and not kinks
     if not (still or decaying):
         return None

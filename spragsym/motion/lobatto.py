@@ -105,6 +105,10 @@ class PiecewisePolynomial:
                 break
         return root
 
+    def zeros(self) -> FloatArray:
+        """Times where the first component passes 0, first those at which it ceases to be negative."""
+        return np.concatenate([self.passages(0, sign) for sign in (1, -1)])
+
     def weights(self) -> FloatArray:
         """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
         weights = np.zeros_like(self.t)

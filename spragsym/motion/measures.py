@@ -61,7 +61,7 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
     extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
     late = highest[-KEPT:]
     turning = PiecewisePolynomial(t, np.sin(states[:1] / 2))
-    passed = np.sort(np.concatenate([turning.passages(0, sign) for sign in (1, -1) if 0 in around] or [late[:0]]))[-KEPT:]
+    passed = np.sort(turning.zeros() if 0 in around else late[:0])[-KEPT:]
     return Course(
         float(t[0]), float(t[-1]), states[:, 0], states[:, -1], late, maxima[-KEPT:],
         np.array([shift, shift**2, *states[1:n]]) @ samples.weights(), minima[-KEPT:], events,

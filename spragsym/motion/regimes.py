@@ -121,11 +121,9 @@ def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
         return False
     if one.limit == Regime.EQUILIBRIUM:
         return magnitude(apart(one.rest, other.rest, around)) < SAME * (1 + magnitude(one.rest))
-    return one.limit != Regime.LIMIT_CYCLE or same_orbit(one, other, around)
-
-
-def same_orbit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
-    """Whether two cycles are one: period, averages, and the one state that stands for each, all found by Newton's method."""
+    if one.limit != Regime.LIMIT_CYCLE:
+        return True
+    # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's method.
     reach = max(abs(one.cycle[0] - one.cycle_mean), abs(other.cycle[0] - other.cycle_mean))
     if np.isnan(one.cycle_mean) != np.isnan(other.cycle_mean):
         return False

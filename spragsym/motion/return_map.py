@@ -26,7 +26,7 @@ from .integrators import Flow
 from .measures import Course
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import CLOSED, Guess, Loop, once_round, rate, solved, through
+from .shooting import CLOSED, Guess, Loop, once_round, solved, through
 from .solution import Fly, Passage, Turn
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
@@ -112,7 +112,7 @@ class Onward:
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
         place = loop.state
-        flow = rate(self.field, place, loop.constants)
+        flow = loop.rate(place)
         if flow[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
         back = np.eye(place.size)

@@ -33,6 +33,9 @@ MOST_STRETCHES, SPLIT = 64, 32
 #: Stretches begin no nearer to a jump of the field than this share of the longest time between jumps, each in its stretch.
 CLEAR = 0.1
 
+#: Where the first coordinate changes faster, it is not largest.
+MOVES = 1e-8
+
 #: States this close are one, whatever their errors.
 ONE = 1e-10
 
@@ -112,6 +115,10 @@ class Loop:
         """Values of the parameters."""
         return self.guess.values
 
+    def rate(self, state: FloatArray) -> FloatArray:
+        """The derivative of a state in time."""
+        return rate(self.field, state, self.constants)
+
     def bound(self) -> Loop:
         """The loop with all parameters given, none free."""
         return replace(self, guess=replace(self.guess, free=()))
@@ -148,7 +155,7 @@ class Loop:
     @cached_property
     def multipliers(self) -> Multipliers:
         """Its Floquet multipliers."""
-        flows = [rate(self.field, state, self.constants) for state in self.states]
+        flows = [self.rate(state) for state in self.states]
         return multipliers_of([each.by_state for each in self.passages], flows)
 
     def slopes(self, *rows: FloatArray) -> FloatArray:
@@ -159,7 +166,7 @@ class Loop:
             own, after = slice(i * m, (i + 1) * m), (i + 1) % k
             matrix[own, i * m : (i + 1) * m] += each.by_state
             matrix[own, after * m : (after + 1) * m] -= np.eye(m)
-            matrix[own, k * m] = rate(self.field, each.state, self.constants) / k
+            matrix[own, k * m] = self.rate(each.state) / k
             matrix[own, k * m + 1 :] = each.by_parameters[:, :parameters]
         return np.vstack([matrix, *rows])
 
@@ -171,7 +178,7 @@ class Loop:
         """Turns at which the first coordinate is largest, the start first: where it is one it may be counted at neither end."""
         found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
         start, n = self.state, len(self.field.coordinates)
-        if found and abs(start[n]) < ONE and rate(self.field, start, self.constants)[n] < 0:
+        if found and abs(start[n]) < ONE and self.rate(start)[n] < 0:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
 
@@ -284,15 +291,15 @@ def through(place: FloatArray, normal: FloatArray, guess: Guess) -> Conditions:
 def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
     """The plane across the flow at the first state of a loop, through that or another place."""
     first = loop.state
-    normal = rate(loop.field, first, loop.constants)
+    normal = loop.rate(first)
     place = first if place is None else place
     return through(place, normal / norm(normal), loop.guess)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
-    """The phase of a guess at an orbit: where the first coordinate is largest, or as it is where that only turns around."""
+    """The phase of a guess at an orbit: where the first coordinate is largest, if it begins there, or as it is."""
     m = loop.field.size
-    if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
+    if abs(guess.states[0, m // 2]) > MOVES:
         return across(replace(loop, guess=guess))
     return through(np.zeros(m), np.eye(m)[m // 2], guess)
 
@@ -354,9 +361,8 @@ def once_round(loop: Loop) -> Loop:
             continue  # rounds have a turn each at least: this is the same one, at the end of a stretch and where the next begins
         share = period / (other.t - first.t)
         off = np.abs(apart(other.state, first.state, loop.field.around))
-        if (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
-            if off.max() > max(ONE, 10 * error_of(loop)):
-                continue
+        alike = (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1
+        if alike and off.max() <= max(ONE, 10 * error_of(loop)):
             guess = Guess(first.state[None], period / round(share), loop.values)
             with suppress(ConvergenceError):
                 return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)

@@ -370,8 +370,7 @@ class Trajectory(Named):
     def _turns(self, row: int) -> FloatArray:
         """Times of all local extrema: of a rate, where its own rate passes 0."""
         n = len(self.components) // 2
-        speed = PiecewisePolynomial(self.t, (self.state[row + n] if row < n else self.samples.slopes(row))[None])
-        return np.concatenate([speed.passages(0, sign) for sign in (1, -1)])
+        return PiecewisePolynomial(self.t, (self.state[row + n] if row < n else self.samples.slopes(row))[None]).zeros()
 
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]

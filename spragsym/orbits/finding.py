@@ -14,7 +14,7 @@ from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
 from ..models.field import FLOATS, Field, Values
 from ..models.model import Model
-from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion import Trajectory
 from ..motion.integrators import Flow
 from ..motion.regimes import Regime
@@ -192,10 +192,10 @@ def _rests(loop: Loop) -> bool:
 
 
 def _state(field: Field, near: Any) -> FloatArray:
-    state = np.zeros(field.size) if near is None else np.asarray(near, dtype=object)
+    state = np.zeros(field.size) if near is None else as_numbers("near", near)
     if state.shape != (field.size,):
         raise ParameterError(f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle")
-    return np.array([as_number("near", value) for value in state.tolist()])
+    return state
 
 
 def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
@@ -231,10 +231,7 @@ def returns(turns: Sequence[Turn], around: tuple[int, ...], row: int | None = No
 def _from_guess(flow: Flow, guess: Guess) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
     loop = split(flow, guess)
-    turns = [turn.state for turn in loop.turns()]
-    # A guess that begins at a turn may count it at neither end.
-    reach = 0.5 * float(np.ptp([loop.state, *turns], axis=0).max()) if turns else np.inf
-    return solved(flow, loop.guess, across(loop), reach=reach)
+    return solved(flow, loop.guess, across(loop), reach=0.5 * extent(loop) if loop.turns() else np.inf)
 
 
 def stands_still(system: System, state: FloatArray) -> str:
@@ -269,12 +266,9 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is corrected by Newton's method on the closed orbit, its period and the parameter.
     Without an amplitude it is a tenth of that at which the motion would come to a border of the field.
     """
-    if not isinstance(index, int | np.integer) or isinstance(index, bool):
-        raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
-    if not 0 <= index < len(onsets):
-        remedy = f"give a number from 0 to {len(onsets) - 1}" if len(onsets) else "search where there is one to begin from"
-        raise ParameterError(f"index = {index}: there are {len(onsets)} onsets; {remedy}")
-    row, model, vary = int(index), onsets.parameters.model, onsets.vary[0]
+    if not len(onsets):
+        raise ParameterError("there are no onsets; search where there is one to begin from")
+    row, model, vary = as_count("index", index, 0, len(onsets) - 1), onsets.parameters.model, onsets.vary[0]
     form = onsets.normal_forms[row]
     if isinstance(form, str):
         raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")

@@ -20,6 +20,7 @@ from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
     Guess,
     Loop,
+    clear,
     difference,
     error_of,
     finer,
@@ -51,6 +52,9 @@ UNRESOLVED = 1e-4
 #: samples as this share of its extent.
 ALIKE, ON = 1e-6, 0.05
 
+#: How far from a jump of the field it is looked how far from all of them an orbit may begin, in stretches.
+ASIDE = 0.3
+
 #: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
 
@@ -66,7 +70,8 @@ class Cycle(Result):
     period : float
         The least one.
     state : ndarray, shape (m,)
-        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if it only turns around.
+        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if it only turns around, or
+        where dry friction turns around just then, as on a belt that stands still.
     multipliers : ndarray of complex, shape (m,)
         Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding; then by size.
     multiplier_errors : ndarray, shape (m − 1,)
@@ -132,10 +137,8 @@ class Cycle(Result):
     def phases(self) -> Phases:
         """The modes that one period passes through."""
         t = np.array([0.0, *self.events.t, self.period])
-        modes = [
-            self.field.initial_mode(self.samples(np.array([middle]))[:, 0].tolist(), self.loop.constants)[:2]
-            for middle in ((t[1:] + t[:-1]) / 2).tolist()
-        ]
+        middles = self.samples((t[1:] + t[:-1]) / 2).T.tolist()
+        modes = [self.field.initial_mode(state, self.loop.constants)[:2] for state in middles]
         return Phases(t[:-1], np.diff(t), *np.array(modes, dtype=np.int8).T)
 
     @property
@@ -192,7 +195,12 @@ class Cycle(Result):
 
 def cycle_of(loop: Loop) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
-    loop = refined(once_round(loop.bound()))
+    loop = once_round(loop.bound())
+    loop = refined(loop, _top(loop))
+    if loop.field.holding and not abs(loop.multipliers.trivial - 1) < UNRESOLVED:
+        # It may begin as it passes a jump of the field, which derivatives then lack.
+        aside = looped(loop.flow, recut(loop, len(loop.states), ASIDE * loop.guess.stretch))
+        loop = refined(aside, clear(aside))
     found = loop.multipliers
     lost = abs(found.trivial - 1)
     if not lost < UNRESOLVED:
@@ -279,9 +287,9 @@ def range_of(loop: Loop) -> tuple[float, float]:
     return min(values), max(values)
 
 
-def refined(loop: Loop) -> Loop:
-    """The orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
-    cut: Guess | None = recut(loop, len(loop.states), _top(loop))
+def refined(loop: Loop, begin: float) -> Loop:
+    """The orbit from a time on, in as many stretches as its growth asks for."""
+    cut: Guess | None = recut(loop, len(loop.states), begin)
     while cut:
         try:
             found = solved(loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
@@ -302,18 +310,8 @@ def _top(loop: Loop) -> float:
 
 
 def _range(samples: PiecewisePolynomial, force: Any, constants: Values) -> tuple[float, float]:
-    """Least and largest value: the extreme sample, refined between its neighbours."""
-    from scipy.optimize import minimize_scalar
-
+    """Least and largest value, at a sample or where the values turn between two."""
     values = force(samples.states, constants)
-
-    def least(sign: float) -> float:
-        best = int(np.argmin(sign * values))
-        low, high = samples.t[max(best - 1, 0)], samples.t[min(best + 1, len(values) - 1)]
-        found = minimize_scalar(
-            lambda t: sign * float(force(samples(np.array([t])), constants)[0]), bounds=(low, high), method="bounded",
-            options={"xatol": 1e-9},
-        )  # fmt: skip
-        return min(float(found.fun), float(sign * values[best]))
-
-    return least(1.0), -least(-1.0)
+    rates = PiecewisePolynomial(samples.t, PiecewisePolynomial(samples.t, values[None]).slopes(0)[None])
+    values = np.append(values, force(samples(rates.zeros()), constants))
+    return float(values.min()), float(values.max())

@@ -14,7 +14,6 @@ import numpy as np
 from ..display import Table
 from ..errors import ConvergenceError, MissingExtraError, require_kind
 from ..models.parameters import as_count
-from ..motion.shooting import rate
 from ..numerics.balls import as_mpf
 from ..numerics.decimals import Decimal, around, float_above
 from ..results.result import Result
@@ -156,9 +155,8 @@ def _unproved(cycle: Cycle, reason: str) -> CycleProof:
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
     """What is to be proved, as JSON holds it."""
     m, n = cycle.field.size, len(cycle.field.coordinates)
-    moved = [i for i in range(m) if i != n]
-    flow = rate(cycle.field, cycle.state, cycle.loop.constants)
-    slopes = np.column_stack([(cycle.loop.monodromy - np.eye(m))[:, moved], flow])
+    flow = cycle.loop.rate(cycle.state)
+    slopes = np.column_stack([np.delete(cycle.loop.monodromy - np.eye(m), n, axis=1), flow])
     return {
         "field": cycle.field.where, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
         "digits": digits, "slopes": slopes.tolist(),

@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import CLOSED, Guess, Loop, extent, rate, solved
+from ..motion.shooting import CLOSED, Guess, Loop, extent, solved
 from ..numerics.vectors import magnitude, norm
 from .arclength import SURE, Point, Setting, at_zero, corrected, directions, fixed, point_of, turning
 from .events import MERGES
@@ -29,7 +29,7 @@ NEAREST, ONE = 1e-3, 1e-9
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     """The cycle of :meth:`CycleBranch.switch`."""
     cycle = event.cycle
-    if not any(event is each for each in branch.events):
+    if event not in branch.events:
         raise ParameterError(f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events")
     step = as_number("step", step, POSITIVE)
     if not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
@@ -79,8 +79,7 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     """The first cycle of the branch behind a fold that is a step off, or the last one."""
-    (place,) = (place for each, place in zip(branch.events, branch.places, strict=True) if each is event)
-    for i in range(place, len(branch.cycles)):
+    for i in range(branch.places[branch.events.index(event)], len(branch.cycles)):
         found: Cycle = branch.cycles[i]
         if magnitude(found.state - event.cycle.state) >= step:
             break
@@ -91,7 +90,7 @@ def parted(point: Point) -> FloatArray:
     """How far apart the two halves of a round are: states less those half a round before, across the flow, over √their number."""
     states, half = point.loop.states, len(point.loop.states) // 2
     apart = states[half:] - states[:half]
-    flows = np.array([rate(point.loop.field, state, point.loop.constants) for state in states[:half]])
+    flows = np.array([point.loop.rate(state) for state in states[:half]])
     along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
     return (apart - along[:, None] * flows).ravel() / np.sqrt(half)
 

@@ -8,6 +8,7 @@ import pytest
 
 import spragsym as ss
 from tests.oracles import dry_friction
+from tests.oracles.user_pages import model_of
 
 #: M. di Bernardo, P. Kowalczyk, A. Nordmark 2003: the push, and friction that falls with the speed.
 FALLING = {"P": 0.1, "mu0": 1.5, "fall": 1.0, "V": 1.0, "w": 1.7095}
@@ -32,6 +33,10 @@ BRANCHES: dict[str, Any] = {
     "still": ("forced", {"w": 0.19, "V": 0.0}, "w", (0.19, 0.22), [("adding-sliding", ADDS, 2)] * 2),
     "stops": ("forced", {"w": 1.5, "V": 0.0, "mu0": 0.6}, "mu0", (0.58, 0.7), [("crossing-sliding", STOPS, 2)] * 2),
 }  # fmt: skip
+
+#: The forced mass with its own place first: cycles begin where x is largest.
+ROTOR = 'phi = page.coordinate("phi", "rad", "angle of the rotor")\n'
+PUSHED = dry_friction.FORCED.replace(ROTOR, "").replace("\npage.kinetic", f"\n{ROTOR}page.kinetic", 1)
 
 #: How often a cycle sticks and overtakes more on one side of each than on the other, and what the phase is that is short there.
 NAMES = {
@@ -82,3 +87,17 @@ def test_sliding_bifurcations_are_where_and_what_their_names_say(branch: str, lo
             more.subtract(fewer)
             assert more == Counter({"STICK": sticks * times, "SLIP": sticks * times, "OVERTAKES": overtakes * times}), event.value
             assert short in (begins, None), event.value
+
+
+@pytest.mark.parametrize(("w", "mu0"), [(1.3, 0.4), (1.5, 0.6)])
+def test_a_cycle_is_found_where_friction_turns_around_as_x_is_largest(w: float, mu0: float) -> None:
+    """On a belt that stands: amplitude by J. P. Den Hartog 1931, multipliers of the same cycle begun elsewhere."""
+    pytest.importorskip("heyoka")
+    values = {"w": w, "mu0": mu0, "V": 0.0}
+    p, rotor = model_of(PUSHED, "pushed").Parameters(**values), dry_friction.model("forced").Parameters(**values)
+    turned = math.sin(math.pi / w) / (w * (1 + math.cos(math.pi / w)))
+    other = ss.cycle(rotor, near=ss.simulate(rotor, start=(0.0, 1.5, w, 0.9), t_end=300.0))
+    for near in ((1.5, 0.0, 0.9, w), ss.simulate(p, start=(1.5, 0.0, 0.9, w), t_end=300.0)):
+        found = ss.cycle(p, near=near)
+        assert found.amplitude == pytest.approx(math.sqrt(1 / (1 - w**2) ** 2 - (mu0 * turned) ** 2), abs=1e-10)
+        assert found.multipliers == pytest.approx(other.multipliers, abs=1e-8)

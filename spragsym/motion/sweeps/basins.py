@@ -42,10 +42,6 @@ class Basin(Named):
     attractors: tuple[tuple[Regime, int, float, float], ...]
     sweep: Sweep
 
-    @property
-    def table_model(self) -> Any:
-        return self.sweep.table_model
-
     def table_values(self) -> dict[str, Any]:
         values = named_fields(self)
         return dict(zip(values.pop("plane"), values.pop("starts"), strict=True)) | values

@@ -43,11 +43,6 @@ class Sensitivity(Result):
     width: float
     sweep: Sweep
 
-    @property
-    def table_model(self) -> Any:
-        """The model of the sweep."""
-        return self.sweep.model
-
 
 def sensitivity(
     p: Parameters, V: ArrayLike | None = None, d: ArrayLike | None = None, *, refine: int = 6, **options: Any

@@ -238,8 +238,8 @@ class Sweep(Named):
         return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        inputs = with_degrees(self.model, self.inputs)
-        return {name: np.broadcast_to(values, self.rms.shape) for name, values in inputs.items()} | self._told()
+        columns = with_degrees(self.model, self.inputs) | self._told()
+        return {name: np.broadcast_to(values, self.rms.shape) for name, values in columns.items()}
 
     def _attributes(self) -> dict[str, Any]:
         settings = {name: getattr(self, name) for name in ("t_end", "transient", "rtol", "backend", "max_steps")}

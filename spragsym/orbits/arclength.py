@@ -36,8 +36,8 @@ SURE, DIFFERENCE = 100.0, 1e-6
 #: Largest angle between a step of a branch and its tangents, as its cosine; a smaller one, at which steps become longer.
 STRAIGHT, STRAIGHTER = 0.97, 0.995
 
-#: Share of the largest singular value below which another one is 0.
-ALONE = 1e-10
+#: Share of the largest singular value below which another one is 0; and how little what does not close may move an orbit.
+ALONE, STAYS = 1e-10, 1e-6
 
 #: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
 FINE = 1e-15
@@ -167,7 +167,7 @@ def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> Fl
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
     sizes, ways = directions(setting, loop)
-    point = Point(setting, loop, ways[-1] / setting.weights(loop), bool(sizes[-1] > ALONE * sizes[0]))
+    point = Point(setting, loop, ways[-1] / setting.weights(loop), bool(sizes[-1] > max(ALONE * sizes[0], loop.missed / STAYS)))
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.turned(-1.0 if ahead < 0 else 1.0)
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
 
@@ -13,14 +13,14 @@ from ..errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, Span, as_count, as_number, as_range
 from ..motion.multipliers import CRITERIA, is_complex_pair
-from ..motion.shooting import Loop, extent, rate, recut
+from ..motion.shooting import Loop, extent, recut
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import Point, Setting, at_zero, between, corrected, cut_anew, placed, point_of, started, steps, turning, within
-from .events import MERGES, SLIDING, Finding, findings, touching, vertical
+from .events import FINEST, MERGES, SCATTER, SLIDING, Finding, arrivals, findings, touching, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
@@ -47,12 +47,19 @@ SHRUNK = 0.1
 STILL = 2e-3
 
 #: Kinds of event, those first at which stability may change.
-CHANGING = ("fold", "period_doubling", "torus")
-TOLD = (*CHANGING, "grazing", *SLIDING, "homoclinic", "end")
+TOLD = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "end")
 
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
 
 FAMILIES = "there is a whole family of cycles at every value of the parameter from there on"
+
+TOUCHES = "it touches a border there, or a phase of sticking shrinks to nothing, and no cycle was found beyond"
+
+#: Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
+SPACED = 0.7
+
+#: How near to such an end the last point is, in shares of the range.
+NEAR = 1e-4
 
 #: Spans of a parameter whose range is not given: of its value, and at least.
 SPAN, NARROWEST = 0.25, 0.02
@@ -151,7 +158,7 @@ class CycleBranch(Result):
         for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
             between = [
                 event for event, before in zip(self.events, self.places, strict=True)
-                if before == place and event.kind in CHANGING
+                if before == place and event.kind in CRITERIA
             ]  # fmt: skip
             if between:
                 yield place, between[0 if self.stable[place - 1] else -1]
@@ -222,7 +229,7 @@ def cycle_branch(
             loops.append(item.loop)
         elif item.kind != "closed":
             loop = item.loop
-            value = loop.values[index] if item.value is None else item.value
+            value = loop.values[index] if np.isnan(item.value) else item.value
             events.append(CycleEvent(item.kind, value, cycle_of(loop), item.error, item.how, vary, item))
             places.append(len(loops))
     columns = [(loop.values[index], loop.period, loop.moments()[1], *range_of(loop)) for loop in loops]
@@ -235,34 +242,31 @@ def cycle_branch(
 
 def _followed(start: Point, to: Span, points: int, longest: float) -> Iterator[Point | Finding]:
     """Points and findings in one direction, an end the last of them."""
-    seen = [start]  # the last points, as long as they are cut alike
+    followed = [start]
 
     def ahead(point: Point, length: float) -> Point:
         with doing("the branch of cycles beside {:.6g}", point.value):
             return within(point, length, to, min(FAR, SHARE * extent(point.loop)))
 
     def look(point: Point, found: Point, length: float) -> list[Point | Finding]:
-        nonlocal seen
-        if seen[-1] is not point:
-            seen = [point]
         arc = between(point, found) if found.value in to else length
-        met = meets(point, found)
-        if met is not None and arc > NEAREST * extent(found.loop):
-            raise ConvergenceError("the halves of the orbit meet on the way")
-        if not (point.alone or found.alone):
-            return [Finding("end", point.loop, abs(point.value - seen[0].value), how=FAMILIES)]
-        merged = None if met is None else halved(point, found, met)
-        if merged is not None:
-            return [Finding("end", *merged, how=MERGES)]
+        if (met := meets(point, found)) is not None:
+            if arc > NEAREST * extent(found.loop):
+                raise ConvergenceError("the halves of the orbit meet on the way")
+            if merged := halved(point, found, met):
+                return [Finding("end", *merged, how=MERGES)]
+        if not found.alone:
+            if length > FINEST and point.alone:
+                raise ConvergenceError("the orbit is one of a whole family")
+            return [*_joins(followed, found)]
         items = list[Point | Finding]()
-        for happened in findings(point, found, arc, seen[-2] if len(seen) > 1 else None):
+        for happened in findings(point, found, arc, followed[-2] if len(followed) > 1 else None):
             if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
-                return [*items, _shrunk(seen)]
-            if happened.kind != "fold" or (point.alone and found.alone):  # at the edge of a family a multiplier is 1 without one
-                items.append(happened)
+                return [*items, _shrunk(followed)]
+            items.append(happened)
         if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
-            return [*items, _shrunk(seen)]
-        seen = [point, found]
+            return [*items, _shrunk(followed)]
+        followed.append(found)
         return [*items, found, *_ends(start, point, found, arc, to)]
 
     try:
@@ -271,21 +275,44 @@ def _followed(start: Point, to: Span, points: int, longest: float) -> Iterator[P
             if isinstance(items[-1], Finding):
                 return
     except ConvergenceError as error:
-        yield _lost(seen[-1], error)
+        yield _lost(followed, error)
         return
-    last = seen[-1]
-    moved = abs(last.value - seen[0].value)
-    yield Finding("end", last.loop, moved, how=f"{points} points were followed")
+    before, last = [start, *followed][-2:]
+    yield Finding("end", last.loop, abs(last.value - before.value), how=f"{points} points were followed")
 
 
-def _shrunk(seen: Sequence[Point]) -> Finding:
+def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str) -> Finding:
+    """The end behind some points of a branch at which a size shrinks to 0.
+
+    The parameter is a smooth function of the size, by parabolas through three points; three that differ least are taken, since
+    next to the end rounding decides.
+    """
+    from scipy.interpolate import KroghInterpolator
+
+    known = [(np.inf, np.nan)]
+    for point in points:
+        if (now := size(point)) < SPACED * known[-1][0]:
+            known.append((now, point.value))
+    ends = [float(KroghInterpolator(*zip(*known[i - 2 : i + 1], strict=True))(0.0)) for i in range(3, len(known))]
+    each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
+    off, value = min(each, default=(abs(points[-1].value), points[-1].value))
+    return Finding("end", points[-1].loop, SCATTER * off + 1e-12, how=how, value=value)
+
+
+def _shrunk(followed: Sequence[Point]) -> Finding:
     """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-    how, last = "it shrinks onto an equilibrium", seen[-1]
-    if len(seen) == 1:
-        return Finding("end", last.loop, abs(last.value), how=how)
-    first, square = (extent(each.loop) ** 2 for each in seen)
-    off = square * (last.value - seen[0].value) / (square - first)
-    return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
+    return _vanishing(followed, lambda point: extent(point.loop) ** 2, "it shrinks onto an equilibrium")
+
+
+def _at_border(followed: Sequence[Point]) -> Finding | None:
+    """The end where an orbit comes to touch a border, or sticks at the limit of the force from the first; None elsewhere."""
+
+    def off(point: Point) -> float:
+        sticking = (touch.level for touch in arrivals(point) if touch.level > 0)
+        return min((*sticking, *(abs(touch.level) for touch in point.touches)), default=np.inf)
+
+    found, last = _vanishing(followed, off, TOUCHES), followed[-1]
+    return None if max(found.error, abs(found.value - last.value)) > NEAR * last.setting.spans[0] else found
 
 
 def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> Iterator[Finding]:
@@ -301,11 +328,27 @@ def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> 
         yield Finding("closed", loop, 0.0)
 
 
-def _lost(point: Point, error: ConvergenceError) -> Finding:
+def _joins(followed: Sequence[Point], found: Point) -> Iterator[Finding]:
+    """The end of a branch at the edge of a family of cycles, one of which is found, and what happens there.
+
+    Where that is no event, a second multiplier comes to 1 with some power of the way, as a rule the second.
+    """
+    came, edge = arrivals(followed[-1]), _at_border(followed)
+    if edge:
+        kind = "crossing-sliding" if len(arrivals(found)) == len(came) else "grazing-sliding"
+        yield replace(edge, kind=kind, how=found.loop.field.borders[came[0].way[0]].name)
+    else:
+        edge = _vanishing(followed, lambda point: float(np.sqrt(np.abs(point.loop.multipliers.others - 1).min())), FAMILIES)
+    yield replace(edge, how=FAMILIES)
+
+
+def _lost(followed: Sequence[Point], error: ConvergenceError) -> Finding:
+    point = followed[-1]
     loop = point.loop
     if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
         return Finding("homoclinic", loop, 1e-6, how=rest)
-    return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}" if point.alone else FAMILIES)
+    lost = Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}" if point.alone else FAMILIES)
+    return _at_border(followed) or lost
 
 
 def _passes(start: Point, point: Point, ahead: Point) -> bool:
@@ -328,7 +371,7 @@ def _rests(loop: Loop) -> str:
     By the size of the field at its turns, or all along one that only turns around.
     """
     states = [turn.state for turn in loop.turns()] or list(loop.samples().states.T)
-    sizes = [norm(rate(loop.field, state, loop.constants)) for state in states]
+    sizes = [norm(loop.rate(state)) for state in states]
     if min(sizes) >= STILL:
         return ""
     names, place = loop.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0

@@ -43,8 +43,8 @@ FLAT = 1e-6
 
 
 #: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a double multiplier is found; and
-#: what is then not told.
-UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, ("fold", "crossing")
+#: what is told then.
+UPRIGHT, DOUBLE, APART_FROM_ONES = 1e-8, 1e-4, CRITERIA[1:]
 
 #: Said of a fold at which the parameter does not turn back.
 CROSSES = "another branch of cycles crosses this one"
@@ -94,12 +94,12 @@ class Finding:
     border: int = -1
     crossed: FloatArray | None = None
     how: str = ""
-    value: float | None = None
+    value: float = math.nan
 
 
 def findings(one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
-    kinds = [kind for kind in KINDS if kind not in OF_ONES] if vertical(one, other, length) else KINDS
+    kinds = APART_FROM_ONES if vertical(one, other, length) else KINDS
 
     def told(kind: str) -> bool:
         return kind == "fold" or not (is_lost(one.loop, kind) or is_lost(other.loop, kind))
@@ -208,9 +208,9 @@ def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Itera
         raise ConvergenceError("the orbit does not come to the border")
 
     passing, staying = sorted((one, other), key=stays)
-    returns, border = len(arrivals(passing)) > len(arrivals(staying)), arrival.way[0]
-    kind, name = "switching-sliding" if returns else "crossing-sliding", one.loop.field.borders[border].name
-    yield from _located(kind, stays, one, other, length, border, name)
+    returns = len(arrivals(passing)) > len(arrivals(staying))
+    kind, name = "switching-sliding" if returns else "crossing-sliding", one.loop.field.borders[arrival.way[0]].name
+    yield from _located(kind, stays, one, other, length, name)
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
@@ -225,7 +225,7 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
 
 
 def _located(
-    kind: str, test: Callable[[Point], float], one: Point, other: Point, length: float, border: int = -1, how: str = ""
+    kind: str, test: Callable[[Point], float], one: Point, other: Point, length: float, how: str = ""
 ) -> Iterator[Finding]:  # fmt: skip
     """Where a test function is zero, by bracketing along the arc."""
     width = abs(one.value - other.value)
@@ -236,7 +236,7 @@ def _located(
             raise ConvergenceError(f"a {kind} was not located") from error
         if kind == "crossing":
             return
-        yield Finding(kind, other.loop, width, border, how=how)
+        yield Finding(kind, other.loop, width, how=how)
         return
     if kind not in ("fold", *SLIDING) and is_lost(point.loop, kind):
         return
@@ -255,7 +255,7 @@ def _located(
     if kind == "crossing":
         yield Finding("fold", point.loop, off, crossed=point.tangent, how=CROSSES)
     else:
-        yield Finding(kind, point.loop, off, border, how=how)
+        yield Finding(kind, point.loop, off, how=how)
 
 
 def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:

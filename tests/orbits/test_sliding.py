@@ -89,6 +89,47 @@ def test_sliding_bifurcations_are_where_and_what_their_names_say(branch: str, lo
             assert short in (begins, None), event.value
 
 
+@pytest.mark.parametrize(("mu_k", "V"), [(0.4, 0.5), (0.59, 2.0)])
+def test_a_branch_that_joins_a_family_ends_where_sticking_does(mu_k: float, V: float) -> None:
+    """The mass sticks for 2 (mu_s - mu_k) / V; at equal coefficients it slides for ever on any circle below x' = V."""
+    pytest.importorskip("heyoka")
+    found = ss.cycle(ss.load("coulomb_stick_slip").Parameters(mu_s=0.6, mu_k=mu_k, V=V), near=(1.0, 1.2 * V))
+    for vary, to, value in (("mu_k", (0.1, 0.7), 0.6), ("mu_s", (0.1, 0.7), mu_k)):
+        events = ss.cycle_branch(found, vary, to).events[:: 1 if vary == "mu_k" else -1]
+        assert [event.kind for event in events] == ["end", "grazing-sliding", "end"]
+        assert events[1].how == "x' = V"
+        assert "whole family" in events[2].how
+        for event in events[1:]:
+            assert abs(event.value - value) <= event.error < 1e-7
+
+
+@pytest.mark.parametrize(("vary", "to", "value"), [("mu0", (0.2, 0.5), 1 / 3), ("P", (0.8, 1.4), 1.2)])
+def test_a_branch_that_joins_a_family_in_resonance_ends_where_sticking_does(
+    vary: str, to: tuple[float, float], value: float
+) -> None:
+    """Den Hartog's limit under w = 1/2, P = 3 mu0: beyond, the free oscillation is in resonance, and cycles are no more alone."""
+    pytest.importorskip("heyoka")
+    p = dry_friction.model("forced").Parameters(w=0.5, V=0.0)
+    branch = ss.cycle_branch(ss.cycle(p, near=ss.simulate(p, start=(0.0, 1.5, 0.5, 0.9), t_end=700.0)), vary, to)
+    end, event = (event for event in branch.events if event.how != "the range ends")
+    if event.kind == "end":
+        end, event = event, end
+    assert (event.kind, event.how) == ("crossing-sliding", "x' = V")
+    assert "whole family" in end.how
+    assert end.value == event.value
+    assert abs(event.value - value) <= event.error == end.error < 1e-8
+
+
+@pytest.mark.parametrize(("w", "value"), [(0.6, 0.1 * 0.64 / 0.6), (2.0, 0.15)])
+def test_a_branch_ends_where_a_touch_makes_it_stick_and_jump(w: float, value: float) -> None:
+    """Kinetic friction is half of the static one: harmonic motion of the speed P w / |1 - w^2| comes to that of the belt."""
+    p = model_of(PUSHED.replace("mu_s * (sgn(v)", "mu_s / 2 * (sgn(v)"), "weaker").Parameters(w=w, V=0.1, P=0.8 * value)
+    found = ss.cycle(p, near=(0.2 + 0.8 * value / (1 - w**2), 0.0, 0.0, w))
+    (event,) = (event for event in ss.cycle_branch(found, "P", (0.5 * value, 1.3 * value)).of("end") if event.value > value / 2)
+    assert "touches a border" in event.how
+    assert abs(event.value - value) <= event.error < 1e-9
+
+
 @pytest.mark.parametrize(("w", "mu0"), [(1.3, 0.4), (1.5, 0.6)])
 def test_a_cycle_is_found_where_friction_turns_around_as_x_is_largest(w: float, mu0: float) -> None:
     """On a belt that stands: amplitude by J. P. Den Hartog 1931, multipliers of the same cycle begun elsewhere."""

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import FLOATS, Field, Values
+from ..models.field import FLOATS, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN, apart, magnitude, norm
 from .integrators import Flow
@@ -114,6 +114,10 @@ class Loop:
     def values(self) -> Values:
         """Values of the parameters."""
         return self.guess.values
+
+    def mode(self, state: FloatArray) -> Mode:
+        """The mode of a state."""
+        return self.field.initial_mode(state.tolist(), self.constants)
 
     def rate(self, state: FloatArray) -> FloatArray:
         """The derivative of a state in time."""

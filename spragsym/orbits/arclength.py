@@ -140,7 +140,7 @@ class Point:
         loop, tangent = self.loop, self.tangent
         size, along, found = loop.field.size, tangent[loop.states.size + 1 :], list[Touch]()
         for turn in loop.turns():
-            mode = loop.field.initial_mode(turn.state.tolist(), loop.constants)
+            mode = loop.mode(turn.state)
             if turn.border >= 0 and loop.field.borders[turn.border].sign(mode):
                 change = turn.by_state @ tangent[:size] + turn.by_parameters @ along
                 way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)

@@ -280,7 +280,7 @@ def _equilibria(p: ParameterSet, vary: str, to: Span) -> Iterator[tuple[Equilibr
                 state = system.equilibrium(places[i, j])
             except ConvergenceError:
                 continue
-            rest = Rest(system.field, system.field.exact(system.field.initial_mode(state.tolist(), system.constants)))
+            rest = Rest(system.field, system.field.exact(system.mode(state)))
             point = rest.started(system, state, model.parameters.index(vary), (to[1] - to[0]) / 2)
             if any(pushed == contact and _passes(line, point) for pushed, line in found):
                 continue

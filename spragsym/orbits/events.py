@@ -184,7 +184,7 @@ def _kind(loop: Loop, touch: Touch) -> str:
     """What it is called that an orbit touches a border, by what is beyond: it slides there in contact, or slides no longer."""
     that = loop.field.borders[touch.way[0]]
     if that.stays:
-        return "grazing-sliding" if loop.field.initial_mode(touch.state.tolist(), loop.constants)[0] else "grazing"
+        return "grazing-sliding" if loop.mode(touch.state)[0] else "grazing"
     return "adding-sliding" if that.crossings[2:] else "grazing"
 
 
@@ -193,8 +193,7 @@ def arrivals(point: Point) -> list[Touch]:
     found, loop = list[Touch](), point.loop
     for crossing in loop.crossings():
         if stays := loop.field.borders[crossing.border].stays:
-            at = crossing.state.tolist(), loop.constants
-            level = stays(*at, loop.field.initial_mode(*at))
+            level = stays(crossing.state.tolist(), loop.constants, loop.mode(crossing.state))
             found.append(Touch((crossing.border, crossing.came), crossing.t / loop.period, crossing.state, level))
     return found
 
@@ -342,7 +341,7 @@ def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Loop:
 
 def touching(border: int, _: Setting, near: Loop, target: FloatArray, level: float = 0.0) -> Conditions:
     """A border has a level, of rate zero, at the first state, in the mode of a target near there."""
-    mode = near.field.initial_mode(target[: near.field.size].tolist(), near.constants)
+    mode = near.mode(target[: near.field.size])
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         both, begin, size = partial(level_and_rate, loop, border, mode), loop.states.size + 1, loop.field.size

@@ -282,9 +282,6 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     if not np.isfinite(flow).all():
         raise ParameterError(f"start = {state.tolist()}: the motion is not defined there; start anywhere else")
 
-    def sticks(state: FloatArray) -> bool:
-        return bool(field.stays(field.initial_mode(state.tolist(), constants)))
-
     def carried(state: FloatArray, frame: FloatArray, span: float) -> tuple[FloatArray, FloatArray, FloatArray, float]:
         """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
         flow = rate(field, state, constants)
@@ -299,7 +296,7 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         sizes = np.abs(np.diag(triangle))
         lost = sizes <= LOST * sizes.max()
         met = (state, *(crossing.state for crossing in passage.crossings))
-        if not lost.any() or (lost.sum() == 1 and any(map(sticks, met))):
+        if not lost.any() or (lost.sum() == 1 and any(field.stays(system.mode(each)) for each in met)):
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
             volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
             return passage.state, turned[:, back], np.log(sizes[back]), volume

@@ -244,7 +244,7 @@ def stands_still(system: System, state: FloatArray) -> str:
         moved = np.ptp(system.motion(state, LOOK).state[: len(names)], axis=1)
     except ConvergenceError:
         return ""
-    held = system.field.stays(system.field.initial_mode(state.tolist(), system.constants))
+    held = system.field.stays(system.mode(state))
     if not moved.any():
         if held:
             return "it comes to rest, and friction holds it there, as on any belt that stands still; give a belt speed above 0"

@@ -137,8 +137,7 @@ class Cycle(Result):
     def phases(self) -> Phases:
         """The modes that one period passes through."""
         t = np.array([0.0, *self.events.t, self.period])
-        middles = self.samples((t[1:] + t[:-1]) / 2).T.tolist()
-        modes = [self.field.initial_mode(state, self.loop.constants)[:2] for state in middles]
+        modes = [self.loop.mode(state)[:2] for state in self.samples((t[1:] + t[:-1]) / 2).T]
         return Phases(t[:-1], np.diff(t), *np.array(modes, dtype=np.int8).T)
 
     @property

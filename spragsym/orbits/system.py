@@ -75,14 +75,17 @@ class System:
         """The motion from a state."""
         return motion_of(self.field, self.values, start, t_end, backend=self.flow.backend, **options)
 
+    def mode(self, state: FloatArray) -> Mode:
+        """The mode of a state."""
+        return self.field.initial_mode(state.tolist(), self.constants)
+
     def equilibrium(self, state: FloatArray) -> FloatArray:
         """The equilibrium that Newton's method finds from a state."""
         return equilibrium_near(self.field, self.constants, state[: len(self.field.coordinates)])
 
     def linearization(self, state: FloatArray) -> FloatArray:
         """The matrix of the motion about an equilibrium, shape (m, m)."""
-        constants, numbers = self.constants, state.tolist()
-        return self.field.matrix(numbers, constants, self.field.initial_mode(numbers, constants))
+        return self.field.matrix(state.tolist(), self.constants, self.mode(state))
 
 
 @dataclass(frozen=True)

@@ -305,7 +305,7 @@ def _made_of(
     else:
         p = model.Parameters(**{name: inputs[name] for name in model.parameters})
         which = rest_index(p, np.array([columns[f"rest_{name}"] for name in model.coordinates]))
-    regime = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
+    regime = np.nan_to_num(regime, nan=Regime.FAILED).astype(np.int8)
     return Sweep(inputs, **settings, measured=columns, regime=regime, equilibrium=which, reason=reason, model=model)
 
 

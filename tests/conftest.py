@@ -37,7 +37,7 @@ LONGEST = (
     "test_documents", "test_explorer_pages", "test_explorer", "test_cycles", "test_packaging", "test_models_statics",
     "test_studies", "test_commands", "test_onset_curves", "test_figures", "test_sweeps", "test_cli", "test_failures",
     "test_digits", "test_exports", "test_criticality", "test_check", "test_theorem", "test_design", "test_dynamics",
-    "test_page_laws", "test_models_certificates", "test_models_state_certificates", "test_machines", "test_c99",
+    "test_page_laws", "test_models_certificates", "test_questions", "test_machines", "test_c99",
     "test_javascript", "test_pages",
 )  # fmt: skip
 

@@ -1,11 +1,13 @@
-"""The lowest end of a followed state, of any model: against the article's closed form, and against states followed one by one."""
+"""Lowest ends of a followed state of any model, against closed forms; and which state at one stop is which at the next."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.branches import Along, _by_tubes, _states
 from spragsym.bifurcation.critical import carried
 from spragsym.bifurcation.paths import first_end
 from spragsym.statics.balance import Balance
@@ -71,3 +73,20 @@ def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> 
     p = ss.Parameters.article(**given)
     assert ss.cusp_friction(p, method="search") == pytest.approx(ss.cusp_friction(p), rel=1e-12)
     assert ss.cusp_friction(p, between={"mu0": (0.0, 0.1)}, method="search") == math.inf
+
+
+@pytest.mark.thorough
+def test_an_angle_after_a_turn_is_the_same_state() -> None:
+    """States are listed within one turn, and a state that is followed may leave it."""
+    rod = ss.load("sprag_rod")
+    stops, nothing = np.array([0.5, 0.6]), np.empty(0)
+    p = rod.Parameters(theta0=0.5)
+    along = Along(Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str), np.empty((1, 0)))
+    eq = ss.equilibria(p.replace(theta0=stops))
+    begin, end = _states(along, eq).values()
+    later = replace(end, q=end.q + 2 * np.pi)
+    known, complete = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later})
+    (pairs,) = known.values()
+    assert complete == set(known)
+    assert pairs == {slot: slot for slot in range(int(eq.count[0]))}
+    assert len(pairs) == 3

@@ -59,11 +59,6 @@ def test_an_angle_goes_on_beyond_half_a_turn(mu_s: float, ends: list[tuple[float
     assert list(zip(np.degrees(found.x_low), np.degrees(found.x_high), strict=True)) == [pytest.approx(end) for end in ends]
 
 
-def test_what_only_touches_the_limit_is_undecided_in_terms_of_the_user() -> None:
-    with pytest.raises(ss.ConvergenceError, match="share of the static coefficient of friction"):
-        ss.sticking_states(model_of(BEARING, "bearing").Parameters(mu_s=1.0, V=0.0))
-
-
 def test_the_slope_of_the_friction_by_the_share() -> None:
     """Of a law that is steeper one way, so that μ is not 0 at half of the limits."""
     law = ("slip=lambda v: mu_k * sgn(v)", "slip=lambda v: mu_k * (sgn(v) + sgn(v) ** 2 / 2)")
@@ -81,8 +76,8 @@ def test_two_sets_of_the_pendulum_whose_tip_sticks() -> None:
     assert found.phi_high == pytest.approx([math.atan(0.3), math.pi + math.atan(0.3)])
 
 
-def test_what_does_not_stand_still_has_none() -> None:
+def test_what_does_not_stand_still_and_what_only_touches_the_limit() -> None:
+    with pytest.raises(ss.ConvergenceError, match="share of the static coefficient of friction"):
+        ss.sticking_states(model_of(BEARING, "bearing").Parameters(mu_s=1.0, V=0.0))
     with pytest.raises(ss.ParameterError, match="the belt moves at V"):
         ss.sticking_states(ss.load("coulomb_stick_slip").Parameters())
-    with pytest.raises(ss.ModelError, match="holds nothing"):
-        ss.sticking_states(ss.Parameters.article(theta0=1.0))

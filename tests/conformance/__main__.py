@@ -6,7 +6,6 @@
 each of them; the exit code is that of the tests.
 """
 
-import inspect
 import os
 import sys
 from itertools import takewhile
@@ -16,14 +15,7 @@ import pytest
 
 import spragsym as ss
 from tests.conformance import models
-
-
-def questions() -> dict[str, bool]:
-    """Public functions that are asked of sets of parameters, and whether other models than the article's can be asked."""
-    asked = {name: getattr(ss, name) for name in ss.__all__ if inspect.isfunction(getattr(ss, name))}
-    first = {name: next(iter(inspect.signature(one).parameters), "") for name, one in asked.items()}
-    of_article = {"surface", "flutter_boundary", "linear_sprag", "linear_critical_friction"}
-    return {name: name not in of_article for name in asked if first[name] in ("p", "low", "distribution")}
+from tests.conformance.test_questions import TABLE, Asked, questions
 
 
 def ways(model: ss.Model, name: str, general: bool) -> tuple[str, ...]:
@@ -34,7 +26,8 @@ def ways(model: ss.Model, name: str, general: bool) -> tuple[str, ...]:
 
 def table(asked: list[ss.Model]) -> list[list[str]]:
     """A row for each question."""
-    rows = ([name, *("+".join(ways(model, name, general)) or "-" for model in asked)] for name, general in questions().items())
+    of_article = TABLE[Asked.article].split()
+    rows = ([name, *("+".join(ways(model, name, name not in of_article)) or "-" for model in asked)] for name in questions())
     return [["", *(model.name for model in asked)], *rows]
 
 

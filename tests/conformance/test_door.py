@@ -2,7 +2,6 @@
 
 import copy
 import functools
-import math
 import pickle
 import subprocess
 import sys
@@ -51,23 +50,6 @@ def test_V_and_d_are_parameters_like_others(shape: tuple[int, ...]) -> None:
     assert p.shape == shape
     assert np.array_equal(ss.equilibria(p).count, np.broadcast_to(ss.equilibria(p.replace(V=0.5, d=10.0)).count, shape))
     assert ss.rms_sweep(p, t_end=1.0).rms.shape == shape
-
-
-# ------------------------------------------------------------------------------------- answers that two worlds gave
-
-
-def test_equilibria_of_two_springs_are_not_those_of_one() -> None:
-    q = ss.load("two_springs").Parameters(theta0=math.radians(40.0), sigma_2=0.3)
-    assert int(ss.count(q)) == int(ss.equilibria(q).count) == 1
-    assert int(ss.count(ss.Parameters(*(getattr(q, name) for name in NAMES)))) == 3
-
-
-@pytest.mark.thorough
-def test_folds_of_a_cubic_contact_are_not_those_of_a_linear_one() -> None:
-    p = a_set("cubic_contact").replace(gamma=3000.0)
-    assert ss.folds(p, "mu0").mu0.round(4).tolist() == [0.5998]
-    assert round(ss.jump_value(p), 4) == 0.5998
-    assert round(ss.quasi_static_path(p, "mu0", [0.0, 1.0]).jumps[0].value, 4) == 0.5998
 
 
 # ----------------------------------------------------------------------------------------------------- one entry

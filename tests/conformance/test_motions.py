@@ -21,28 +21,12 @@ def test_a_motion_of_every_model_has_everything(name: str) -> None:
     assert np.array_equal(getattr(tr, tr.components[-1]), tr.state[-1])
     assert tr.error is not None
     assert tr.error.max() < 1e-4
-    # The energy changes by the powers, and by nothing else.
-    gained = tr.energy()[-1] - tr.energy()[0]
-    assert gained == pytest.approx(tr.integral(tr.power()), abs=1e-4 * max(1.0, np.abs(tr.energy()).max()))
     assert tr.rms() >= 0
     assert tr.spectrum(0.0).frequency.size
     assert tr.outcome().regime in set(ss.Regime)
     again = pickle.loads(pickle.dumps(tr))  # noqa: S301  # written here
     assert np.array_equal(again.state, tr.state)
     assert again.model.name == name
-
-
-@pytest.mark.by_hand(*ALIKE)
-@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
-def test_a_sweep_says_what_the_motion_says(name: str) -> None:
-    p = a_set(name)
-    sweep = ss.rms_sweep(p, t_end=30.0, rtol=1e-8, backend="scipy")
-    tr = ss.simulate(p, t_end=30.0, rtol=1e-8, backend="scipy")
-    found = tr.outcome()
-    assert type(sweep) is ss.Sweep
-    assert sweep.model is p.model
-    assert sweep.rms == pytest.approx(tr.rms(), abs=1e-9)
-    assert (sweep.regime, sweep.equilibrium) == (found.regime, found.equilibrium)
 
 
 def test_a_start_may_be_given_whole_or_by_names() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.conformance.models import ALIKE, MODELS, a_set, load
+from tests.conformance.models import ALIKE, MODELS, a_set
 from tests.support import few
 
 #: What the contract names, and what may be asked besides.
@@ -36,24 +36,6 @@ def test_points_of_every_model_have_everything(name: str, question: str) -> None
     assert len(found.select(found.error < 0)) == 0
     with pytest.raises(AttributeError, match="has no attribute 'nothing'; its columns are"):
         found.nothing  # noqa: B018  # an attribute that is made when asked for
-
-
-@pytest.mark.by_hand(*ALIKE)
-@pytest.mark.parametrize("name", few([name for name in MODELS if "theta0" in load(name).parameters], "kang_nam"))
-def test_what_ends_at_a_fold_is_what_the_states_beside_it_say(name: str) -> None:
-    """Two states fewer beyond it, and where a state goes to there is an equilibrium at the fold's very value."""
-    p = a_set(name)
-    found = ss.folds(p)
-    for row in np.flatnonzero(found.kind == "fold"):
-        value, sign = found.theta0[row], {"up": 1, "down": -1}[found.when[row]]
-        before, beyond = (ss.equilibria(p.replace(theta0=value + side * sign * 1e-4)) for side in (-1, 1))
-        assert before.count - beyond.count == 2
-        near = np.argsort(np.abs(before.x if "x" in found.columns else before.phi)[: int(before.count)])
-        assert near.size
-        assert found.ends[row] in ("lower", "upper", "")
-        if found.ends[row]:
-            here = ss.equilibria(p.replace(theta0=value))
-            assert all(np.nanmin(np.abs(getattr(here, key) - column[row])) < 1e-6 for key, column in found.after.items())
 
 
 @pytest.mark.parametrize("vary", few(["theta0", "mu0", "kappa", "sigma"]))

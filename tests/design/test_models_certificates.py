@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
-from spragsym.design.tube_certificates import ENDS, OPEN, Splitting
+from spragsym.design.tube_certificates import ENDS, OPEN, Splitting, certify
 
 SEARCH = ss.load("kang_nam").search
 BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
@@ -17,29 +17,6 @@ def sets(model: Any, ranges: dict[str, tuple[float, float]]) -> tuple[Any, Any]:
     """Corners of a box."""
     low, high = (model.Parameters(**{name: ends[side] for name, ends in ranges.items()}) for side in (0, 1))
     return low, high
-
-
-def random_boxes(seed: int, number: int) -> list[dict[str, tuple[float, float]]]:
-    """Within tolerances of some percent."""
-    rng, out = np.random.default_rng(seed), []
-    for _ in range(number):
-        middle = {"theta0": rng.uniform(0.4, 1.3), "mu0": rng.uniform(0.1, 1.0), "kappa": 0.007 * 2 ** rng.uniform(-1, 1)}
-        sizes = rng.choice([0.0, 0.03], 3).tolist()
-        out.append(
-            {name: (value * (1 - size), value * (1 + size)) for (name, value), size in zip(middle.items(), sizes, strict=True)}
-        )
-    return out
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("ranges", random_boxes(5, 5))
-def test_nothing_is_proved_that_closed_forms_refute(ranges: Any) -> None:
-    found = ss.certify(*sets(SEARCH, ranges), "no jump", method="search", max_boxes=300)
-    theirs = ss.certify(*sets(ss.load("kang_nam"), ranges), "no jump")
-    assert {found.outcome, theirs.outcome} != {"proved", "refuted"}
-    if found.outcome == "refuted":
-        point = found.counterexample
-        assert ss.jump_value(point, method="closed") < float(point.mu0)
 
 
 def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
@@ -94,3 +71,40 @@ def test_at_a_fold_and_without_friction() -> None:
     assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)  # a point can't be halved
     none = model.Parameters(theta0=1.0, mu0=0.0)
     assert ss.certify(none, none).outcome == "proved"
+
+
+@pytest.mark.thorough
+def test_flutter_begins_where_its_onset_is_proved() -> None:
+    """A box up to the onset is proved but for what is next to it, and one beyond it is refuted."""
+    model = ss.load("mode_coupling")
+    onset = float(np.min(ss.flutter_onsets(model.Parameters(), vary="mu0", damping=False).mu0))
+    below, close, above = (model.Parameters(mu0=onset * (1 + side)) for side in (-0.5, -1e-4, 1e-4))
+    assert ss.certify(below, close, "no flutter").outcome == "proved"
+    assert ss.certify(below, above, "no flutter").outcome == "refuted"
+    found = ss.certify(below, model.Parameters(mu0=onset), "no flutter", max_boxes=100, refute=False)
+    assert found.outcome == "undecided"
+    assert found.boxes <= 100
+    assert found.undecided < 1e-6
+
+
+@pytest.mark.thorough
+def test_where_two_states_meet() -> None:
+    """Next to a fold points are told apart; floats do not decide the point next to it, which can't be halved."""
+    model = ss.load("inclined_belt")
+    folds = ss.folds(model.Parameters(theta0=1.0), vary="mu0")
+    fold = float(folds.mu0[0])
+    at, below, above = (model.Parameters(theta0=1.0, mu0=fold * (1 + side)) for side in (0.0, -1e-6, 1e-6))
+    found = ss.certify(at, at, "one equilibrium", refute=False)
+    assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)
+    counts = [int(ss.equilibria(p).count) for p in (below, above)]
+    for p, count in zip((below, above), counts, strict=True):
+        assert ss.certify(p, p, "one equilibrium").outcome == ("proved" if count == 1 else "refuted")
+    assert abs(counts[0] - counts[1]) == 2 or 0 in counts
+
+
+def test_nothing_rises() -> None:
+    p = ss.load("two_springs").Parameters(theta0=0.5, mu0=0.2)
+    with pytest.raises(ss.ParameterError, match=r"vary = 'mu0': 'no flutter' is about all states"):
+        ss.certify(p, p, "no flutter", vary="mu0")
+    with pytest.raises(ss.ParameterError, match="exchange the two"):
+        certify(p.replace(mu0=0.3), p, "one equilibrium", vary=None)

@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.paths import first_end
 from spragsym.design.jumps import Followed
-from tests.support import few
 
 ARTICLE = ss.load("kang_nam")
 SEARCH = ARTICLE.search
@@ -53,17 +51,6 @@ def test_gradients_are_those_of_closed_forms() -> None:
 def test_where_nothing_jumps_there_is_no_slope() -> None:
     for vary in ("mu_s", "v_s"):  # 0 is no v_s
         assert np.isnan([*ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes.values()]).all()
-
-
-@pytest.mark.by_hand("cubic_contact", "pad_on_disc", "inclined_belt", "hertz_contact")
-@pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "pad_on_disc"]))
-def test_they_are_those_of_states_followed_one_by_one(name: str) -> None:
-    model = ss.load(name)
-    p = model.Parameters(theta0=np.array([0.6, 0.8, 1.0, 1.2]))
-    found = ss.jump_value(p, until=1.0)
-    for theta0, value in zip(p.theta0, found, strict=True):
-        end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, 1.0))
-        assert np.isnan(value) if end is None else abs(value - end.value) <= 1e-9
 
 
 # ------------------------------------------------------------------------------------------- margins and new designs

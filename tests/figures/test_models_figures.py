@@ -1,5 +1,7 @@
 """Figures of models: what is drawn is what was computed, on the axes that were given."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -87,3 +89,16 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
     assert len(rod.axes) == 3 * len(ss.load("sprag_rod").coordinates)
     assert "(deg)" in rod.axes[0].get_ylabel()
     assert rod.axes[1].get_ylabel() == r"$\dot{\phi}$ (deg/s)"
+
+
+def test_undecided_stretches_are_drawn_where_they_are() -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    p = ss.load("stick_slip").Parameters()
+    found = ss.onset_curves(p, ("V", "zeta"), 4, between={"V": (0.1, 1.0), "zeta": (0.0, 0.5)})
+    box = np.array([[[0.0, 0.1], [0.3, 0.4], [0.2, 0.2]]])
+    _, (plain, marked) = pyplot.subplots(1, 2)
+    before = len(figures.draw_onset_curves(replace(found, undecided=box[:0]), plain))
+    line = figures.draw_onset_curves(replace(found, undecided=box, complete=False), marked)[before]
+    assert (line.get_xdata().tolist(), line.get_ydata().tolist()) == ([0.3, 0.4], [0.2, 0.2])
+    assert marked.get_xlim() == (0.1, 1.0)
+    pyplot.close("all")

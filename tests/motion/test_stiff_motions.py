@@ -14,7 +14,7 @@ from spragsym.motion.problem import check_stiffness
 from spragsym.motion.sweeps import rms_sweep
 from spragsym.orbits import finding
 from spragsym.orbits.system import System
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, shipped_page
 from tests.orbits.test_cycles import CIRCLE
 
 BRISTLE = """r'''A mass that drags a light mass over a belt.'''
@@ -88,3 +88,17 @@ def test_sweeps_and_flows_go_over_too(backend: str) -> None:
     system = System.of(p, backend)
     passage = system.flow.plain(motion.state[:, 0], system.constants, 1.0)
     assert passage.state == pytest.approx(motion.state[:, -1], abs=1e-6)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("d", [30.0, 300.0, 5000.0])
+def test_a_steep_force_of_the_place_is_not_passed_unseen(d: float) -> None:
+    page = shipped_page(
+        "stick_slip", ("import Page", "import Page, tanh"), ("page.damper(c, along=x)", "page.force(-F * tanh(x / L), along=x)"),
+        ('c = page.parameter("c", "N s/m", "damper beside the spring", ">= 0", 0.05, becomes="zeta")',
+         'F = page.parameter("F", "N", "force", "> 0", 0.3)\nL = page.parameter("L", "m", "width", "> 0", 0.01)'),
+    )  # fmt: skip
+    p = model_of(page, "steep_force").Parameters(mu_s=0.0, F=0.3, L=1 / d)
+    motion = ss.simulate(p, start=(1.0, 0.0), t_end=20.0)
+    energy = motion.vx**2 / 2 + motion.x**2 / 2 + 0.3 / d * (np.logaddexp(d * motion.x, -d * motion.x) - np.log(2))
+    assert energy == pytest.approx(energy[0], abs=1e-8)

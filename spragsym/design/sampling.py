@@ -104,7 +104,7 @@ class Dependence:
         return tuple(", ".join(self.names[i] for i in group) for group in self.factors)
 
 
-def dependence(names: Sequence[str], correlation: Correlation | None = None) -> Dependence:
+def dependence(names: Sequence[str], correlation: Correlation | None) -> Dependence:
     """How some quantities vary together.
 
     Examples

@@ -161,7 +161,7 @@ class Splitting(Claim):
 
 @question
 def claims(
-    low: ParameterSet, high: ParameterSet, claim: str, *, vary: str | None = None, begin: float | None = None,
+    low: ParameterSet, high: ParameterSet, claim: str, *, vary: str | None, begin: float | None,
     units: Mapping[str, Unit] | None = None, method: Method = "auto",
 ) -> Claim:  # fmt: skip
     """A claim of :func:`certify` about a box of parameters."""

@@ -196,7 +196,7 @@ def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
     return ax
 
 
-def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float = 1.0) -> Table:
+def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float) -> Table:
     """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a sheet thin dashes."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 

@@ -20,7 +20,7 @@ from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results import Result
 from .study import Study
-from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
+from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, samples, values_at, varied
 from .units import Numbers
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
@@ -225,7 +225,7 @@ class _Search:
         undecided = outcome == "undecided"
         if outcome == "refuted" or (undecided and (proof_only or counterexample(new, self.effort.many) is not None)):
             return None
-        share = float(np.nanmean(jumping(new, samples(new, self.effort.shares)))) if undecided else 0.0
+        share = float(np.nanmean(ending(new, values_at(new, samples(new, self.effort.shares))))) if undecided else 0.0
         before = {name: study.values[name] for name in after}
         return Change(before, after, jump, self._distance(after), share if varied(study) else math.nan, outcome)
 

@@ -7,7 +7,6 @@ import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from pathlib import Path
 from typing import Any, TypeVar
 
 from .._version import __version__
@@ -417,7 +416,7 @@ class Report(Result):
         """Write the report as one page with its pictures (extra ``plot``)."""
         import spragsym  # a shorthand for what a user asks the package: no room imports one behind it
 
-        put(Path(path), spragsym.figures.report_page(self))
+        put(path, spragsym.figures.report_page(self))
 
     def as_table(self) -> Table:
         """The rows of its text."""

@@ -99,13 +99,8 @@ def samples(study: Study, number: int) -> FloatArray:
     return study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number)) if names else np.zeros((1, 0))
 
 
-def jumping(study: Study, shares: FloatArray) -> FloatArray:
-    """1 for the brakes that jump, 0 for those that don't, and NaN where that is not known."""
-    return ending(study, values_at(study, shares))
-
-
 def ending(study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False) -> FloatArray:
-    """Whether brakes, by their quantities in SI, jump: up to a target, or up to the own value of each that works."""
+    """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of each; 0 or NaN for others."""
     return have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
 
 
@@ -153,10 +148,10 @@ def certificate(study: Study, *, hasty: bool = False) -> Certificate:
 def counterexample(study: Study, number: int) -> Numbers | None:
     """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some points."""
     for shares in (corners(study), samples(study, number)):
-        found = np.flatnonzero(jumping(study, shares) == 1)
+        values = values_at(study, shares)
+        found = np.flatnonzero(ending(study, values) == 1)
         if found.size:
-            values = values_at(study, shares[found[:1]])
-            return {name: float(values[name][0]) for name in deciding(study)}
+            return {name: float(values[name][found[0]]) for name in deciding(study)}
     return None
 
 

@@ -109,7 +109,7 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
         raise ParameterError(f"{brief}: {error}; write {remedy(si, allowed, example)}") from error
 
 
-def remedy(si: str, allowed: Range = FINITE, example: str = "") -> str:
+def remedy(si: str, allowed: Range, example: str) -> str:
     """What to write: examples that are read and allowed."""
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):

@@ -233,10 +233,11 @@ class Report(Result):
     def folds(self) -> dict[str, Points]:
         """Folds along the loading parameter and along the inclination, where they are known."""
         study, rise = self.study, self.study.rises
-        p = study.at_work
-        axes = dict.fromkeys(vary for vary in (rise.name, "theta0") if vary in p.model.parameters)
-        asked = ((vary, self._known(f"folds along {vary} are", partial(folds, p, vary))) for vary in axes)
-        found = {vary: points for vary, points in asked if points is not None}
+        p, found = study.at_work, dict[str, Points]()
+        for vary in dict.fromkeys((rise.name, "theta0")):
+            asked = partial(folds, p, vary)
+            if vary in p.model.parameters and (known := self._known(f"folds along {vary} are", asked)) is not None:
+                found[vary] = known
         own = found.get(rise.name)
         # Folds at more friction than any brake has do not matter.
         if own is not None and not own.complete and (len(own.undecided) or not study.of_friction or study.top <= FRICTION):

@@ -63,7 +63,7 @@ def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> l
     return [one for one in told if one is not None]
 
 
-def _searched(names: Sequence[str], region: FloatArray) -> dict[str, tuple[float, float]]:
+def _searched(names: Sequence[str], region: FloatArray) -> Ranges:
     return {name: (-float(low), float(high)) for name, low, high in zip(names, *region[:, :, 0], strict=True)}
 
 

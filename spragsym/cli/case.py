@@ -15,7 +15,7 @@ from click.core import ParameterSource
 
 from ..errors import ParameterError, hint
 from ..models.model import Model, options_of
-from ..models.parameters import FloatArray, ParameterSet, Range, as_number
+from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
 from ..remarks import Remark
 from ..results import Stability
@@ -86,7 +86,7 @@ class Case:
             raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
 
     @property
-    def between(self) -> dict[str, tuple[float, float]]:
+    def between(self) -> Ranges:
         """Ranges of what varies, where they were given, the smaller end first."""
         return {span.name: (min(span.ends), max(span.ends)) for span in self.spans if span.ends}
 
@@ -160,7 +160,7 @@ class Case:
         low, high = span.ends
         return replace(found, ends=(low / unit, high / unit))
 
-    def box(self, spans: Sequence[Span]) -> dict[str, tuple[float, float]]:
+    def box(self, spans: Sequence[Span]) -> Ranges:
         """Ranges of coordinates by name."""
         found = {}
         for span in spans:

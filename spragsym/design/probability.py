@@ -15,7 +15,7 @@ from ..display import Table
 from ..errors import ParameterError, one_of
 from ..models import Model
 from ..models.load import USUAL, load
-from ..models.parameters import Parameters, Range, as_count, as_number
+from ..models.parameters import Parameters, Range, Span, as_count, as_number
 from ..models.quantities import PhysicalParameters, Quantities, quantities
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
@@ -324,7 +324,7 @@ def jump_probability(
     return replace(found, proved=bracket(asked, variables, vary, begin, max_boxes))
 
 
-def bracket(model: Model, variables: dict[str, Any], vary: str, begin: float, max_boxes: int) -> tuple[float, float]:
+def bracket(model: Model, variables: dict[str, Any], vary: str, begin: float, max_boxes: int) -> Span:
     """Probability of what is proved to end, and one minus that of what is proved not to."""
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
@@ -334,7 +334,7 @@ def bracket(model: Model, variables: dict[str, Any], vary: str, begin: float, ma
     return measured(Splitting(low, high, vary, begin), {name: law.cdf for name, law in laws.items()}, (up_to, up_to), max_boxes)
 
 
-def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int) -> tuple[float, float]:
+def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int) -> Span:
     """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds of those of what moves."""
 
     def of_free(pieces: Pieces) -> FloatArray:

@@ -20,7 +20,7 @@ import spragsym as ss
 from ..bifurcation.defining_systems import ranges
 from ..errors import ConvergenceError, SpragsymError
 from ..files.text import filled
-from ..models.parameters import ParameterSet
+from ..models.parameters import ParameterSet, Span
 from ..questions import model_of
 from ..report import Report
 from ..report.advice import Rows
@@ -209,7 +209,7 @@ def draw_operating_point(
 
 
 def mark_brake(
-    ax: Axes, p: ParameterSet, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan")
+    ax: Axes, p: ParameterSet, theta0: Span, mu0: Span, jump: float = float("nan")
 ) -> Any:  # fmt: skip
     """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where it jumps, if it does."""
     radians, friction = p.scalars("theta0", "mu0")

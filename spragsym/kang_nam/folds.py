@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import NAMES, RANGES, Parameters, Ranges
+from ..models.parameters import NAMES, RANGES, Parameters, Ranges, Span
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
@@ -89,7 +89,7 @@ def _words(fold: Fold) -> tuple[str, str, str]:
 def listed(
     kind_of: type[PointsT], p: Parameters, vary: tuple[str, ...], kind: NDArray[np.str_], rows: Sequence[tuple[float, ...]],
     between: Ranges | None, *, more: Mapping[str, NDArray[Any]] | None = None,
-    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Sequence[tuple[float, float]] | None = None,
+    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Sequence[Span] | None = None,
 ) -> PointsT:  # fmt: skip
     """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where it is given, ``between``."""
     names = *vary, *STATE

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..generated.models.kang_nam import algebra
 from ..models.field import SETTLED
-from ..models.parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters, Span
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import Equilibria, Points
@@ -106,7 +106,7 @@ def _over(begin: tuple[float, int], end: tuple[float, int], vary: str, turns: Po
     return {left: 0} if before > after else {0: left}
 
 
-def open_ends(_p: Parameters, _vary: str, _span: tuple[float, float], _turns: Points) -> list[Points]:
+def open_ends(_p: Parameters, _vary: str, _span: Span, _turns: Points) -> list[Points]:
     """None: no equilibrium has y = 0 (derive/kang_nam/theorem.py), and one or three are always there."""
     return []
 

@@ -12,7 +12,7 @@ from ..bifurcation.paths import quasi_static_path
 from ..design.jumps import jump_value
 from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
-from ..models.parameters import FloatArray, Ranges
+from ..models.parameters import FloatArray, Ranges, Span
 from ..motion import Regime, simulate
 from ..numerics.interval_arrays import ComplexArray
 from ..orbits import cycle
@@ -102,7 +102,7 @@ class JumpPeak(Named):
     after: Numbers
     ranges: Ranges
     spring_force_N: Any
-    contact_force_N: tuple[float, float] | None
+    contact_force_N: Span | None
     lifts_off: bool
     settles: str
     followed_s: float

@@ -27,7 +27,7 @@ from contextvars import ContextVar
 from enum import IntEnum
 from io import FileIO
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -35,6 +35,9 @@ from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..generated import SOURCE_HASH
 from ..interrupts import held
+
+#: Unit and meaning of columns, by their names.
+Explained: TypeAlias = Mapping[str, tuple[str, str]]
 
 
 def xarray() -> Any:
@@ -50,7 +53,7 @@ def xarray() -> Any:
 
 
 def dataset(
-    data: Mapping[str, Any], coords: Mapping[str, Any], attributes: Mapping[str, Any], explained: Mapping[str, tuple[str, str]],
+    data: Mapping[str, Any], coords: Mapping[str, Any], attributes: Mapping[str, Any], explained: Explained,
     codes: Mapping[str, type[IntEnum]],
 ) -> Any:  # fmt: skip
     """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of ``codes``."""
@@ -99,7 +102,7 @@ def check_target(path: str | os.PathLike[str], bytes_needed: int) -> Path:
 
 def write(
     path: Path, dataset: Callable[[], Any], columns: Mapping[str, Any], attrs: Mapping[str, Any],
-    explained: Mapping[str, tuple[str, str]],
+    explained: Explained,
 ) -> None:  # fmt: skip
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes.
 
@@ -113,7 +116,7 @@ def write(
         put(path, _csv(columns, attrs, explained))
 
 
-def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mapping[str, tuple[str, str]]) -> bytes:
+def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Explained) -> bytes:
     """Names of the columns, then attributes and units in comment lines, then the numbers to the last digit.
 
     The names come first because NumPy takes them from the first line, comment or not.

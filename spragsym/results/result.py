@@ -89,7 +89,7 @@ class Result(Shown):
         return storage.provenance()
 
     @property
-    def _explained(self) -> Mapping[str, tuple[str, str]]:
+    def _explained(self) -> storage.Explained:
         """Unit and meaning of columns: as a rule, of those that the page has."""
         model = self.table_model
         return {

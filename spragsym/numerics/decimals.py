@@ -31,20 +31,20 @@ def exactly(value: Any) -> Fraction:
     return Fraction(*map(int, mpmath.libmp.to_rational(value._mpf_))) if hasattr(value, "_mpf_") else Fraction(value)
 
 
-def enclosing(low: Fraction, high: Fraction, digits: int | None = None) -> Decimal:
-    """All of [low, high] as its middle in decimals and a bound that covers the rounding too.
+def around(value: Any, error: Any, digits: int | None = None) -> Decimal:
+    """A number that is known to ``error``, in decimals, with a bound that covers the rounding too.
 
-    ``digits`` are significant ones; by default as many as the width of the interval leaves: one beyond its first.
+    ``digits`` are significant ones; by default as many as the error leaves: one beyond its first.
 
     Examples
     --------
     >>> from fractions import Fraction
-    >>> enclosing(Fraction(1, 3), Fraction(1, 3) + Fraction(1, 10**6))
-    Decimal(text='0.333333833', error='5.1e-07')
-    >>> str(enclosing(Fraction(2, 3), Fraction(2, 3), digits=4))
+    >>> around(Fraction(1, 3), Fraction(1, 10**6))
+    Decimal(text='0.33333333', error='1.1e-06')
+    >>> str(around(Fraction(2, 3), 0, digits=4))
     '0.6667 ± 3.4e-05'
     """
-    middle, half = (low + high) / 2, (high - low) / 2
+    middle, half = exactly(value), exactly(error)
     if digits is not None:
         places = digits - 1 - _power(middle)
     elif half:
@@ -52,14 +52,7 @@ def enclosing(low: Fraction, high: Fraction, digits: int | None = None) -> Decim
     else:
         places = EXACT_DIGITS - 1 - _power(middle)
     text = _rounded(middle, places)
-    there = Fraction(text)
-    return Decimal(text, upward(max(high - there, there - low)))
-
-
-def around(value: Any, error: Any, digits: int | None = None) -> Decimal:
-    """A number that is known to ``error``, in decimals: see :func:`enclosing`."""
-    middle, half = exactly(value), exactly(error)
-    return enclosing(middle - half, middle + half, digits)
+    return Decimal(text, upward(abs(Fraction(text) - middle) + half))
 
 
 def upward(bound: Any) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import boxes, contractors
-from .boxes import Outcome, System
+from .boxes import System
 from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, raised, scale_of, width_of
 
 #: Steps of interval Newton, of which each doubles the number of digits.
@@ -89,15 +89,11 @@ def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
 
 
 def search(system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any) -> Roots:
-    """The roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`."""
-    return roots(system, boxes.search(system, region, low, high, **how), region, low, high)
-
-
-def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray, high: FloatArray) -> Roots:
-    """The roots of each point, from what a search found.
+    """The roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`.
 
     A root that can't be told from one on the border of the region is among the boxes that are left.
     """
+    outcome = boxes.search(system, region, low, high, **how)
     place, point = outcome.points.below(outcome.unique.nodes)
     open_, left_point = outcome.points.below(outcome.undecided.nodes)
     alone = outcome.unique.ends[:, :, place]

@@ -16,8 +16,7 @@ NONE = np.zeros((0, 1))
 
 def solved(problem, region=None, low=NONE, high=None, budget=boxes.BUDGET):
     region = problem.ends if region is None else region
-    outcome = boxes.search(problem, region, low, low if high is None else high, budget=budget)
-    return certified_roots.roots(problem, outcome, region, low, low if high is None else high)
+    return certified_roots.search(problem, region, low, low if high is None else high, budget=budget)
 
 
 @pytest.mark.parametrize("problem", PROBLEMS, ids=lambda one: one.title)

@@ -259,7 +259,13 @@ def outcome(unique, where, undecided, values, unique_nodes, undecided_nodes):
     return boxes.Outcome(*pairs, points, 0)
 
 
-def test_roots_inside_on_and_outside_of_the_border():
+def refined(monkeypatch, given, wide, values):
+    """The roots of a search over boxes with this outcome."""
+    monkeypatch.setattr(boxes, "search", lambda *_: given)
+    return certified_roots.search(Lines(), np.full((2, 2, 1), wide), values, values)
+
+
+def test_roots_inside_on_and_outside_of_the_border(monkeypatch):
     """Of one point with (x − a)(x − b): one inside, and others about the border."""
     none = np.empty((2, 2, 0))
     for b, counts in ((0.5, (2, 0)), (1.5, (1, 0)), (1.0, (1, 1)), (-1.5, (1, 0)), (-1.0, (1, 1))):
@@ -267,7 +273,7 @@ def test_roots_inside_on_and_outside_of_the_border():
         middle = np.array([[-0.25, b], [-0.125, 0.5 * b]])
         alone = ends_of(middle - 0.05, middle + 0.05)
         given = outcome(alone, ends_of(middle - 0.02, middle + 0.02), none, values, [0, 0], [])
-        found = certified_roots.roots(Lines(), given, np.full((2, 2, 1), 1.0), values, values)
+        found = refined(monkeypatch, given, 1.0, values)
         assert (found.point.size, found.left_point.size) == counts
         assert found.middle[0].tolist() == sorted(found.middle[0].tolist())
         assert found.error.max() < 1e-14
@@ -277,26 +283,26 @@ def test_roots_inside_on_and_outside_of_the_border():
             assert holds(found.left, np.array([b, 0.5 * b])).all()
 
 
-def test_what_was_undecided_is_left_with_its_point():
+def test_what_was_undecided_is_left_with_its_point(monkeypatch):
     values = np.array([[-0.25, 0.25, 0.3], [5.0, 6.0, 7.0], [0.5, 0.5, 0.5]])
     points = tree(values, values)
     middle = np.array([[0.3], [0.15]])
     node = next(node for node in range(points.size.size) if points.below(np.array([node]))[1].tolist() == [2])
     alone, open_one = ends_of(middle - 0.05, middle + 0.05), ends_of([[1.0], [2.0]], [[3.0], [4.0]])
     given = outcome(alone, alone, open_one, values, [node], [0])
-    found = certified_roots.roots(Lines(), given, np.full((2, 2, 1), 4.0), values, values)
+    found = refined(monkeypatch, given, 4.0, values)
     assert found.point.tolist() == [2]
     assert holds(found.ends, np.array([0.3, 0.15])).all()
     assert sorted(found.left_point.tolist()) == [0, 1, 2]
     assert (found.left == open_one).all()
 
 
-def test_a_box_without_its_root_is_told():
+def test_a_box_without_its_root_is_told(monkeypatch):
     """It is undecided: a law may end at the root itself, where refinement loses it."""
     values = np.array([[-0.25], [5.0], [0.5]])
     wrong = ends_of([[1.0], [0.5]], [[1.1], [0.6]])
     given = outcome(wrong, wrong, np.empty((2, 2, 0)), values, [0], [])
-    found = certified_roots.roots(Lines(), given, np.full((2, 2, 1), 4.0), values, values)
+    found = refined(monkeypatch, given, 4.0, values)
     assert (found.point.size, found.left_point.tolist()) == (0, [0])
     assert (found.left[:, :, 0] == wrong[:, :, 0]).all()
 

@@ -21,6 +21,7 @@ from ..models.load import USUAL
 from ..models.parameters import POSITIVE, Range, Ranges, Span, as_number, as_range
 from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share
 from ..progress import doing, show_progress
+from ..statics.balance import NOTHING
 from .units import Measured, Numbers, read, shown_in
 
 if TYPE_CHECKING:
@@ -271,10 +272,17 @@ class Study:
 
     @cached_property
     def friction(self) -> Spread:
-        """The friction that works: least, at the operating point, and largest within the tolerances; by the model's law."""
-        from .tolerances import working_friction
+        """The friction that works: least, at the operating point, and largest within the tolerances, by the law; 0 without friction."""
+        from .tolerances import friction_bounds, friction_depends_on
 
-        return working_friction(self)
+        p = self.dimensionless
+        if not self.slides:
+            return 0.0, 0.0, 0.0
+        here = float(p.model.friction(p, self.law))
+        if not set(friction_depends_on(self)) & set(self.tolerances):
+            return here, here, here
+        low, high = friction_bounds(self)
+        return low, here, high if high > here + NOTHING else here  # bounds of a friction that is 0 are a little above it
 
     def of_statics(self, mu0: float) -> float:
         """The friction that statics takes with a value of μ₀."""

@@ -17,9 +17,9 @@ from ..errors import ConvergenceError
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Intervals
-from ..statics.balance import NOTHING, BalanceInUnits
+from ..statics.balance import BalanceInUnits
 from ..statics.forces import as_intervals
-from .study import Spread, Study
+from .study import Study
 from .units import Measured, Numbers
 
 #: Quantities with tolerances up to which their probability is bracketed by proof, and parts of them.
@@ -216,18 +216,6 @@ def _shares_that_work(study: Study) -> Span:
 CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
 #: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and parts that are looked at.
 OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
-
-
-def working_friction(study: Study) -> Spread:
-    """The friction that works: least, as drawn, and largest within the tolerances, by bounds; 0 for a model without friction."""
-    p = study.dimensionless
-    if not study.slides:
-        return 0.0, 0.0, 0.0
-    here = float(p.model.friction(p, study.law))
-    if not set(friction_depends_on(study)) & set(study.tolerances):
-        return here, here, here
-    low, high = friction_bounds(study)
-    return low, here, high if high > here + NOTHING else here  # bounds of a friction that is 0 are a little above it
 
 
 def friction_depends_on(study: Study) -> tuple[str, ...]:

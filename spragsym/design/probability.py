@@ -118,7 +118,7 @@ def estimated(
     if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
         raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
-    tasks = chunks(n, replicates, seeds)
+    tasks = chunks(n, seeds)
     work = partial(sums, partial(_at_points, variables, together, event), [*together.factors], sobol)
     done: dict[int, list[float]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _told)

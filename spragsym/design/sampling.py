@@ -28,9 +28,9 @@ class Chunk(NamedTuple):
     size: int
 
 
-def chunks(n: int, replicates: int, seeds: Sequence[int]) -> list[Chunk]:
-    """``n`` points or a few more, in ``replicates`` sequences of a power of two each."""
-    each = 1 << max(int(np.ceil(np.log2(max(n / replicates, 2)))), 1)
+def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
+    """``n`` points or a few more, in sequences of a power of two each, one a seed."""
+    each = 1 << max(int(np.ceil(np.log2(max(n / len(seeds), 2)))), 1)
     size = min(each, max(1 << 12, min(1 << 15, each // 8)))
     return [Chunk(i, seed, begin, size) for i, seed in enumerate(seeds) for begin in range(0, each, size)]
 

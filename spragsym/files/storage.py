@@ -35,6 +35,7 @@ from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..generated import SOURCE_HASH
 from ..interrupts import held
+from .text import FilePath
 
 #: Unit and meaning of columns, by their names.
 Explained: TypeAlias = Mapping[str, tuple[str, str]]
@@ -87,7 +88,7 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 OVERWRITING: ContextVar[bool] = ContextVar("overwriting", default=False)
 
 
-def check_target(path: str | os.PathLike[str], bytes_needed: int) -> Path:
+def check_target(path: FilePath, bytes_needed: int) -> Path:
     """Where a path leads; raise, before any work, if a file can't be written there."""
     target = resolved(path)
     if target.suffix not in (".nc", ".csv"):
@@ -203,7 +204,7 @@ _LEFT = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
 _AGE = 3600.0
 
 
-def resolved(path: str | os.PathLike[str]) -> Path:
+def resolved(path: FilePath) -> Path:
     """The file that a path leads to through links, even if it does not exist yet."""
     try:
         target = Path(path).resolve()
@@ -217,7 +218,7 @@ def resolved(path: str | os.PathLike[str]) -> Path:
     return target
 
 
-def probe(path: str | os.PathLike[str], bytes_needed: int = 0, *, made: bool = False) -> Path:
+def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
     """Where a path leads, found out before any work: a ParameterError if no file can be written there.
 
     ``made`` is for folders that are made on writing: the nearest one that exists is tried.
@@ -243,7 +244,7 @@ def probe(path: str | os.PathLike[str], bytes_needed: int = 0, *, made: bool = F
     return target
 
 
-def put(path: str | os.PathLike[str], data: bytes | str, *, made: bool = False) -> None:
+def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
     """Write a file, whole or not at all, or raise a StoreError that names it; a file that was there keeps its mode.
 
     ``made`` is for a folder that is made if missing.

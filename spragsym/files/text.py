@@ -3,15 +3,17 @@
 import codecs
 import os
 from importlib import resources
-from typing import Any
+from typing import Any, TypeAlias
 
 from ..errors import MissingExtraError, ParameterError
 
+#: What says where a file is.
+FilePath: TypeAlias = str | os.PathLike[str]
 #: Bytes of a file that a user writes by hand, and of a table that an instrument writes.
 BY_HAND, MEASURED = 1 << 20, 8 << 20
 
 
-def contents(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "another file") -> bytes:
+def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file") -> bytes:
     """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to, end too.
 
     If there is no such file, or it holds more than ``largest`` bytes, that is a ParameterError.
@@ -36,7 +38,7 @@ def contents(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "
     return data
 
 
-def text_of(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "another file", remedy: str = "") -> str:
+def text_of(path: FilePath, largest: int = BY_HAND, what: str = "another file", remedy: str = "") -> str:
     """The text of a file in UTF-8, with a mark at its beginning or without, or in UTF-16 with one, as PowerShell writes it.
 
     Errors are those of :func:`contents`, and one for bytes that are no text.

@@ -22,7 +22,7 @@ import numpy as np
 
 from ..design.sampling import Correlation, dependence
 from ..errors import ParameterError, SpragsymError, hint
-from ..files.text import MEASURED, shipped_text, text_of
+from ..files.text import MEASURED, FilePath, shipped_text, text_of
 from ..generated import laws
 from ..models import Model
 from ..models.load import USUAL, shipped
@@ -43,7 +43,7 @@ _FASTEST = 10.0
 _KEYS = ("friction", "correlation", "model", "vary", "begin", "state", "may_change", "title", "date")
 
 
-def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study:
+def read_brake(path: FilePath, trust: bool | str = False) -> Study:
     """The data of a brake from a TOML file with one table, ``[brake]``.
 
     For each quantity it has a text with number, unit and, if there is one, a tolerance; ``correlation = [["k", "k_x", 0.9]]`` for

@@ -272,7 +272,7 @@ class Study:
 
     @cached_property
     def friction(self) -> Spread:
-        """The friction that works: least, at the operating point, and largest within the tolerances, by the law; 0 without friction."""
+        """The friction that works, by the law: least, as drawn, and largest within the tolerances; 0 without friction."""
         from .tolerances import friction_bounds, friction_depends_on
 
         p = self.dimensionless

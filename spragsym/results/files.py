@@ -22,7 +22,7 @@ import numpy as np
 from .._version import __version__
 from ..errors import ParameterError
 from ..files.storage import put
-from ..files.text import text_of
+from ..files.text import FilePath, text_of
 from ..models import Model
 from ..models.field import Field
 from ..models.load import load, shipped
@@ -35,7 +35,7 @@ LARGEST = 1 << 30
 _WRONG = (ValueError, TypeError, LookupError, AttributeError, ImportError, ArithmeticError, RecursionError)
 
 
-def save(result: Any, path: str | os.PathLike[str]) -> None:
+def save(result: Any, path: FilePath) -> None:
     """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
     if Path(path).suffix == ".json":
         body = _text(_written(result))

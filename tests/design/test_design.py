@@ -284,7 +284,7 @@ TOLERANCES: dict[str, Any] = {
 
 
 def estimated(function: sampling.Function, variables: int, n: int, seed: int, indices: bool) -> ss.JumpProbability:
-    tasks = sampling.chunks(n, 16, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
+    tasks = sampling.chunks(n, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
     records = [sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks]
     return estimate(records, [task.replicate for task in tasks], 0.95, [str(j) for j in range(variables * indices)])
 

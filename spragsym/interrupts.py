@@ -13,13 +13,19 @@ from typing import Any, ClassVar
 INTERRUPTED, _PATIENCE = 130, 0.7
 
 
+def _handler() -> Any:
+    """The handler of Ctrl-C; None where that goes to another thread, or is ignored."""
+    handler = signal.getsignal(signal.SIGINT)
+    return handler if threading.current_thread() is threading.main_thread() and callable(handler) else None
+
+
 @contextmanager
 def heard() -> Iterator[Callable[[], None]]:
     """A function that raises KeyboardInterrupt if there was one since; so does the end, whatever ended it."""
     seen: list[int] = []
-    former = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(former):
-        yield lambda: None  # interrupts go to another thread, or are ignored
+    former = _handler()
+    if former is None:
+        yield lambda: None
         return
 
     def handler(number: int, frame: Any) -> None:
@@ -49,8 +55,8 @@ def heard() -> Iterator[Callable[[], None]]:
 def held() -> Iterator[None]:
     """Ctrl-C waits for the end of the body, such as the import of a library that would be left half imported."""
     waiting: list[Any] = []
-    former = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(former):
+    former = _handler()
+    if former is None:
         yield
         return
 

@@ -72,10 +72,8 @@ def simulate(
     if output is not None:
         tr.save(output)
 
-    def figure() -> Any:
-        return ss.figures.motion_figure(tr, transient, None if case.study is None else case.study.scales)
-
-    drawn(plot, "drawing the motion", figure)
+    units = None if case.study is None else case.study.scales
+    drawn(plot, "drawing the motion", lambda: ss.figures.motion_figure(tr, transient, units))
 
     def table() -> None:
         for name, value in {"model": case.model.name, **summary}.items():
@@ -220,11 +218,10 @@ def cycles(
     with show_progress("looking for a cycle"):
         found = ss.cycle(p, start)
     summary: Row = case.row({
-        "period": found.period, "stable": found.stable, "state": None, "multipliers": found.multipliers, "error": found.error,
-        "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude, **found.forces,
+        "period": found.period, "stable": found.stable, "state": found.state * ones, "multipliers": found.multipliers,
+        "error": found.error, "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude, **found.forces,
         "crossings": len(found.events), "backend": found.backend,
     })  # fmt: skip
-    summary["state"] = (found.state * ones).tolist()
     modes, slips = found.phases, SLIPS if case.model.about["friction"] else {1: "none"}
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration}, state=["contact" if held else "lift-off" for held in modes.contact],

@@ -219,8 +219,8 @@ def cycles(
         found = ss.cycle(p, start)
     summary: Row = case.row({
         "period": found.period, "stable": found.stable, "state": found.state * ones, "multipliers": found.multipliers,
-        "error": found.error, "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude, **found.forces,
-        "crossings": len(found.events), "backend": found.backend,
+        "error": found.error, "residual": found.residual, "rms": found.rms, "mean": found.mean,
+        "amplitude": found.amplitude, **found.forces, "crossings": len(found.events), "backend": found.backend,
     })  # fmt: skip
     modes, slips = found.phases, SLIPS if case.model.about["friction"] else {1: "none"}
     phases = case.rows(

@@ -212,7 +212,7 @@ class StickingStates(Named, Rows):
 
 
 @dataclass(frozen=True, eq=False)
-class Curve(Named):
+class Curve(Named, Rows):
     """Folds in order along a curve: the parameters that vary and the coordinates are attributes under their own names.
 
     Curves of closed forms also say what ends there and where it jumps to: ``upper``, that the stable state that ends is the upper
@@ -223,9 +223,6 @@ class Curve(Named):
     held_in = "values"
 
     values: Mapping[str, NDArray[Any]] = field(repr=False)
-
-    def __len__(self) -> int:
-        return len(next(iter(self.values.values())))
 
 
 @dataclass(frozen=True, eq=False)

@@ -243,7 +243,7 @@ def label(model: Model, name: str) -> str:
     return shown(model, name)[0]
 
 
-def shown(known: Model | Field, name: str) -> tuple[str, float]:
+def shown(known: Model | Field, name: str) -> Shown:
     """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
     return (f"${symbol(name)}$ (deg)", math.degrees(1.0)) if known.is_angle(name) else (f"${symbol(name)}$", 1.0)
 

@@ -430,8 +430,7 @@ class Report(Result):
         """It has no columns."""
         return {}
 
-    def __str__(self) -> str:
-        return self.text()
+    __str__ = text
 
     def __repr__(self) -> str:
         return f"Report({self.verdict!r}, {self.study!r})"

@@ -61,8 +61,7 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
     """
     ax, model = own_axes(ax), found.cusps.parameters.model
     artists = [line for curve in found.curves for line in ax.plot(*_places(model, found.vary, curve), color=color)]
-    cusps = _places(model, found.vary, found.cusps)
-    artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
+    artists += ax.plot(*_places(model, found.vary, found.cusps), "o", color=BLACK, markersize=3.5)
     return [*artists, *_plane(ax, model, found)]
 
 

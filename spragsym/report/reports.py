@@ -392,9 +392,11 @@ class Report(Result):
     @property
     def about(self) -> dict[str, str]:
         """Title and date, as the file gives them, the file, its model, and the version of spragsym."""
-        study, version = self.study, f"spragsym {__version__}"
-        model = f"model {study.kind.about['name']}"
-        return {"title": study.title, "date": study.date, "file": study.source, "model": model, "version": version}
+        study = self.study
+        return {
+            "title": study.title, "date": study.date, "file": study.source, "model": f"model {study.kind.about['name']}",
+            "version": f"spragsym {__version__}",
+        }  # fmt: skip
 
     @property
     def next_steps(self) -> tuple[str, ...]:

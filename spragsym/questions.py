@@ -41,9 +41,9 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
-        one_of("method", method, WAYS)
-        asked = model if method == "auto" else model.whole if method == "closed" else model.search
-        if asked is not model:
+        asked = model
+        if method != "auto":
+            asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search
             args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
         if (closed := _closed_form(asked, name, args, options)) is not None:
             try:

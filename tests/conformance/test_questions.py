@@ -16,7 +16,7 @@ import spragsym as ss
 from spragsym.design.jumps import have_jumped
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, a_set
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, few
+from tests.support import few
 
 #: Belt speeds at which a motion from 0 comes to a cycle; elsewhere, on a belt so slow that friction damps, it comes to rest.
 CYCLES = {"hertz_contact": 1.0, "inclined_belt": 1.0, "stribeck": 1.0, "stick_slip": 0.2, "coulomb_stick_slip": 0.2}
@@ -294,6 +294,6 @@ def test_no_public_question_is_left_out() -> None:
 @pytest.mark.parametrize("ask", TABLE, ids=lambda ask: ask.__name__)
 @pytest.mark.parametrize("name", few(COMMITTED, "stick_slip"))
 def test_every_question_of_every_model(name: str, ask: Callable[[Asked], None]) -> None:
-    if ask in LONG and LONG_MOTIONS_TAKE_MINUTES:
-        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
+    if ask in LONG:
+        pytest.importorskip("heyoka")  # they take SciPy minutes
     ask(case(name))

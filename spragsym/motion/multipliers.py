@@ -35,9 +35,6 @@ ROUNDING = 2e-15
 #: Trials that tell how far multipliers move by such errors, and what the largest move is multiplied with.
 TRIALS, SAFETY = 3, 3.0
 
-#: Errors of a factor up to which a zero of a test function is told: what is lost concludes nothing.
-LOST = 1e-6
-
 
 @dataclass(frozen=True)
 class Multipliers:
@@ -144,19 +141,11 @@ def criterion_of(kind: str, loop: Loop) -> float:
     return float(np.prod(_factors(loop, kind)[0]).real)
 
 
-def is_lost(loop: Loop, kind: str) -> bool:
-    """Whether the sign of a test function is unknown, because a factor is less than its error and that is no small one."""
-    factors, errors = _factors(loop, kind)
-    return bool((~(np.abs(factors) > errors) & ~(errors < LOST)).any())
-
-
 def unsure(loop: Loop, kind: str) -> float:
-    """Error of a test function: that of its smallest factor, times the others."""
+    """Error of a test function: by how much it grows where all of its factors are larger by theirs."""
     factors, errors = _factors(loop, kind)
-    if not factors.size:
-        return 0.0
-    least = int(np.argmin(np.abs(factors)))
-    return float(errors[least] * np.prod(np.abs(np.delete(factors, least))))
+    sizes = np.abs(factors)
+    return float(np.prod(sizes + errors) - np.prod(sizes))
 
 
 def is_complex_pair(loop: Loop) -> bool:

@@ -197,6 +197,11 @@ def cycle_branch(
         For a parameter that the model does not have, a range without the cycle's own value, or beyond what it may be, no points,
         or a step that is not positive.
 
+    Notes
+    -----
+    A doubling, a torus or a crossing is told where its test function changes its sign by more than the error of the multipliers:
+    none is told where nothing damps, and multipliers stay on the unit circle.
+
     Examples
     --------
     >>> import numpy as np
@@ -220,7 +225,9 @@ def cycle_branch(
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
     begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
     start = cut_anew(started(setting, begun))
-    back, forth = (list(_followed(start.turned(sign), (low, high), points, longest)) for sign in (-1.0, 1.0))
+    back = list(_followed([start.turned(-1.0)], (low, high), points, longest))
+    behind = [item.turned(-1.0) for item in back if isinstance(item, Point)]
+    forth = list(_followed([*behind[:1], start], (low, high), points, longest))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
     loops, events, places = [], [], []
@@ -240,9 +247,9 @@ def cycle_branch(
     )
 
 
-def _followed(start: Point, to: Span, points: int, longest: float) -> Iterator[Point | Finding]:
-    """Points and findings in one direction, an end the last of them."""
-    followed = [start]
+def _followed(followed: list[Point], to: Span, points: int, longest: float) -> Iterator[Point | Finding]:
+    """Points and findings in one direction behind the last of some points, an end the last of them."""
+    start = followed[-1]
 
     def ahead(point: Point, length: float) -> Point:
         with doing("the branch of cycles beside {:.6g}", point.value):

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, is_lost, unsure
+from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
 from ..motion.shooting import Conditions, Loop, recut, solved
 from ..numerics.vectors import magnitude
 from .arclength import (
@@ -80,6 +80,12 @@ def criterion(kind: str, point: Point) -> float:
     return criterion_of(kind, point.loop)
 
 
+def known(kind: str, point: Point) -> float:
+    """A test function of which the sign is known, or 0: one that is within its error tells nothing."""
+    value = criterion(kind, point)
+    return value if kind == "fold" or abs(value) > unsure(point.loop, kind) else 0.0
+
+
 @dataclass(frozen=True)
 class Finding:
     """Something that happens on a branch: what, the orbit there, and how well its place is known.
@@ -98,13 +104,13 @@ class Finding:
 
 
 def findings(one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0) -> Iterator[Finding]:
-    """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
+    """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it.
+
+    A test function changes its sign since the point ``before`` where that at the first of the two is not known.
+    """
     kinds = APART_FROM_ONES if vertical(one, other, length) else KINDS
-
-    def told(kind: str) -> bool:
-        return kind == "fold" or not (is_lost(one.loop, kind) or is_lost(other.loop, kind))
-
-    changed = [kind for kind in kinds if (criterion(kind, one) < 0) != (criterion(kind, other) < 0) and told(kind)]
+    since = {kind: one if before is None or known(kind, one) else before for kind in kinds}
+    changed = [kind for kind in kinds if known(kind, since[kind]) * known(kind, other) < 0]
     quiet = [kind for kind in CRITERIA if kind in kinds and kind not in changed]
     pairs, came = paired(one.touches, other.touches), paired(arrivals(one), arrivals(other))
     left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
@@ -115,7 +121,7 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
         unlike(one, other) != 2 * len(touched) + len(switched)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
         or len(left) > len(ended)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) and told(kind) for kind in quiet))
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in quiet))
         or len(changed) + len(touched) + len(switched) > 1
     )
     if hidden and depth < DEEPEST:
@@ -132,7 +138,8 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
     for arrival, _ in switched:
         yield from _switching(one, other, arrival, length)
     for kind in changed:
-        yield from _located(kind, partial(criterion, kind), one, other, length)
+        first = since[kind]
+        yield from _located(kind, partial(criterion, kind), first, other, length if first is one else between(first, other))
 
 
 def vertical(one: Point, other: Point, length: float) -> bool:
@@ -151,7 +158,7 @@ def vertical(one: Point, other: Point, length: float) -> bool:
 
 def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
     """Whether the parabola through three values of one sign, equally far apart, comes to 0 between the last two."""
-    a, b, c = (criterion(kind, each) for each in (before, one, other))
+    a, b, c = (known(kind, each) for each in (before, one, other))
     slope, bend = (c - a) / 2, (a + c) / 2 - b
     if not (a > 0) == (b > 0) == (c > 0) or bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
         return False
@@ -236,8 +243,6 @@ def _located(
         if kind == "crossing":
             return
         yield Finding(kind, other.loop, width, how=how)
-        return
-    if kind not in ("fold", *SLIDING) and is_lost(point.loop, kind):
         return
     if kind == "torus" and not is_complex_pair(point.loop):
         return

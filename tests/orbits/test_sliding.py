@@ -148,3 +148,11 @@ def test_a_cycle_that_begins_as_it_sticks_has_its_least_period() -> None:
     """On a belt that stands x is largest as long as the mass sticks."""
     p = model_of(PUSHED, "pushed").Parameters(w=0.3, mu0=0.6, V=0.0)
     assert ss.cycle(p, near=(1.5, 0.0, 0.9, 0.3)).period == pytest.approx(2 * math.pi / 0.3)
+
+
+@pytest.mark.parametrize("w", [0.6, 2 / 3, 1.3, 2.0])
+def test_nothing_happens_to_a_motion_that_nothing_damps(w: float) -> None:
+    """Multipliers exp(±2πi/w): their product is 1 everywhere, and at w = 2/3 and 2 both come to -1 and pass it."""
+    pytest.importorskip("heyoka")
+    found = ss.cycle(model_of(PUSHED, "pushed").Parameters(w=w, V=50.0), near=(0.4 + 1 / (1 - w**2), 0.0, 0.0, w))
+    assert [event.how for event in ss.cycle_branch(found, "w", (0.9 * w, 1.1 * w)).events] == ["the range ends"] * 2

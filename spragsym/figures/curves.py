@@ -16,7 +16,7 @@ from scipy.optimize import linear_sum_assignment
 import spragsym as ss
 
 from ..bifurcation.branches import linked
-from ..errors import ConvergenceError, ParameterError, SpragsymError, one_of
+from ..errors import ConvergenceError, ParameterError, SpragsymError, one_of, require_kind
 from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet, Span
@@ -208,6 +208,7 @@ def mark_folds(
     **options: Any,
 ) -> list[Line2D]:
     """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that varies."""
+    require_kind("turns", turns, Points, "an answer of ss.folds(...)")
     along = getattr(turns, turns.vary[0])
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
@@ -305,6 +306,7 @@ def draw_path(
     **options: Any,
 ) -> list[Any]:
     """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on jumps."""
+    require_kind("path", path, Path, "one of ss.quasi_static_path(...)")
     ax, quantity = own_axes(ax), quantity or path.parameters.model.coordinates[0]
     name_axes(ax, path.parameters.model, path.vary, quantity)
     artists: list[Any] = []

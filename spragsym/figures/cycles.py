@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -18,11 +18,12 @@ from matplotlib.patches import Patch
 import spragsym as ss
 
 from ..assumed import ON_CYCLE, D, V
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ConvergenceError, ParameterError, require_kind
 from ..files.text import shipped_text
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
+from ..orbits.diagram import Diagram, Label
 from ..orbits.events import SLIDING
 from ..orbits.fates import Kind
 from .curves import branches, first_fold, table_of
@@ -55,9 +56,6 @@ from .style import (
     titled,
     write_along,
 )
-
-if TYPE_CHECKING:
-    from ..orbits.diagram import Diagram, Label
 
 #: Of branches, in the order in which they were found; doubled ones have the colour of those that they come from.
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
@@ -161,6 +159,7 @@ def draw_cycles(
 @styled
 def branch_figure(branch: CycleBranch) -> Sheet:
     """Root mean square of the first coordinate and period along one branch."""
+    require_kind("branch", branch, CycleBranch, "one of ss.cycle_branch(...)")
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     field = branch.cycles[0].field
     (along, unit), (first, one) = (shown(field, name) for name in (branch.vary, field.coordinates[0]))
@@ -247,6 +246,7 @@ PLAIN = {Kind.REST: ("#d9d9d9", "rest"), Kind.CHAOTIC: (VERMILION, "chaotic"), K
 @styled
 def fate_map_figure(found: FateMap) -> Sheet:
     """What motions come to over two parameters: rest, cycles coloured by their period, chaos, undecided ones with a cross."""
+    require_kind("found", found, FateMap, "one of ss.fate_map(...)")
     shape, model = found.kind.shape, found.model
     varied = [name for name, values in found.inputs.items() if values.size > 1]
     if len(varied) != 2 or found.kind.size != math.prod(found.inputs[name].size for name in varied):
@@ -289,6 +289,7 @@ CLOSE = 0.04
 
 def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
+    require_kind("found", found, Diagram, "one of ss.diagram(...)")
     figure, ax = single(DOUBLE, 3.6)
     (title, height), units = zip(*(shown(found.model, name) for name in (found.vary, found.name)), strict=True)
     unit, one = units

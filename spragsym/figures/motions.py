@@ -12,6 +12,7 @@ from scipy import ndimage
 import spragsym as ss
 
 from ..assumed import MU0_RANGE, D, V
+from ..errors import require_kind
 from ..generated import laws
 from ..models.forces import contact_force
 from ..models.parameters import FloatArray, Parameters
@@ -121,6 +122,7 @@ def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = Non
     labels : (str, str), optional
         Of the axes.
     """
+    require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     names = motion.components
     place, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
     ax = own_axes(ax)
@@ -133,6 +135,7 @@ def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = Non
 def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = None, length: float = 1.0, speed: float = 1.0,
                labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
     """x′ over x, the first coordinate or another, and the speed of the belt along it as a line; returns the curve."""
+    require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, names = own_axes(ax), motion.model.coordinates
     place, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
     name, rate = names[place], motion.model.rates[place]
@@ -148,6 +151,7 @@ def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = N
 def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, frequency: float = 1.0,
                   labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
     """Amplitudes over frequency, as far as they matter; returns the line."""
+    require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax = own_axes(ax)
     found = motion.spectrum(0.0, of=of)
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
@@ -174,6 +178,7 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         What the units of the model are in metres and seconds, as of :class:`spragsym.PhysicalParameters`: axes are then in mm,
         degrees and s, and dimensionless without.
     """
+    require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     model, late = motion.model, motion.after(transient)
     length, time = (1.0, 1.0) if units is None else (1e3 * units.length, units.time)
     figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))

@@ -12,7 +12,7 @@ from matplotlib.ticker import MultipleLocator
 import spragsym as ss
 
 from ..bifurcation.hopf_curves import OnsetCurves
-from ..errors import ModelError
+from ..errors import ModelError, require_kind
 from ..models import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..questions import model_of
@@ -59,6 +59,7 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
     color : str
         Of the curves.
     """
+    require_kind("found", found, BifurcationSet, "one of ss.bifurcation_set(...)")
     ax, model = own_axes(ax), found.cusps.parameters.model
     artists = [line for curve in found.curves for line in ax.plot(*_places(model, found.vary, curve), color=color)]
     artists += ax.plot(*_places(model, found.vary, found.cusps), "o", color=BLACK, markersize=3.5)
@@ -79,6 +80,7 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
         Of :func:`spragsym.onset_curves`.
     ax : Axes, optional
     """
+    require_kind("found", found, OnsetCurves, "those of ss.onset_curves(...)")
     ax, model = own_axes(ax), found.points.parameters.model
     artists: list[Any] = []
     color = BLACK if found.damping else GREY

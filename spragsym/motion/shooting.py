@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -182,7 +182,7 @@ class Loop:
         """Turns at which the first coordinate is largest, the start first: where it is one it may be counted at neither end."""
         found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
         start, n = self.state, len(self.field.coordinates)
-        if found and abs(start[n]) < ONE and self.rate(start)[n] <= 0:
+        if found and abs(start[n]) < ONE and self.rate(start)[n] < 0:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
 
@@ -353,20 +353,22 @@ def split(flow: Flow, guess: Guess) -> Loop:
 def once_round(loop: Loop) -> Loop:
     """The orbit over its least period: rounds are one if they differ by no more than the orbit's error.
 
-    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little.
+    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little. They are told by
+    where the first coordinate is largest, or by borders where it rests while it is.
     """
-    period, turns = loop.period, loop.tops()
-    if not turns:
+    period, tops, n = loop.period, loop.tops(), len(loop.field.coordinates)
+    marks = [top for top in tops if loop.rate(top.state)[n] < 0] or loop.crossings()
+    if not (tops and marks):
         return loop
     scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    for first, other in combinations(turns, 2):
-        if (other.t - first.t) * len(turns) < period / 2:
-            continue  # rounds have a turn each at least: this is the same one, at the end of a stretch and where the next begins
+    first, *others = marks
+    for other in others:
+        if (other.t - first.t) * len(marks) < period / 2:
+            continue  # rounds have a mark each at least: this is the same one, at the end of a stretch and where the next begins
         share = period / (other.t - first.t)
-        if round(share) < 2 or abs(share - round(share)) >= 1e-4:
-            continue
         off = np.abs(apart(other.state, first.state, loop.field.around))
-        if (off / scale).max() < 1e-5 and off.max() <= max(ONE, 10 * error_of(loop)):
+        alike = (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1
+        if alike and off.max() <= max(ONE, 10 * error_of(loop)):
             guess = Guess(first.state[None], period / round(share), loop.values)
             with suppress(ConvergenceError):
                 return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)

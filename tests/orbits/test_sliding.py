@@ -147,7 +147,7 @@ def test_a_cycle_is_found_where_friction_turns_around_as_x_is_largest(w: float, 
 def test_a_cycle_that_begins_as_it_sticks_has_its_least_period() -> None:
     """On a belt that stands x is largest as long as the mass sticks."""
     p = model_of(PUSHED, "pushed").Parameters(w=0.3, mu0=0.6, V=0.0)
-    assert ss.cycle(p, near=(1.5, 0.0, 0.9, 0.3)).period == pytest.approx(2 * math.pi / 0.3)
+    assert ss.cycle(p, near=(1.5, 0.0, 0.9, 0.3), backend="scipy").period == pytest.approx(2 * math.pi / 0.3)
 
 
 @pytest.mark.parametrize("w", [0.6, 2 / 3, 1.3, 2.0])

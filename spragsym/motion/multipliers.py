@@ -150,8 +150,6 @@ def unsure(loop: Loop, kind: str) -> float:
 
 def is_complex_pair(loop: Loop) -> bool:
     """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than their errors."""
-    factors, found = _factors(loop, "torus")[0], loop.multipliers
-    if not factors.size:
-        return False
-    one = _pairs(loop)[1][int(np.argmin(np.abs(factors)))]
+    found, nearest = loop.multipliers, np.argmin(np.abs(_factors(loop, "torus")[0]))
+    one = _pairs(loop)[1][nearest]
     return bool(abs(found.others[one].imag) > max(1e-9, found.errors[one]))

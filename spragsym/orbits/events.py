@@ -109,9 +109,8 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
     A test function changes its sign since the point ``before`` where that at the first of the two is not known.
     """
     kinds = APART_FROM_ONES if vertical(one, other, length) else KINDS
-    since = {kind: one if before is None or known(kind, one) else before for kind in kinds}
+    since = {kind: one if known(kind, one) else before or one for kind in kinds}
     changed = [kind for kind in kinds if known(kind, since[kind]) * known(kind, other) < 0]
-    quiet = [kind for kind in CRITERIA if kind in kinds and kind not in changed]
     pairs, came = paired(one.touches, other.touches), paired(arrivals(one), arrivals(other))
     left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
     ended = [[(near, touch)] for near, touch in left if oftener(other if near is one else one, near)[touch.way[0]]]
@@ -121,7 +120,7 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
         unlike(one, other) != 2 * len(touched) + len(switched)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
         or len(left) > len(ended)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in quiet))
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in kinds))
         or len(changed) + len(touched) + len(switched) > 1
     )
     if hidden and depth < DEEPEST:

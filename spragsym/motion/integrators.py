@@ -19,6 +19,7 @@ from ..errors import BackendError, ConvergenceError, MissingExtraError, Paramete
 from ..models.field import Field, Values
 from ..models.model import Model
 from ..models.parameters import FloatArray
+from ..numerics.columns import reuse_memory
 from . import with_compiled, with_heyoka, with_scipy
 from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
@@ -77,6 +78,7 @@ def version(backend: str) -> str:
 
 def integrate(problem: Problem, backend: str) -> Solution:
     """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where steps collapse."""
+    reuse_memory()
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
     except StiffError:

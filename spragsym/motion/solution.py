@@ -37,7 +37,8 @@ def passed(
     the border itself, not from where it was noticed; so does one that leaves a border on which it stayed, from which errors of
     steps may have taken it. An error where the border does not say how.
     """
-    project(problem, mode, state, None)
+    if problem.field.holding:
+        project(problem, mode, state, None)
     border, at = problem.field.borders[row], (np.asarray(state).tolist(), problem.constants)
     after = border.beyond(mode, *at)
     crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
@@ -148,11 +149,13 @@ class Solution:
 
 def assembled(pieces: Sequence[Samples], crossings: Sequence[Crossing], t_record: float) -> Solution:
     """From samples by steps to samples in a row."""
-    times = [t[:, :-1].ravel() for t, _ in pieces]
-    states = [part[:, :, :-1].swapaxes(0, 1).reshape(part.shape[1], -1) for _, part in pieces]
-    t_end, end = pieces[-1]
-    samples = PiecewisePolynomial(np.concatenate([*times, t_end[-1, -1:]]), np.concatenate([*states, end[-1, :, -1:]], axis=1))
-    if t_record > samples.t[0]:
+    # A piece by itself, which may be large, is not copied.
+    t, states = pieces[0] if len(pieces) == 1 else (np.concatenate(parts) for parts in zip(*pieces, strict=True))
+    samples = PiecewisePolynomial(
+        np.append(t[:, :-1].ravel(), t[-1, -1]),
+        np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),
+    )
+    if t_record > t[0, 0]:
         samples = samples.after(t_record)
     return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
 
@@ -168,12 +171,11 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
         own = [crossing for crossing in solution.crossings if crossing.border == row]
         if not own or not border.crossings[0] or border.stays:
             continue
-        level = np.asarray(border.level(states, problem.constants, problem.field.modes[0]))
-        stretches = [0, *np.searchsorted(t, [crossing.t for crossing in own])]
-        highest, lowest = (part.reduceat(level, stretches) for part in (np.maximum, np.minimum))
-        side = np.where(highest > least, 1, np.where(lowest < -least, -1, 0)).tolist()
-        before = side[0] or -own[0].sign
-        for crossing, after in zip(own, side[1:], strict=True):
+        level = np.abs(border.level(states, problem.constants, problem.field.modes[0]))
+        farthest = np.maximum.reduceat(level, np.searchsorted(t, [crossing.t for crossing in own])).tolist()
+        before = -own[0].sign
+        for crossing, far in zip(own, farthest, strict=True):
+            after = crossing.sign * (far > least)
             if after in (0, before):
                 chatter.add(id(crossing))
             before = after or before

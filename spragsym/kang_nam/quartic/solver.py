@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...errors import BackendError, ConvergenceError, one_of
 from ...models.parameters import NAMES, Parameters, as_count
+from ...numerics.columns import reuse_memory
 from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, quiet
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
@@ -150,9 +151,7 @@ def _in_blocks(p: Parameters, a_thread: int, work: Callable[[list[FloatArray], i
         part = slice(begin, begin + length)
         return work([values if values.size == 1 else values[part] for values in given], begin, min(length, size - begin))
 
-    # glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that
-    # has to be more than all arrays in between take.
-    np.empty(1 << 21)
+    reuse_memory()
     begins = range(0, size, length)
     if threads > 1:
         with ThreadPoolExecutor(threads) as pool:

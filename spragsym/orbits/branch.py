@@ -456,7 +456,7 @@ def cycle_events(
     """
     require_kind("event", event, CycleEvent, "one of the events of a branch, of ss.cycle_branch(...)")
     if event.kind not in (*CRITERIA, "grazing"):
-        raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
+        raise ParameterError(f"event = {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
     model = event.cycle.field
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
     if len(vary) != 2 or vary[0] == vary[1]:

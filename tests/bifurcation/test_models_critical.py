@@ -47,12 +47,6 @@ def test_over_a_range_without_its_cusp_the_end_is_lowest() -> None:
     assert found.value == pytest.approx(min(ends), rel=1e-12)
 
 
-@pytest.mark.validate
-def test_it_is_the_closed_form() -> None:
-    found = ss.critical_friction(SEARCH.Parameters(), between={"mu0": (0.0, 0.5)})
-    assert float(found) == pytest.approx(float(ss.critical_friction(ss.Parameters.article())), rel=1e-9)
-
-
 @pytest.mark.thorough
 def test_a_tube_holds_one_state() -> None:
     """It arrives where the equilibrium is, and never goes through a fold."""

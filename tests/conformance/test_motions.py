@@ -21,9 +21,7 @@ def test_a_motion_of_every_model_has_everything(name: str) -> None:
     assert np.array_equal(getattr(tr, tr.components[-1]), tr.state[-1])
     assert tr.error is not None
     assert tr.error.max() < 1e-4
-    assert tr.rms() >= 0
     assert tr.spectrum(0.0).frequency.size
-    assert tr.outcome().regime in set(ss.Regime)
     again = pickle.loads(pickle.dumps(tr))  # noqa: S301  # written here
     assert np.array_equal(again.state, tr.state)
     assert again.model.name == name

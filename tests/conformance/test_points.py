@@ -52,11 +52,3 @@ def test_what_ends_is_the_same_by_closed_forms_and_by_search(vary: str) -> None:
     for name in closed.columns:
         assert closed.after[name][known] == pytest.approx(search.after[name], abs=1e-9)
         assert getattr(closed, name)[known] == pytest.approx(getattr(search, name), abs=1e-10)
-
-
-def test_two_ways_to_one_onset() -> None:
-    p = ss.Parameters(alpha=0.7)
-    closed, search = (ss.flutter_onsets(p, damping=False, method=method) for method in ("closed", "search"))
-    for name in (*closed.columns, "omega", "theta0"):
-        assert getattr(closed, name) == pytest.approx(getattr(search, name), abs=1e-8)
-    assert closed.why == search.why

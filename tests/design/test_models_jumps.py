@@ -52,25 +52,3 @@ def test_where_nothing_jumps_there_is_no_slope() -> None:
     for vary in ("mu_s", "v_s"):  # 0 is no v_s
         assert np.isnan([*ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes.values()]).all()
 
-
-# ------------------------------------------------------------------------------------------- margins and new designs
-
-
-@pytest.mark.thorough
-def test_margins_are_those_of_closed_forms() -> None:
-    p, scale = ss.Parameters.article(theta0=np.radians(40.0)), {"theta0": np.radians(1.0), "mu0": 0.05}
-    found, theirs = (ss.jump_margin(p, scale, prove=True, method=method) for method in ("search", "auto"))
-    assert found.distance == pytest.approx(theirs.distance, rel=1e-7)
-    assert 0 < found.proved < found.distance
-    assert found.change == pytest.approx(theirs.change, rel=1e-6)
-    jumped = ss.jump_margin(p.replace(mu0=0.9), scale, method="search")
-    assert (jumped.distance, set(jumped.change.values())) == (0.0, {0.0})
-
-
-@pytest.mark.thorough
-def test_redesigns_are_those_of_closed_forms() -> None:
-    p = ss.Parameters.article(theta0=np.radians(40.0))
-    found, theirs = (ss.redesign(p, ("sigma", "theta0"), {"mu0": 0.7}, method=method) for method in ("search", "auto"))
-    assert found.distance == pytest.approx(theirs.distance, rel=1e-6)
-    assert found.change == pytest.approx(theirs.change, rel=1e-4)
-    assert 0.7 <= found.jump["mu0"] < 0.7 + 1e-8

@@ -259,16 +259,6 @@ def same_path(vary, values, start, **changes):
 
 
 @pytest.mark.thorough
-def test_path_is_the_articles_with_its_jump():
-    found = same_path("theta0", np.radians(np.arange(1.0, 180.0, 6.0)), "small", mu0=0.7)
-    (jump,) = found.jumps
-    (known,) = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians([1.0, 179.0])).jumps
-    assert jump.kind == "fold"
-    assert abs(jump.before["x"] - known.before["x"]) < 1e-9
-    assert abs(jump.after["x"] - known.after["x"]) < 1e-2
-
-
-@pytest.mark.thorough
 @pytest.mark.parametrize(("mu0", "start", "beside"), [
     (0.7, "small", (-0.5, 0.0, 0.4)), (0.7, "large", (-0.1, -1e-10, 1e-10)),
     (0.0, "small", (-1e-9, 0.0, 1e-9)), (0.0, "small", (1e-9, 0.0, -1e-9)),

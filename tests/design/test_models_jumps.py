@@ -51,4 +51,3 @@ def test_gradients_are_those_of_closed_forms() -> None:
 def test_where_nothing_jumps_there_is_no_slope() -> None:
     for vary in ("mu_s", "v_s"):  # 0 is no v_s
         assert np.isnan([*ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes.values()]).all()
-

@@ -98,13 +98,6 @@ def test_the_sign_is_proved_where_floats_see_nothing() -> None:
         assert eq.damped.tolist() == ["neutral", "grows", "neutral"]
 
 
-def test_without_damping_it_is_27() -> None:
-    p = ss.Parameters(theta0=np.radians(30.0), mu0=0.0)
-    for method in ("closed", "search"):
-        eq = ss.equilibria(p, method=method)
-        assert ((eq.growth_sign < 0) == (eq.stability == Stability.STABLE)).all()
-
-
 def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
     """At 30°, V = 0.5 and d = 10 by 4.9e-6: (27) leaves out that friction falls."""
     eq = ss.equilibria(ss.Parameters.article(theta0=np.radians(30.0)))

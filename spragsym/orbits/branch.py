@@ -266,8 +266,10 @@ def _followed(followed: list[Point], to: Span, points: int, longest: float) -> I
             if length > FINEST and point.alone:
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
-        items = list[Point | Finding]()
-        for happened in findings(point, found, arc, followed[-2] if len(followed) > 1 else None):
+        items, before = list[Point | Finding](), followed[-2] if len(followed) > 1 else None
+        if before and followed[-1] is not point:  # it was cut anew, and is compared with what is cut like it
+            before = corrected(point, -arc)
+        for happened in findings(point, found, arc, before):
             if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
                 return [*items, _shrunk(followed)]
             items.append(happened)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.generated._where import where
 from spragsym.generated.equilibrium import f_coefficients
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, wrong_counts
@@ -53,6 +54,7 @@ def test_shapes_broadcast() -> None:
     assert one.theta.shape == (3,)
     np.testing.assert_array_equal(eq.theta[1, 2], one.theta)
     assert ss.equilibria(ss.Parameters.article(theta0=np.empty((0, 4)))).theta.shape == (0, 4, 3)
+    assert where(np.arange(2000)[:, None] % 2 > 0, np.ones((1, 1500)), 0.0).sum() == 1000 * 1500  # flags of another shape
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.int64, np.float64])

@@ -15,17 +15,28 @@ from spragsym.motion import with_compiled
 #: Source file, whether its module is there, and what serves without it.
 EXTENSIONS = (
     ("spragsym/kang_nam/quartic/_compiled.c", compiled.available, "equilibria are solved by NumPy"),
-    ("spragsym/motion/_carried.c", with_compiled.available, "motion is integrated by heyoka or SciPy"),
+    (
+        "spragsym/motion/_carried.c",
+        with_compiled.available,
+        "motion is integrated by heyoka or SciPy",
+    ),
 )
 
 
 def main() -> None:
     """Say on stderr what was not compiled, why as far as is known, and what serves instead."""
     compiler = (sysconfig.get_config_var("CC") or "cc").split()[0]
-    why = "its compilation failed" if shutil.which(compiler) else f"no C compiler {compiler} was found"
+    why = (
+        "its compilation failed"
+        if shutil.which(compiler)
+        else f"no C compiler {compiler} was found"
+    )
     for source, available, instead in EXTENSIONS:
         if not available():
-            print(f"{source}: {why}; {instead}, right but slower. The compiler's words: pip install -v -e .", file=sys.stderr)
+            print(
+                f"{source}: {why}; {instead}, right but slower. The compiler's words: pip install -v -e .",
+                file=sys.stderr,
+            )
 
 
 if __name__ == "__main__":

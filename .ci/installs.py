@@ -24,15 +24,40 @@ MACHINES = {
     "Linux aarch64": "aarch64-manylinux_2_28",
 }
 #: How versions are chosen, by what is printed.
-VERSIONS: dict[str, tuple[str, ...]] = {"newest": (), "constraints.txt": ("--constraint", "constraints.txt")}
+VERSIONS: dict[str, tuple[str, ...]] = {
+    "newest": (),
+    "constraints.txt": ("--constraint", "constraints.txt"),
+}
 
 
 def resolve(machine: str, python: str, versions: str) -> str:
     """What uv says against it; empty if it finds wheels of everything."""
-    call = [sys.executable, "-m", "uv", "pip", "compile", "pyproject.toml", "--all-extras", "--only-binary=:all:", "--quiet",
-            "--python-version", python, "--python-platform", MACHINES[machine], *VERSIONS[versions]]  # fmt: skip
+    call = [
+        sys.executable,
+        "-m",
+        "uv",
+        "pip",
+        "compile",
+        "pyproject.toml",
+        "--all-extras",
+        "--only-binary=:all:",
+        "--quiet",
+        "--python-version",
+        python,
+        "--python-platform",
+        MACHINES[machine],
+        *VERSIONS[versions],
+    ]
     try:
-        done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False, timeout=600)
+        done = subprocess.run(
+            call,
+            cwd=ROOT,
+            capture_output=True,
+            text=True,
+            encoding="utf-8",
+            check=False,
+            timeout=600,
+        )
     except subprocess.TimeoutExpired:
         return "no answer within ten minutes"
     return "" if done.returncode == 0 else " ".join(done.stderr.split())
@@ -41,7 +66,12 @@ def resolve(machine: str, python: str, versions: str) -> str:
 def reachable() -> bool:
     """Whether a registry answers."""
     call = [sys.executable, "-m", "uv", "pip", "compile", "-", "--no-deps", "--quiet", "--refresh"]
-    return subprocess.run(call, cwd=ROOT, input="mpmath", text=True, capture_output=True, check=False).returncode == 0
+    return (
+        subprocess.run(
+            call, cwd=ROOT, input="mpmath", text=True, capture_output=True, check=False
+        ).returncode
+        == 0
+    )
 
 
 def main(chosen: list[str]) -> int:
@@ -49,11 +79,20 @@ def main(chosen: list[str]) -> int:
     if not reachable():
         print("no package registry can be reached: the check of installs is skipped")
         return 0
-    cases = [case for case in product(MACHINES, PYTHONS, VERSIONS) if not chosen or any(case[0].startswith(it) for it in chosen)]
+    cases = [
+        case
+        for case in product(MACHINES, PYTHONS, VERSIONS)
+        if not chosen or any(case[0].startswith(it) for it in chosen)
+    ]
     failed = 0
     with ThreadPoolExecutor(2) as pool:
-        for (machine, python, versions), said in zip(cases, pool.map(lambda case: resolve(*case), cases), strict=True):
-            print(f"{machine}, Python {python}, {versions}: {said or 'every extra resolves from wheels'}", flush=True)
+        for (machine, python, versions), said in zip(
+            cases, pool.map(lambda case: resolve(*case), cases), strict=True
+        ):
+            print(
+                f"{machine}, Python {python}, {versions}: {said or 'every extra resolves from wheels'}",
+                flush=True,
+            )
             failed += bool(said)
     return failed
 

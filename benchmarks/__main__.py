@@ -40,10 +40,18 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks")
     parser.add_argument("names", nargs="*", help="which; all by default")
     parser.add_argument("--write", type=Path, help="file for the report")
-    parser.add_argument("--quick", action="store_true", help="few points, to see that all runs; the figures mean nothing")
+    parser.add_argument(
+        "--quick",
+        action="store_true",
+        help="few points, to see that all runs; the figures mean nothing",
+    )
     options = parser.parse_args()
     failed = 0
-    found = _sections(options.write) if options.names and options.write and options.write.exists() else {}
+    found = (
+        _sections(options.write)
+        if options.names and options.write and options.write.exists()
+        else {}
+    )
     for name in options.names or _SECTIONS:
         if name not in _SECTIONS:
             parser.error(f"{name} is not one of {', '.join(_SECTIONS)}")
@@ -56,7 +64,9 @@ def main() -> int:
         print(run.stdout, flush=True)
         failed += run.returncode != 0
         day = datetime.date.today().isoformat()
-        found[title] = f"## {title}\n\n`python -m {module}`, {day}, of {_state()}\n\n{_demoted(run.stdout)}\n"
+        found[title] = (
+            f"## {title}\n\n`python -m {module}`, {day}, of {_state()}\n\n{_demoted(run.stdout)}\n"
+        )
     if options.write:
         parts = [_header(), *(found[title] for _, title in _SECTIONS.values() if title in found)]
         options.write.write_text("\n".join(parts), encoding="utf-8")
@@ -66,7 +76,9 @@ def main() -> int:
 def _state() -> str:
     """The commit, and whether files differ from it."""
     command = ["git", "describe", "--always", "--abbrev=8", "--dirty=, changed", "--exclude=*"]
-    run = subprocess.run(command, capture_output=True, text=True, cwd=Path(__file__).parent, check=False)
+    run = subprocess.run(
+        command, capture_output=True, text=True, cwd=Path(__file__).parent, check=False
+    )
     return run.stdout.strip() or "a tree without its history"
 
 
@@ -78,7 +90,9 @@ def _sections(report: Path) -> dict[str, str]:
 
 def _demoted(text: str) -> str:
     """A benchmark's own headings, one level below that of its section."""
-    return "\n".join(f"#{line}" if line.startswith("## ") else line for line in text.strip().splitlines())
+    return "\n".join(
+        f"#{line}" if line.startswith("## ") else line for line in text.strip().splitlines()
+    )
 
 
 def _header() -> str:

@@ -34,7 +34,9 @@ def main(n: int = 300) -> None:
     if compiled.available():
         methods["ours, compiled"] = partial(_ours, "compiled")
     if compiler := c_target.compiler():
-        methods["ours, C, where it vouches"] = partial(_in_c, c_target.build(compiler, c_target.FAST))
+        methods["ours, C, where it vouches"] = partial(
+            _in_c, c_target.build(compiler, c_target.FAST)
+        )
     print(
         f"{n} points of each family: wrong counts, and the largest error of (L, x, y) over max(1, |value|) where counts agree.\n"
     )
@@ -46,15 +48,22 @@ def main(n: int = 300) -> None:
         cells = []
         for method in methods.values():
             found = method(p)
-            pairs = [(one, other) for one, other in zip(found, exact, strict=True) if one is not None]
+            pairs = [
+                (one, other) for one, other in zip(found, exact, strict=True) if one is not None
+            ]
             wrong = sum(len(one) != len(other) for one, other in pairs)
-            worst = max((_gap(one, other) for one, other in pairs if len(one) == len(other)), default=0.0)
+            worst = max(
+                (_gap(one, other) for one, other in pairs if len(one) == len(other)), default=0.0
+            )
             cells.append(f" {wrong}, {worst:.0e} |")
         print(f"| {family} |" + "".join(cells), flush=True)
 
 
 def _gap(found: Array, exact: Array) -> float:
-    order, other = np.argsort(found[:, 1]), np.argsort(exact[:, 1])  # by x: two states may share L and y
+    order, other = (
+        np.argsort(found[:, 1]),
+        np.argsort(exact[:, 1]),
+    )  # by x: two states may share L and y
     return float((np.abs(found[order] - exact[other]) / np.maximum(1, np.abs(exact[other]))).max())
 
 
@@ -75,7 +84,9 @@ def _ours(backend: str, p: ss.Parameters) -> list[Array | None]:
 def _in_c(library: ctypes.CDLL, p: ss.Parameters) -> list[Array | None]:
     solved = c_target.in_contact(library, c_target.room(p.shape[0]), p)
     stacked = np.stack([solved.equilibria[name] for name in ("L", "x", "y")], axis=-1)
-    return [None if solved.status[i] else stacked[i, : solved.count[i]] for i in range(len(stacked))]
+    return [
+        None if solved.status[i] else stacked[i, : solved.count[i]] for i in range(len(stacked))
+    ]
 
 
 if __name__ == "__main__":

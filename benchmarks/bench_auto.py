@@ -71,15 +71,35 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "peer.f90").write_text(_EQUATIONS.format(**base), encoding="utf-8")
-        (folder / "run.auto").write_text(_SCRIPT.format(intervals=intervals, speeds=list(SPEEDS)), encoding="utf-8")
-        done = subprocess.run(["auto-07p", "run.auto"], cwd=folder, capture_output=True, text=True, timeout=600, check=False)
+        (folder / "run.auto").write_text(
+            _SCRIPT.format(intervals=intervals, speeds=list(SPEEDS)), encoding="utf-8"
+        )
+        done = subprocess.run(
+            ["auto-07p", "run.auto"],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            timeout=600,
+            check=False,
+        )
         if not (folder / "b.cycles").is_file():
-            raise RuntimeError(f"AUTO did not end as it should:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-        hopf = next(row[4] for row in _rows(folder / "b.steady") if row[2] == 3)  # type 3: Hopf point
+            raise RuntimeError(
+                f"AUTO did not end as it should:\n{done.stdout[-2000:]}{done.stderr[-2000:]}"
+            )
+        hopf = next(
+            row[4] for row in _rows(folder / "b.steady") if row[2] == 3
+        )  # type 3: Hopf point
         rows = _rows(folder / "b.cycles")
         cycles = {row[4]: (row[8], row[6]) for row in rows if row[2] == -4}  # type −4: as asked for
     spent = float(re.findall(r"Total Time\s+(\S+)", done.stdout)[-1]) / len(rows)
-    return hopf, {speed: min((abs(speed - at), found) for at, found in cycles.items())[1] for speed in SPEEDS}, spent
+    return (
+        hopf,
+        {
+            speed: min((abs(speed - at), found) for at, found in cycles.items())[1]
+            for speed in SPEEDS
+        },
+        spent,
+    )
 
 
 def _rows(path: Path) -> list[list[float]]:
@@ -121,11 +141,17 @@ def main() -> None:
     print(
         f"Hopf point: exactly V = {exact:.12f}; AUTO {their_hopf - exact:+.1e}; the branch's end here {our_hopf - exact:+.1e}\n"
     )
-    print("| V | period here | AUTO's less ours | largest x here | AUTO's less ours |\n|---|---|---|---|---|")
+    print(
+        "| V | period here | AUTO's less ours | largest x here | AUTO's less ours |\n|---|---|---|---|---|"
+    )
     for speed in SPEEDS:
         (period, top), (their_period, their_top) = own[speed], theirs[speed]
-        print(f"| {speed} | {period:.12f} | {their_period - period:+.1e} | {top:.12f} | {their_top - top:+.1e} |")
-    print(f"\nA point of the branch: {1e3 * our_time:.1f} ms here, {1e3 * their_time:.1f} ms by AUTO's own clock")
+        print(
+            f"| {speed} | {period:.12f} | {their_period - period:+.1e} | {top:.12f} | {their_top - top:+.1e} |"
+        )
+    print(
+        f"\nA point of the branch: {1e3 * our_time:.1f} ms here, {1e3 * their_time:.1f} ms by AUTO's own clock"
+    )
 
 
 if __name__ == "__main__":

@@ -108,7 +108,10 @@ def checkout(rev: str) -> Iterator[Path]:
         try:
             build = "from setuptools import setup; setup()"
             subprocess.run(
-                [sys.executable, "-c", build, "-q", "build_ext", "--inplace"], cwd=tree, check=False, capture_output=True
+                [sys.executable, "-c", build, "-q", "build_ext", "--inplace"],
+                cwd=tree,
+                check=False,
+                capture_output=True,
             )
             yield tree
         finally:
@@ -118,7 +121,11 @@ def checkout(rev: str) -> Iterator[Path]:
 @contextmanager
 def worker(tree: Path, points: Path) -> Iterator[subprocess.Popen[str]]:
     """A process that asks the package of one tree."""
-    environment = os.environ | {"PYTHONPATH": str(tree), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    environment = os.environ | {
+        "PYTHONPATH": str(tree),
+        "OMP_NUM_THREADS": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+    }
     command = [sys.executable, "-c", WORKER, str(points)]
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment, cwd=tree
@@ -149,7 +156,10 @@ def differences(workers: list[subprocess.Popen[str]], question: str, folder: Pat
     one, other = found
     counts = int((one["count"] != other["count"]).sum())
     kinds = int((one["stability"] != other["stability"]).any(axis=-1).sum())
-    gaps = [np.abs(one[key] - other[key]) / np.maximum(1, np.abs(one[key])) for key in ("theta", "L", "x", "y")]
+    gaps = [
+        np.abs(one[key] - other[key]) / np.maximum(1, np.abs(one[key]))
+        for key in ("theta", "L", "x", "y")
+    ]
     return f"{counts} | {kinds} | {max(float(np.nanmax(gap, initial=0.0)) for gap in gaps):.1e}"
 
 
@@ -159,23 +169,44 @@ def main() -> None:
     parser.add_argument("rev")
     parser.add_argument("--points", type=int, default=100_000)
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--only", type=lambda text: tuple(text.split(",")), default=("",), help="beginnings of names")
+    parser.add_argument(
+        "--only",
+        type=lambda text: tuple(text.split(",")),
+        default=("",),
+        help="beginnings of names",
+    )
     given = parser.parse_args()
     chosen = {name: question for name, question in QUESTIONS.items() if name.startswith(given.only)}
     with ExitStack() as stack:
-        tree, folder = stack.enter_context(checkout(given.rev)), Path(stack.enter_context(tempfile.TemporaryDirectory()))
-        np.save(folder / "points.npy", np.stack(random(np.random.default_rng(1), given.points).broadcast(*NAMES)))
-        workers = [stack.enter_context(worker(where, folder / "points.npy")) for where in (tree, ROOT)]
-        print(f"{given.points:,} random points in contact, {given.rev} and this tree in turn, best of {given.rounds}.\n")
+        tree, folder = (
+            stack.enter_context(checkout(given.rev)),
+            Path(stack.enter_context(tempfile.TemporaryDirectory())),
+        )
+        np.save(
+            folder / "points.npy",
+            np.stack(random(np.random.default_rng(1), given.points).broadcast(*NAMES)),
+        )
+        workers = [
+            stack.enter_context(worker(where, folder / "points.npy")) for where in (tree, ROOT)
+        ]
+        print(
+            f"{given.points:,} random points in contact, {given.rev} and this tree in turn, best of {given.rounds}.\n"
+        )
         print("| question | before, µs | now | now / before |\n|---|---:|---:|---|")
         for name, question in chosen.items():
             taken = [np.inf, np.inf]
             for turn in range(given.rounds):
                 for which in ((0, 1), (1, 0))[turn % 2]:
                     taken[which] = min(taken[which], asked(workers[which], question))
-            cells = [f"{1e6 * spent:,.0f}" if np.isfinite(spent) else "not there" for spent in taken]
+            cells = [
+                f"{1e6 * spent:,.0f}" if np.isfinite(spent) else "not there" for spent in taken
+            ]
             share = taken[1] / taken[0] if np.isfinite(taken).all() else np.nan
-            ratio = f"{share:.2f}" + (", slower" if share > 1 + ALLOWED else "") if np.isfinite(share) else "-"
+            ratio = (
+                f"{share:.2f}" + (", slower" if share > 1 + ALLOWED else "")
+                if np.isfinite(share)
+                else "-"
+            )
             print(f"| {name} | {cells[0]} | {cells[1]} | {ratio} |", flush=True)
         print("\n| question | other counts | other kinds | largest difference |\n|---|---|---|---|")
         for name in ("equilibria, numpy", "equilibria, compiled"):

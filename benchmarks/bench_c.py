@@ -43,7 +43,9 @@ def speed(n: int) -> None:
         for title, flags in _BUILDS:
             library = c_target.build(compiler, flags)
             for way, batch in (("one point a call", False), ("batch", True)):
-                works[f"C, {way}, {compiler} {title}"] = partial(c_target.solve, library, rows, out, batch=batch)
+                works[f"C, {way}, {compiler} {title}"] = partial(
+                    c_target.solve, library, rows, out, batch=batch
+                )
     if compiled.available():
         works["compiled, 1 thread"] = partial(on_backend, "compiled", 1, ss.equilibria, p)
     works["NumPy"] = partial(on_backend, "numpy", 1, ss.equilibria, p)
@@ -58,7 +60,9 @@ def speed(n: int) -> None:
     print("| method | ns a point | times eigvals | time over the fastest |\n|---|---|---|---|")
     reference = taken[_EIGVALS]
     for title, seconds in taken.items():
-        print(f"| {title} | {1e9 * seconds / n:,.0f} | {reference / seconds:.1f} | {seconds / fastest:.2f} |")
+        print(
+            f"| {title} | {1e9 * seconds / n:,.0f} | {reference / seconds:.1f} | {seconds / fastest:.2f} |"
+        )
 
 
 def trust(n: int) -> None:
@@ -68,14 +72,20 @@ def trust(n: int) -> None:
         f"{n:,} points of each family against NumPy with its ladder: the share that is vouched for; among these wrong "
         "counts or kinds, the largest error over max(1, |value|), and the largest over both error bounds together.\n"
     )
-    print("| family | regime | vouched for | wrong | largest error | largest / bounds |\n|---|---|---|---|---|---|")
+    print(
+        "| family | regime | vouched for | wrong | largest error | largest / bounds |\n|---|---|---|---|---|---|"
+    )
     for place, (family, points) in enumerate(FAMILIES.items()):
         p = points(np.random.default_rng([6, place]), n)
         for contact in (True, False):
             out = c_target.room(n)
             c_target.solve(library, c_target.table(p), out, contact)
-            it = languages.against_python(languages.Found(out.status, out.count, out.equilibria, np.nan), p, contact)
-            cells = f"{np.mean(out.status == 0):.3%} | {it.wrong} | {it.error:.1e} | {it.largest:.2f}"
+            it = languages.against_python(
+                languages.Found(out.status, out.count, out.equilibria, np.nan), p, contact
+            )
+            cells = (
+                f"{np.mean(out.status == 0):.3%} | {it.wrong} | {it.error:.1e} | {it.largest:.2f}"
+            )
             print(f"| {family} | {'contact' if contact else 'lift-off'} | {cells} |", flush=True)
 
 

@@ -27,10 +27,18 @@ def main() -> None:
     points = sum(curve.theta.size for curve in ss.bifurcation_set(BASE, n=5000).curves)
     found = continuation()
     rows: list[tuple[str, int, float]] = [
-        ("ours: fold curves and cusps, proved", points, best(lambda: ss.bifurcation_set(BASE, n=5000))),
+        (
+            "ours: fold curves and cusps, proved",
+            points,
+            best(lambda: ss.bifurcation_set(BASE, n=5000)),
+        ),
         ("ours: all folds at one friction, proved", 2, best(lambda: ss.folds(BASE))),
         ("ours: all cusps, proved", 4, best(lambda: ss.cusps(BASE))),
-        ("ours: flutter boundary (sigma = 1)", 2000, best(lambda: ss.flutter_boundary(ss.Parameters.article(sigma=1.0)))),
+        (
+            "ours: flutter boundary (sigma = 1)",
+            2000,
+            best(lambda: ss.flutter_boundary(ss.Parameters.article(sigma=1.0))),
+        ),
         ("ours: the complete set", points, best(_everything)),
         ("SciPy: fsolve along one fold curve from a given fold", len(found), best(continuation, 3)),
     ]
@@ -38,7 +46,9 @@ def main() -> None:
     print("|---|---|---|---|")
     for name, number, seconds in rows:
         print(f"| {name} | {number:,} | {1e3 * seconds:.1f} | {1e6 * seconds / number:.1f} |")
-    print(f"\nThe continuation follows one curve of two, through the cusp, in {len(found)} points; it says nothing of others.")
+    print(
+        f"\nThe continuation follows one curve of two, through the cusp, in {len(found)} points; it says nothing of others."
+    )
 
 
 def _everything() -> None:
@@ -63,7 +73,9 @@ def continuation(steps: int = 1000, step: float = 0.01) -> list[tuple[float, flo
     for _ in range(steps):
         guess = point + step * tangent
 
-        def closed(z: np.ndarray, guess: np.ndarray = guess, tangent: np.ndarray = tangent) -> list[float]:
+        def closed(
+            z: np.ndarray, guess: np.ndarray = guess, tangent: np.ndarray = tangent
+        ) -> list[float]:
             return [*residual(z), float(np.dot(z - guess, tangent))]
 
         new = fsolve(closed, guess, xtol=1e-13)

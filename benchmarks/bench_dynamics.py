@@ -28,7 +28,9 @@ V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))
 SOME = ANGLES[::12]
 BASE = math.radians(49.0)
-FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copysign(1.0, z) if z else 0.0)
+FLOATS = SimpleNamespace(
+    sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copysign(1.0, z) if z else 0.0
+)
 
 
 def plain(theta0: float, rtol: float, method: str) -> float:
@@ -41,13 +43,19 @@ def plain(theta0: float, rtol: float, method: str) -> float:
         return (vx, vy, *algebra(x, y, vx, vy, *constants, xp=FLOATS))
 
     t = np.linspace(1500.0, 2000.0, 20_001)
-    run = solve_ivp(field, (0.0, 2000.0), [0.0] * 4, method=method, rtol=rtol, atol=rtol * 1e-3, t_eval=t)
+    run = solve_ivp(
+        field, (0.0, 2000.0), [0.0] * 4, method=method, rtol=rtol, atol=rtol * 1e-3, t_eval=t
+    )
     return math.sqrt(simpson(run.y[0] ** 2, x=t) / 500.0)
 
 
-def sweep(angles: np.ndarray, rtol: float, workers: int = 1, backend: str | None = None) -> np.ndarray:
+def sweep(
+    angles: np.ndarray, rtol: float, workers: int = 1, backend: str | None = None
+) -> np.ndarray:
     """The same by this package."""
-    return rms_sweep(ss.Parameters.article(theta0=angles), V, D, rtol=rtol, workers=workers, backend=backend).rms
+    return rms_sweep(
+        ss.Parameters.article(theta0=angles), V, D, rtol=rtol, workers=workers, backend=backend
+    ).rms
 
 
 def base_table() -> None:
@@ -57,9 +65,14 @@ def base_table() -> None:
     print("|---|---|---|---|---|")
     p = ss.Parameters.article(theta0=BASE)
     for rtol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13):
-        ours = [simulate(p, V=V, d=D, rtol=rtol, backend=name).rms() for name in ("heyoka", "scipy")]
+        ours = [
+            simulate(p, V=V, d=D, rtol=rtol, backend=name).rms() for name in ("heyoka", "scipy")
+        ]
         theirs = [plain(BASE, rtol, method) for method in ("DOP853", "LSODA")]
-        print(f"| {rtol:.0e} | " + " | ".join(f"{value:.12f}" for value in (*ours, *theirs)) + " |", flush=True)
+        print(
+            f"| {rtol:.0e} | " + " | ".join(f"{value:.12f}" for value in (*ours, *theirs)) + " |",
+            flush=True,
+        )
 
 
 def energy_table() -> None:
@@ -68,9 +81,15 @@ def energy_table() -> None:
     print("| rtol | heyoka | SciPy, restarted | events |\n|---|---|---|---|")
     p = ss.Parameters.article(theta0=BASE, mu0=0.0)
     for rtol in (1e-8, 1e-10, 1e-12, 1e-13):
-        runs = [simulate(p, V=V, d=D, x0=0.3, y0=0.2, t_end=1e4, rtol=rtol, backend=name) for name in ("heyoka", "scipy")]
+        runs = [
+            simulate(p, V=V, d=D, x0=0.3, y0=0.2, t_end=1e4, rtol=rtol, backend=name)
+            for name in ("heyoka", "scipy")
+        ]
         drift = [np.abs(tr.energy() - tr.energy()[0]).max() for tr in runs]
-        print(f"| {rtol:.0e} | {drift[0]:.1e} | {drift[1]:.1e} | {len(runs[0].events or ())} |", flush=True)
+        print(
+            f"| {rtol:.0e} | {drift[0]:.1e} | {drift[1]:.1e} | {len(runs[0].events or ())} |",
+            flush=True,
+        )
 
 
 def error_of(values: np.ndarray, reference: np.ndarray) -> float:
@@ -93,22 +112,30 @@ def sweep_table() -> None:
     chosen: list[tuple[float, str, float]] = []
     for method in ("DOP853", "LSODA"):
         for rtol in (1e-8, 1e-10, 1e-11, 1e-12, 1e-13):
-            seconds, values = timed(lambda method=method, rtol=rtol: np.array([plain(a, rtol, method) for a in SOME]))
+            seconds, values = timed(
+                lambda method=method, rtol=rtol: np.array([plain(a, rtol, method) for a in SOME])
+            )
             error = error_of(values, reference)
             print(f"| {method} | {rtol:.0e} | {error:.1e} | {seconds / unit:.0f} |", flush=True)
             if error <= ours:
                 chosen.append((seconds, method, rtol))
                 break
     if not chosen:
-        print("\n`solve_ivp` does not reach that error at any tolerance; compared at its tightest DOP853.")
+        print(
+            "\n`solve_ivp` does not reach that error at any tolerance; compared at its tightest DOP853."
+        )
     _, method, rtol = min(chosen, default=(0.0, "DOP853", 1e-13))
     here, one = timed(lambda: sweep(ANGLES, 1e-10))
     there, theirs = timed(lambda: np.array([plain(a, rtol, method) for a in ANGLES]))
     here_two, two = timed(lambda: sweep(ANGLES, 1e-10, workers=2))
-    from benchmarks.bench_dynamics import plain as by_name  # in a worker process __main__ is another module
+    from benchmarks.bench_dynamics import (
+        plain as by_name,
+    )  # in a worker process __main__ is another module
 
     with pool(2) as both:
-        there_two, _ = timed(lambda: list(both(partial(by_name, rtol=rtol, method=method), ANGLES.tolist())))
+        there_two, _ = timed(
+            lambda: list(both(partial(by_name, rtol=rtol, method=method), ANGLES.tolist()))
+        )
     print(f"\nAll 181 angles against `solve_ivp` {method} at {rtol:.0e}, which is as accurate:\n")
     print("| | time over ours |\n|---|---|")
     print(f"| one process each | {there / here:.0f} |")
@@ -129,7 +156,14 @@ def overhead_table() -> None:
     def fastest(function: Any, times: int) -> float:
         function()
         # Of the processor: others on the machine do not count.
-        return min(timed(lambda: [function() for _ in range(times)], time.process_time)[0] for _ in range(7)) / times * 1e6
+        return (
+            min(
+                timed(lambda: [function() for _ in range(times)], time.process_time)[0]
+                for _ in range(7)
+            )
+            / times
+            * 1e6
+        )
 
     def bare(problem: Problem) -> None:
         carrier = compiled(problem.field, problem.rtol)
@@ -137,17 +171,31 @@ def overhead_table() -> None:
         carrier.solver.propagate_until(problem.t_end)
 
     print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")
-    print("| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | over integration |")
+    print(
+        "| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | over integration |"
+    )
     print("|---|---|---|---|---|---|---|")
     for t_end, times, many in ((10.0, 200, 200), (2000.0, 5, 5)):
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
-            problem = prepare(p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, rtol=1e-10)
-            motions, flow = [replace(problem, t_record=0.75 * t_end)], return_map.Onward(problem, "heyoka")
+            problem = prepare(
+                p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, rtol=1e-10
+            )
+            motions, flow = (
+                [replace(problem, t_record=0.75 * t_end)],
+                return_map.Onward(problem, "heyoka"),
+            )
             course = integrators.measure(motions, "heyoka")[0]
-            options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
+            options = {
+                "x0": np.zeros(many),
+                "t_end": t_end,
+                "transient": 0.75 * t_end,
+                "backend": "heyoka",
+            }
             alone = fastest(lambda problem=problem: bare(problem), times)
-            measured = fastest(lambda motions=motions: integrators.measure(motions, "heyoka"), times)
+            measured = fastest(
+                lambda motions=motions: integrators.measure(motions, "heyoka"), times
+            )
             judged = fastest(lambda c=course, f=flow: classify(c, f), times)
             whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
             print(
@@ -165,7 +213,11 @@ def sensitivity_table() -> None:
     print("| V \\ d | " + " | ".join(f"{d:.3g}" for d in d_axis) + " |\n" + "|---" * 6 + "|")
     for i, speed in enumerate(V_axis):
         row = zip(np.degrees(table.theta0[i]), table.before[i], table.after[i], strict=True)
-        print(f"| {speed:.3g} | " + " | ".join(f"{a:.2f}: {b:.2f} → {c:.2f}" for a, b, c in row) + " |")
+        print(
+            f"| {speed:.3g} | "
+            + " | ".join(f"{a:.2f}: {b:.2f} → {c:.2f}" for a, b, c in row)
+            + " |"
+        )
 
 
 def main() -> None:

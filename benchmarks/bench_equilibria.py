@@ -50,16 +50,24 @@ def speed(n: int) -> None:
     """Nanoseconds a point, every method in the same run."""
     p = random(np.random.default_rng(1), n)
     methods = dict(_rivals(n)) | dict(_ours(n))
-    works = {name: partial(method.work, _head(p, method.points)) for name, method in methods.items()}
+    works = {
+        name: partial(method.work, _head(p, method.points)) for name, method in methods.items()
+    }
     once = {name: work for name, work in works.items() if methods[name].points < 100}
     taken = {name: timed(work)[0] for name, work in once.items()}
-    taken |= best_in_turn({name: work for name, work in works.items() if name not in once}, repeats=3)
+    taken |= best_in_turn(
+        {name: work for name, work in works.items() if name not in once}, repeats=3
+    )
     each = {name: taken[name] / methods[name].points for name in methods}
-    print(f"{n:,} random points in contact, one thread unless said otherwise, best of three in turn, slow methods on a sample.\n")
+    print(
+        f"{n:,} random points in contact, one thread unless said otherwise, best of three in turn, slow methods on a sample.\n"
+    )
     print("| method | ns a point | times eigvals | times numpy.roots |")
     print("|---|---|---|---|")
     for name, time in each.items():
-        print(f"| {name} | {1e9 * time:,.0f} | {each[_EIGVALS] / time:.2f} | {each[_LOOP] / time:.1f} |")
+        print(
+            f"| {name} | {1e9 * time:,.0f} | {each[_EIGVALS] / time:.2f} | {each[_LOOP] / time:.1f} |"
+        )
 
 
 def _rivals(n: int) -> Iterator[tuple[str, Method]]:
@@ -76,12 +84,21 @@ def _ours(n: int) -> Iterator[tuple[str, Method]]:
             continue
         title = {"numpy": "NumPy"}.get(backend, f"compiled, {threads} thread{'s' * (threads > 1)}")
         if threads == 1:
-            yield f"ours, {title}: `ss.count`", Method(partial(on_backend, backend, threads, ss.count), n)
-        yield f"ours, {title}: {_FULL}", Method(partial(on_backend, backend, threads, ss.equilibria), n)
+            yield (
+                f"ours, {title}: `ss.count`",
+                Method(partial(on_backend, backend, threads, ss.count), n),
+            )
+        yield (
+            f"ours, {title}: {_FULL}",
+            Method(partial(on_backend, backend, threads, ss.equilibria), n),
+        )
     if compiler := c_target.compiler():
         library, room = c_target.build(compiler, c_target.FAST), c_target.room(n)
         for title, batch in (("batch", True), ("one point a call", False)):
-            yield f"ours, C, {compiler}, {title}: {_FULL}", Method(partial(c_target.in_contact, library, room, batch=batch), n)
+            yield (
+                f"ours, C, {compiler}, {title}: {_FULL}",
+                Method(partial(c_target.in_contact, library, room, batch=batch), n),
+            )
 
 
 def _head(p: ss.Parameters, n: int) -> ss.Parameters:
@@ -94,13 +111,19 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     count = np.empty(theta0.size, dtype=np.int8)
     roots = np.empty((4, theta0.size))
     u = np.float64(2.0**-53)
-    np.empty(1 << 21)  # see spragsym.kang_nam.quartic.solver: glibc then keeps the memory of the blocks
+    np.empty(
+        1 << 21
+    )  # see spragsym.kang_nam.quartic.solver: glibc then keeps the memory of the blocks
     with np.errstate(all="ignore"):
         for begin in range(0, theta0.size, BLOCK):
             rows = slice(begin, begin + BLOCK)
-            point = kernel.Point(*kernel.cosine_and_sine(theta0[rows]), *(column[rows] for column in values), nbar=1)
+            point = kernel.Point(
+                *kernel.cosine_and_sine(theta0[rows]), *(column[rows] for column in values), nbar=1
+            )
             line = kernel.balance(point)
-            quartic, cubic = (part(line.a, line.b, line.d, line.m) for part in (kernel.quartic, kernel.cubic))
+            quartic, cubic = (
+                part(line.a, line.b, line.d, line.m) for part in (kernel.quartic, kernel.cubic)
+            )
             D, halves = kernel.discriminant(line, cubic, u), kernel.factors(quartic, cubic)
             roots[0, rows], roots[1, rows], _ = kernel.root_pair(halves.p1, halves.q1)
             roots[2, rows], roots[3, rows], _ = kernel.root_pair(halves.p2, halves.q2)
@@ -128,7 +151,9 @@ _TOUCH = {"x": "eq.x", "all": "eq.theta, eq.L, eq.x, eq.y, eq.error, eq.stabilit
 
 def first_calls(n: int) -> None:
     """The first and the second call of a process, which meet memory that was never touched, and that was."""
-    print(f"{n:,} points in a process of its own, ns a point: the call alone, with `eq.x`, with all columns; medians of three.\n")
+    print(
+        f"{n:,} points in a process of its own, ns a point: the call alone, with `eq.x`, with all columns; medians of three.\n"
+    )
     print("| backend | threads | call | alone | with `eq.x` | with all columns |")
     print("|---|---|---|---|---|---|")
     for backend, threads in _WAYS:
@@ -136,11 +161,16 @@ def first_calls(n: int) -> None:
             print("| compiled: not built | | | | | |")
             break
         touched = {
-            name: _median(_FIRST.format(n=n, backend=backend, threads=threads, touch=code)) for name, code in _TOUCH.items()
+            name: _median(_FIRST.format(n=n, backend=backend, threads=threads, touch=code))
+            for name, code in _TOUCH.items()
         }
         for call, title in enumerate(("first", "second")):
             cells = (touched["x"][call, 0], touched["x"][call, 1], touched["all"][call, 1])
-            print(f"| {backend} | {threads} | {title} |" + "".join(f" {1e9 * cell / n:,.0f} |" for cell in cells), flush=True)
+            print(
+                f"| {backend} | {threads} | {title} |"
+                + "".join(f" {1e9 * cell / n:,.0f} |" for cell in cells),
+                flush=True,
+            )
 
 
 def _median(code: str, repeats: int = 3) -> np.ndarray:

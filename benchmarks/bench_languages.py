@@ -30,7 +30,12 @@ def main(n: int = 10_000) -> None:
     """Print both tables."""
     ways = {title: run for title, (there, run) in _WAYS.items() if there}
     print(
-        "".join(f"{title.split(', ')[1]} is not on this machine.\n\n" for title, (there, _) in _WAYS.items() if not there), end=""
+        "".join(
+            f"{title.split(', ')[1]} is not on this machine.\n\n"
+            for title, (there, _) in _WAYS.items()
+            if not there
+        ),
+        end="",
     )
     speed(ways, 10 * n)
     print()
@@ -47,7 +52,9 @@ def speed(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: 
         for title, batch in (("C, one point a call", False), ("C, batch", True)):
             library = c_target.build(compiler, c_target.FAST)
             taken[title] = 1e9 * best(partial(c_target.solve, library, rows, out, batch=batch)) / n
-    print(f"{n:,} random points in contact, one thread, from the parameters to states, stability and error bounds.\n")
+    print(
+        f"{n:,} random points in contact, one thread, from the parameters to states, stability and error bounds.\n"
+    )
     print("| method | ns a point | time over the fastest |\n|---|---|---|")
     for title, nanoseconds in taken.items():
         print(f"| {title} | {nanoseconds:,.0f} | {nanoseconds / min(taken.values()):.1f} |")
@@ -59,7 +66,9 @@ def trust(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: 
         f"{n:,} points of each family. Against NumPy with its ladder: the share that is vouched for; among these wrong counts or kinds, "
         "and the largest error over both error bounds together. Against C: points at which a bit of the results differs.\n"
     )
-    print("| family | regime | language | vouched for | wrong | largest / bounds | not as C |\n|---|---|---|---|---|---|---|")
+    print(
+        "| family | regime | language | vouched for | wrong | largest / bounds | not as C |\n|---|---|---|---|---|---|---|"
+    )
     for place, (family, points) in enumerate(FAMILIES.items()):
         p = points(np.random.default_rng([6, place]), n)
         for contact in (True, False):
@@ -74,7 +83,11 @@ def compared(found: languages.Found, p: ss.Parameters, contact: bool) -> str:
     """The rest of a row."""
     agreement = languages.against_python(found, p, contact)
     library = _library()
-    unlike = np.count_nonzero(languages.unlike_c(found, library, p, contact)) if library else "no compiler"
+    unlike = (
+        np.count_nonzero(languages.unlike_c(found, library, p, contact))
+        if library
+        else "no compiler"
+    )
     return f" {np.mean(found.status == 0):.3%} | {agreement.wrong} | {agreement.largest:.2f} | {unlike} |"
 
 

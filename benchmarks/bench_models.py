@@ -22,9 +22,17 @@ POINTS, SIDE = 2000, 317
 #: Single calls that are timed.
 CALLS = 20
 MODELS = (
-    "kang_nam", "damped", "stribeck", "cubic_contact", "hertz_contact", "two_springs", "inclined_belt", "trolley",
-    "mode_coupling", "stick_slip",
-)  # fmt: skip
+    "kang_nam",
+    "damped",
+    "stribeck",
+    "cubic_contact",
+    "hertz_contact",
+    "two_springs",
+    "inclined_belt",
+    "trolley",
+    "mode_coupling",
+    "stick_slip",
+)
 NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
 
@@ -48,15 +56,21 @@ def random_values(names: Any, points: int) -> dict[str, Any]:
 
 def single(of: Any, parameters: Any, values: dict[str, Any]) -> float:
     """Processor time of a call with one point, on average."""
-    points = [parameters(**{name: float(row[k]) for name, row in values.items()}) for k in range(CALLS)]
+    points = [
+        parameters(**{name: float(row[k]) for name, row in values.items()}) for k in range(CALLS)
+    ]
     ss.equilibria(points[0])
     return seconds(lambda: [ss.equilibria(p) for p in points])[0] / CALLS
 
 
 def table(points: int) -> None:
     """Equilibria, folds and cusps of all models."""
-    print(f"{points} points with random directions, friction or speeds, and the base values else. Folds and cusps at 1 rad.\n")
-    print("| model | equilibria, µs a point | one call, ms | folds along theta0, s | along mu0, s | cusps, s | left open |")
+    print(
+        f"{points} points with random directions, friction or speeds, and the base values else. Folds and cusps at 1 rad.\n"
+    )
+    print(
+        "| model | equilibria, µs a point | one call, ms | folds along theta0, s | along mu0, s | cusps, s | left open |"
+    )
     print("|---|---|---|---|---|---|---|")
     for name in MODELS:
         model = ss.load(name).search
@@ -79,20 +93,32 @@ def table(points: int) -> None:
         else:
             cells.append("")
         call = single(model, model.Parameters, values)
-        print(f"| {name} | {1e6 * spent / points:.0f} | {1e3 * call:.1f} | {' | '.join(cells)} | {left} |", flush=True)
+        print(
+            f"| {name} | {1e6 * spent / points:.0f} | {1e3 * call:.1f} | {' | '.join(cells)} | {left} |",
+            flush=True,
+        )
     values = random_values(NAMES, points)
     closed = ss.Parameters.article(**values)
     spent = seconds(ss.equilibria, closed)[0]
     call = single(ss, ss.Parameters.article, values)
-    along = seconds(ss.folds, ss.Parameters.article())[0], seconds(ss.folds, ss.Parameters.article(theta0=1.0), "mu0")[0]
-    cells = [f"{time_of:.3f}" for time_of in (*along, seconds(ss.cusps, ss.Parameters.article())[0])]
-    print(f"| closed forms of `kang_nam` | {1e6 * spent / points:.1f} | {1e3 * call:.2f} | {' | '.join(cells)} | |\n")
+    along = (
+        seconds(ss.folds, ss.Parameters.article())[0],
+        seconds(ss.folds, ss.Parameters.article(theta0=1.0), "mu0")[0],
+    )
+    cells = [
+        f"{time_of:.3f}" for time_of in (*along, seconds(ss.cusps, ss.Parameters.article())[0])
+    ]
+    print(
+        f"| closed forms of `kang_nam` | {1e6 * spent / points:.1f} | {1e3 * call:.2f} | {' | '.join(cells)} | |\n"
+    )
 
 
 def families(points: int) -> None:
     """The article's model in hard places, through the general way and by its closed forms."""
     model = ss.load("kang_nam").search
-    print(f"`kang_nam` through the general way and by its closed forms, {points} points of each family:\n")
+    print(
+        f"`kang_nam` through the general way and by its closed forms, {points} points of each family:\n"
+    )
     print("| family | general, ms a point | closed forms, ms a point | left open | other counts |")
     print("|---|---|---|---|---|")
     for name, family in FAMILIES.items():
@@ -113,7 +139,9 @@ def families(points: int) -> None:
 
 def grid(side: int) -> None:
     """A grid of 10⁵ points."""
-    theta0, mu0 = np.meshgrid(np.linspace(0.02, 3.12, side), np.linspace(0, 1.5, side), indexing="ij")
+    theta0, mu0 = np.meshgrid(
+        np.linspace(0.02, 3.12, side), np.linspace(0, 1.5, side), indexing="ij"
+    )
     print(f"A grid of {theta0.size} points of `theta0` and `mu0`:\n")
     print("| model | s | left open |\n|---|---|---|")
     for name in ("kang_nam", "cubic_contact"):

@@ -27,7 +27,9 @@ _MEMORY = _POINT + (
 
 def main(largest: int = 8) -> None:
     """Print the tables."""
-    print("Whole results (states, stability, error bounds), random θ₀ and μ₀ at the article's other values.\n")
+    print(
+        "Whole results (states, stability, error bounds), random θ₀ and μ₀ at the article's other values.\n"
+    )
     ways = [("numpy", 1), *([("compiled", 1), ("compiled", 2)] if compiled.available() else [])]
     titles = [f"{backend}, {threads} thread{'s' * (threads > 1)}" for backend, threads in ways]
     print(f"| points | {' | '.join(titles)} | peak memory beyond input, MB | of that results, MB |")
@@ -40,12 +42,19 @@ def main(largest: int = 8) -> None:
                 p = random(np.random.default_rng(0), n)
                 cells.append(best(partial(on_backend, backend, threads, ss.equilibria, p)) / n)
             else:
-                spent, peak, results = map(float, in_process(_MEMORY.format(n=n, backend=backend, threads=threads)).split())
+                spent, peak, results = map(
+                    float, in_process(_MEMORY.format(n=n, backend=backend, threads=threads)).split()
+                )
                 cells.append(spent / n)
                 memory = f"{peak:,.0f} | {results:,.0f}"
-        print(f"| 10^{power} |" + "".join(f" {1e9 * cell:,.0f} |" for cell in cells) + f" {memory} |", flush=True)
+        print(
+            f"| 10^{power} |" + "".join(f" {1e9 * cell:,.0f} |" for cell in cells) + f" {memory} |",
+            flush=True,
+        )
 
-    print("\nShare of points that leave float64, against the relative distance to the left fold at μ₀ = 0.5:\n")
+    print(
+        "\nShare of points that leave float64, against the relative distance to the left fold at μ₀ = 0.5:\n"
+    )
     print("| distance | escalated | µs a point |")
     print("|---|---|---|")
     fold = float(ss.folds(ss.Parameters.article()).theta0[0])

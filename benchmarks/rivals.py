@@ -48,7 +48,10 @@ def length_quartic(p: ss.Parameters) -> Array:
 
 def roots_loop(p: ss.Parameters) -> list[int]:
     """numpy.roots of the published quartic, and how many roots are real and positive."""
-    return [int(np.sum((abs(r.imag) < 1e-9) & (r.real > 0))) for r in (np.roots(row[::-1]) for row in length_quartic(p))]
+    return [
+        int(np.sum((abs(r.imag) < 1e-9) & (r.real > 0)))
+        for r in (np.roots(row[::-1]) for row in length_quartic(p))
+    ]
 
 
 def eigvals(p: ss.Parameters) -> NDArray[Any]:
@@ -64,7 +67,9 @@ def fsolve_starts(p: ss.Parameters) -> list[int]:
         c0, s0 = np.cos(theta0), np.sin(theta0)
         found: list[Array] = []
 
-        def balance(z: Array, c0: float = c0, s0: float = s0, values: list[float] = values) -> tuple[float, float]:
+        def balance(
+            z: Array, c0: float = c0, s0: float = s0, values: list[float] = values
+        ) -> tuple[float, float]:
             return residuals(np.cos(z[0]), np.sin(z[0]), z[1], c0, s0, *values, 1)  # type: ignore[return-value]  # a pair for SciPy
 
         for start in np.linspace(0.2, 2.9, 8):
@@ -93,10 +98,14 @@ def polyroots(p: ss.Parameters) -> list[int]:
 
 def states_from_roots(p: ss.Parameters) -> list[Array]:
     """:func:`states_from_lengths` with numpy.roots, one point at a time."""
-    return states_from_lengths(p, lambda quartics: np.array([np.roots(row[::-1]) for row in quartics]))
+    return states_from_lengths(
+        p, lambda quartics: np.array([np.roots(row[::-1]) for row in quartics])
+    )
 
 
-def states_from_lengths(p: ss.Parameters, solve: Callable[[Array], NDArray[np.complex128]] = companion_roots) -> list[Array]:
+def states_from_lengths(
+    p: ss.Parameters, solve: Callable[[Array], NDArray[np.complex128]] = companion_roots
+) -> list[Array]:
     """Roots of the published quartic, states by solving (16), those with L > 0 and y < 0: (L, x, y) of each."""
     theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
@@ -107,7 +116,9 @@ def states_from_lengths(p: ss.Parameters, solve: Callable[[Array], NDArray[np.co
             for L in row[real & (row > 0)]:
                 D = np.array(contact_matrix(L, mu0[i], alpha[i], sigma[i], beta[i]))
                 try:
-                    c, s = np.linalg.solve(D, contact_vector(c0[i], s0[i], mu0[i], kappa[i], alpha[i], beta[i]))
+                    c, s = np.linalg.solve(
+                        D, contact_vector(c0[i], s0[i], mu0[i], kappa[i], alpha[i], beta[i])
+                    )
                 except np.linalg.LinAlgError:
                     continue
                 if s0[i] - L * s < 0:
@@ -120,7 +131,9 @@ def states_from_half_angles(p: ss.Parameters) -> list[Array]:
     """Roots of the quartic in tan(θ/2), states by the explicit formulas, those with L > 0 and y < 0: (L, x, y) of each."""
     theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
-    quartic = np.stack(t_quartic(*f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)), axis=-1)
+    quartic = np.stack(
+        t_quartic(*f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)), axis=-1
+    )
     rows = []
     for i, (row, real) in enumerate(zip(*real_parts(companion_roots(quartic)), strict=True)):
         theta = 2 * np.arctan(row[real])

@@ -46,4 +46,6 @@ def on_backend(name: str, threads: int, work: Callable[[ss.Parameters], T], p: s
 
 def in_process(code: str) -> str:
     """What a new interpreter prints that runs ``code``."""
-    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+    return subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, text=True
+    ).stdout

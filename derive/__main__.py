@@ -16,7 +16,17 @@ from . import export, folder, pages
 from .emit import write
 
 try:
-    from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, lowest_fold, mechanics
+    from .kang_nam import (
+        catastrophe,
+        check,
+        elimination,
+        emission,
+        equilibrium,
+        ledger,
+        linear_sprag,
+        lowest_fold,
+        mechanics,
+    )
     from .kang_nam import page_equivalence, stability, theorem
 except ArithmeticError as error:  # what the article's page says can't be carried through
     sys.exit(f"derive: {error}; nothing was written")
@@ -38,7 +48,9 @@ def readable() -> None:
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
-    parser = argparse.ArgumentParser(prog="python -m derive", description="Derive the model, check the article, emit generated/.")
+    parser = argparse.ArgumentParser(
+        prog="python -m derive", description="Derive the model, check the article, emit generated/."
+    )
     parser.add_argument("--out", type=Path, default=DEFAULT, help="folder to write")
     parser.add_argument(
         "--variant",
@@ -67,8 +79,11 @@ def main(arguments: list[str] | None = None) -> int:
     for claim in unproved:
         print(f"not proved: {claim}", file=sys.stderr)
     for row in failed:
-        print(f"{row.id} ({row.where}): {row.note}\n  printed:    {row.printed}\n  derived:    {row.derived}\n"
-              f"  difference: {row.difference}", file=sys.stderr)  # fmt: skip
+        print(
+            f"{row.id} ({row.where}): {row.note}\n  printed:    {row.printed}\n  derived:    {row.derived}\n"
+            f"  difference: {row.difference}",
+            file=sys.stderr,
+        )
     if unproved or (failed and not options.variant):
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
@@ -77,8 +92,10 @@ def main(arguments: list[str] | None = None) -> int:
     files["files.json"] = write.as_json(sorted({*files, "files.json"}))
     write.write(write.sealed(files), options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
-    print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of the count theorem and "
-          f"{len(least)} of the lowest fold proved")  # fmt: skip
+    print(
+        f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of the count theorem and "
+        f"{len(least)} of the lowest fold proved"
+    )
     for row in rows:
         if row.status in ("misprint", check.FAILED):
             print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
@@ -89,14 +106,24 @@ def main(arguments: list[str] | None = None) -> int:
 def models(*, variant: bool = False) -> dict[str, str]:
     """The folders of the shipped pages below ``generated/models``; in a variant that of the article's only."""
     shared: folder.Shared = {}
-    files = {"models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'}
+    files = {
+        "models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'
+    }
     for path in pages.shipped():
         if variant and path.stem != ARTICLE:
             continue
         model = pages.read(path)
-        files |= {f"models/{model.name}/{name}": text for name, text in folder.render(model, write.header(), shared).items()}
-        if model.name == ARTICLE and not variant:  # its page of the explorer is written without SymPy
-            files |= {f"models/{model.name}/{name}": text for name, text in export.for_the_browser(model, write.header()).items()}
+        files |= {
+            f"models/{model.name}/{name}": text
+            for name, text in folder.render(model, write.header(), shared).items()
+        }
+        if (
+            model.name == ARTICLE and not variant
+        ):  # its page of the explorer is written without SymPy
+            files |= {
+                f"models/{model.name}/{name}": text
+                for name, text in export.for_the_browser(model, write.header()).items()
+            }
     return files
 
 

@@ -22,14 +22,24 @@ Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 
 def expanded(expression: sp.Expr) -> sp.Expr:
     """Products and powers written out, but for denominators: 1/(1 − x)² keeps its sign over an interval, 1/(1 − 2x + x²) does not."""
-    below = [node for node in expression.atoms(sp.Pow) if node.exp.is_Integer and node.exp.is_negative and node.base.is_Add]
+    below = [
+        node
+        for node in expression.atoms(sp.Pow)
+        if node.exp.is_Integer and node.exp.is_negative and node.base.is_Add
+    ]
     kept = {node: sp.Dummy() for node in below}
-    return sp.expand(expression.xreplace(kept)).xreplace({dummy: node for node, dummy in kept.items()})
+    return sp.expand(expression.xreplace(kept)).xreplace(
+        {dummy: node for node, dummy in kept.items()}
+    )
 
 
 def quotients(expression: sp.Expr) -> list[sp.Pow]:
     """Quotients and roots in it: powers that are no products."""
-    return [node for node in expression.atoms(sp.Pow) if not (node.exp.is_Integer and node.exp.is_positive)]
+    return [
+        node
+        for node in expression.atoms(sp.Pow)
+        if not (node.exp.is_Integer and node.exp.is_positive)
+    ]
 
 
 def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
@@ -60,20 +70,27 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     """
 
     def normal(argument: sp.Expr) -> sp.Expr:
-        return reduce_circles(argument, circles) if argument.is_polynomial(*argument.free_symbols) else argument
+        return (
+            reduce_circles(argument, circles)
+            if argument.is_polynomial(*argument.free_symbols)
+            else argument
+        )
 
     unknowns: dict[sp.Expr, sp.Dummy] = {}
     gap = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),
         lambda node: unknowns.setdefault(
-            node.func(*map(normal, node.args)) if isinstance(node, sp.Function) else node, sp.Dummy(f"u{len(unknowns)}")
+            node.func(*map(normal, node.args)) if isinstance(node, sp.Function) else node,
+            sp.Dummy(f"u{len(unknowns)}"),
         ),
     )
     order = math.lcm(*(node.exp.q for node in gap.atoms(sp.Pow) if node.exp.is_Rational))
     roots: dict[sp.Expr, sp.Dummy] = {}
     gap = gap.replace(
         lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer,
-        lambda node: roots.setdefault(normal(node.base), sp.Dummy(f"r{len(roots)}")) ** (order * node.exp),
+        lambda node: (
+            roots.setdefault(normal(node.base), sp.Dummy(f"r{len(roots)}")) ** (order * node.exp)
+        ),
     )
     numerator, denominator = sp.fraction(sp.together(gap))
     for base, root in reversed(roots.items()):
@@ -93,7 +110,9 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
 def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: int) -> sp.Expr:
     """Normal form modulo root^order = base."""
     terms = sp.Poly(sp.expand(polynomial), root).terms()
-    return sp.Add(*(value * base ** (power // order) * root ** (power % order) for (power,), value in terms))
+    return sp.Add(
+        *(value * base ** (power // order) * root ** (power % order) for (power,), value in terms)
+    )
 
 
 def manifestly_positive(polynomial: sp.Expr) -> bool:
@@ -104,6 +123,10 @@ def manifestly_positive(polynomial: sp.Expr) -> bool:
         all(symbol.is_nonnegative for symbol in symbols)
         and all(value.is_number and value > 0 for _, value in terms)
         and any(
-            all(symbol.is_positive or power == 0 for symbol, power in zip(symbols, powers, strict=True)) for powers, _ in terms
+            all(
+                symbol.is_positive or power == 0
+                for symbol, power in zip(symbols, powers, strict=True)
+            )
+            for powers, _ in terms
         )
     )

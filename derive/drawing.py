@@ -52,7 +52,10 @@ def typed(docstring: str) -> list[str]:
     """The lines of the drawing in a docstring: the block that follows ``::``, without its margin."""
     _, _, rest = docstring.partition("::\n")
     lines = rest.strip("\n").split("\n")
-    end = next((row for row, line in enumerate(lines) if line.strip() and not line.startswith(" ")), len(lines))
+    end = next(
+        (row for row, line in enumerate(lines) if line.strip() and not line.startswith(" ")),
+        len(lines),
+    )
     return textwrap.dedent("\n".join(lines[:end])).strip("\n").split("\n") if rest.strip() else []
 
 
@@ -66,8 +69,16 @@ def is_drawn(page: Page) -> bool:
     points = [end for both in ends for end in both] + [force.place for force in page.forces]
     gap = None if page.normal is None else page.normal.gap
     uncoupled = all(_ratio(page, energy) in (0, sp.oo, None) for energy, _ in page.energies)
-    across = len(symbols) < 2 or gap == symbols[1] or (gap is None and (mass in points or uncoupled))
-    cars = {symbol for both in ends for end in both for symbol in symbols[2:] if symbol in end[0].free_symbols}
+    across = (
+        len(symbols) < 2 or gap == symbols[1] or (gap is None and (mass in points or uncoupled))
+    )
+    cars = {
+        symbol
+        for both in ends
+        for end in both
+        for symbol in symbols[2:]
+        if symbol in end[0].free_symbols
+    }
     return (
         across
         and (page.normal is None or gap in (None, *symbols[1:2]))
@@ -75,8 +86,13 @@ def is_drawn(page: Page) -> bool:
         and set(symbols[2:]) == cars
         and all(mass in both and _is_anchor(both[both[0] == mass], symbols) for both in ends)
         and all(it.along is None or it.along in symbols for it in page.elements)
-        and all(len(force.place) == 2 and mass in (force.place, force.place[:1]) for force in page.forces)
-        and all(_weight(page, energy) or _ratio(page, energy) is not None for energy, _ in page.energies)
+        and all(
+            len(force.place) == 2 and mass in (force.place, force.place[:1])
+            for force in page.forces
+        )
+        and all(
+            _weight(page, energy) or _ratio(page, energy) is not None for energy, _ in page.energies
+        )
         and _has_one_mass(page)
     )
 
@@ -85,7 +101,8 @@ def _is_anchor(end: Point, symbols: Symbols) -> bool:
     """A point that stands still, or runs along the belt with one of the further coordinates."""
     moving = end[0].free_symbols & set(symbols)
     return not end[1].free_symbols & set(symbols) and (
-        not moving or (len(moving) == 1 and not moving & set(symbols[:2]) and sp.diff(end[0], *moving) == 1)
+        not moving
+        or (len(moving) == 1 and not moving & set(symbols[:2]) and sp.diff(end[0], *moving) == 1)
     )
 
 
@@ -94,12 +111,19 @@ def _has_one_mass(page: Page) -> bool:
     if page.inertia is None:
         return True
     M = sp.hessian(page.inertia[0], page.rates)
-    return bool(M.is_diagonal() and not M.has(*page.places) and M[0, 0] == M[min(1, M.rows - 1), min(1, M.rows - 1)])
+    return bool(
+        M.is_diagonal()
+        and not M.has(*page.places)
+        and M[0, 0] == M[min(1, M.rows - 1), min(1, M.rows - 1)]
+    )
 
 
 def _values(page: Page) -> dict[sp.Symbol, float]:
     """Base values, 1 for units of measure, and the mass at its origin."""
-    values = {datum.symbol: _INCLINATION if datum.base is None else datum.base for datum in page.parameters}
+    values = {
+        datum.symbol: _INCLINATION if datum.base is None else datum.base
+        for datum in page.parameters
+    }
     return values | {datum.symbol: 1.0 for datum in page.units} | dict.fromkeys(page.places, 0.0)
 
 
@@ -139,8 +163,20 @@ def _body(sheet: Sheet, page: Page) -> None:
     if _is_ball(page):
         sheet.circle((0.0, 0.0), width, style="ink body")
     else:
-        sheet.line((-width, -height), (width, -height), (width, height), (-width, height), style="ink body", closed=True)
-    sheet.name("m" if page.inertia is None else _letter(sp.diff(page.inertia[0], page.coordinates[0].rate, 2)), (0.0, 7.0))
+        sheet.line(
+            (-width, -height),
+            (width, -height),
+            (width, height),
+            (-width, height),
+            style="ink body",
+            closed=True,
+        )
+    sheet.name(
+        "m"
+        if page.inertia is None
+        else _letter(sp.diff(page.inertia[0], page.coordinates[0].rate, 2)),
+        (0.0, 7.0),
+    )
 
 
 def _belt(sheet: Sheet, page: Page) -> None:
@@ -149,7 +185,14 @@ def _belt(sheet: Sheet, page: Page) -> None:
     elastic = page.normal is not None and page.normal.gap is not None
     top = height + (_CONTACT if elastic else 0.0)
     left, right = -130.0, 150.0
-    sheet.line((left, top), (right, top), (right, top + 14), (left, top + 14), style="ink belt", closed=True)
+    sheet.line(
+        (left, top),
+        (right, top),
+        (right, top + 14),
+        (left, top + 14),
+        style="ink belt",
+        closed=True,
+    )
     if page.sliding is not None:
         arrow(sheet, (60.0, top + 34), (140.0, top + 34))
         sheet.name(_letter(page.sliding.belt), (152.0, top + 40), anchor="start")
@@ -160,7 +203,10 @@ def _belt(sheet: Sheet, page: Page) -> None:
     sheet.line((-26.0, top - 3), (26.0, top - 3))
     depth = sp.Dummy(positive=True)
     law = sp.sympify(page.normal.law(depth))
-    terms = sorted(sp.Add.make_args(sp.expand(law)), key=lambda term: sp.degree(term, depth) if term.is_polynomial(depth) else 0)
+    terms = sorted(
+        sp.Add.make_args(sp.expand(law)),
+        key=lambda term: sp.degree(term, depth) if term.is_polynomial(depth) else 0,
+    )
     letters = ", ".join(_letter(term.subs(depth, 1)) for term in terms)
     sheet.name(letters, (-34.0, height + 0.5 * _CONTACT + 7), anchor="end")
 
@@ -184,7 +230,13 @@ def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
     sheet.line((width, 0.0), (arm + rows[-1], 0.0))
     for part, x in zip(parts, rows, strict=True):
         beside = arm + x + (-14 if x < 0 else 14), 0.5 * _CEILING + 6
-        _draw(sheet, part, Axis((arm + x, 0.0), (arm + x, _CEILING)), beside, "end" if x < 0 else "start")
+        _draw(
+            sheet,
+            part,
+            Axis((arm + x, 0.0), (arm + x, _CEILING)),
+            beside,
+            "end" if x < 0 else "start",
+        )
     wall(sheet, (arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), (0.0, -1.0))
 
 
@@ -230,7 +282,13 @@ def _turning(sheet: Sheet, place: Place, letter: str) -> None:
     """A torsion spring at an anchor: two arcs around it, and its letter."""
     for radius in (11.0, 17.0):
         angles = (math.radians(10.0 * turn) for turn in range(17))
-        sheet.line(*((place[0] + radius * math.cos(it), place[1] + radius * math.sin(it)) for it in angles), style="ink thin")
+        sheet.line(
+            *(
+                (place[0] + radius * math.cos(it), place[1] + radius * math.sin(it))
+                for it in angles
+            ),
+            style="ink thin",
+        )
     sheet.name(letter, (place[0] + 24, place[1] + 12), anchor="start")
 
 
@@ -259,7 +317,14 @@ def _angle(sheet: Sheet, axis: Axis) -> None:
 def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> None:
     """An anchor that moves along the belt: a car on a rail, with what ties it to the ground."""
     x, y = place
-    sheet.line((x - 24, y - 12), (x + 24, y - 12), (x + 24, y + 4), (x - 24, y + 4), style="ink body", closed=True)
+    sheet.line(
+        (x - 24, y - 12),
+        (x + 24, y - 12),
+        (x + 24, y + 4),
+        (x - 24, y + 4),
+        style="ink body",
+        closed=True,
+    )
     for wheel in (-14.0, 14.0):
         sheet.circle((x + wheel, y - 17), 5.0)
     sheet.line((x - 60, y - 23), (x + 70, y - 23))
@@ -303,10 +368,18 @@ def _leaning(sheet: Sheet, page: Page) -> None:
         along = math.atan2(float(ratio), 1.0)
         along += math.pi * (math.sin(along) < 0)  # upwards
         start = 0.0, -_half(page)[1]
-        axis = Axis(start, (start[0] + 0.7 * _LENGTH * math.cos(along), start[1] - 0.7 * _LENGTH * math.sin(along)))
+        axis = Axis(
+            start,
+            (
+                start[0] + 0.7 * _LENGTH * math.cos(along),
+                start[1] - 0.7 * _LENGTH * math.sin(along),
+            ),
+        )
         spring(sheet, axis)
         x, y = axis.at(0.5 * axis.length, -26.0)
-        letter = _letter(energy.subs({symbol: index + 1 for index, symbol in enumerate(page.places[:2])}))
+        letter = _letter(
+            energy.subs({symbol: index + 1 for index, symbol in enumerate(page.places[:2])})
+        )
         sheet.name(letter, (x, y), anchor="end")
         _anchor(sheet, axis.end)
 
@@ -325,12 +398,17 @@ def _forces(sheet: Sheet, page: Page) -> None:
     for place, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
         size = math.hypot(x, y) or 1.0
-        bare = sp.Add(*components).replace(lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One)
+        bare = sp.Add(*components).replace(
+            lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One
+        )
         letter = _letter(bare)
         across = (x / size, -y / size)
         if place == 0:  # onto the mass, on the side that no spring leans to
             side = 1.0 if any(not _weight(page, energy) for energy, _ in page.energies) else -1.0
-            end = side * 0.92 * width, -height - 4  # near the edge, beside a second spring that leans to it
+            end = (
+                side * 0.92 * width,
+                -height - 4,
+            )  # near the edge, beside a second spring that leans to it
             start = end[0] - 52 * across[0], end[1] - 52 * across[1]
             beside = start[0] + side * 8, start[1] + 16
         else:

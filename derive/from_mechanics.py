@@ -60,17 +60,28 @@ def page_from(
 class _Reader:
     """What a method holds, in a page's symbols."""
 
-    def __init__(self, method: Any, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]) -> None:
+    def __init__(
+        self, method: Any, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]
+    ) -> None:
         from sympy.physics.vector import dynamicsymbols
 
         from .model import refused
 
-        self.page, self.refused, self.loads, self.time = page, refused, [*(method.loads or ())], dynamicsymbols._t
+        self.page, self.refused, self.loads, self.time = (
+            page,
+            refused,
+            [*(method.loads or ())],
+            dynamicsymbols._t,
+        )
         kane = hasattr(method, "kindiffdict")
         if any(map(len, (method._qdep, method._udep) if kane else (method.coneqs,))):
-            raise refused("the method has constraints; eliminate them, so that its coordinates are independent")
+            raise refused(
+                "the method has constraints; eliminate them, so that its coordinates are independent"
+            )
         if set(coordinates) != set(method.q):
-            raise refused(f"the coordinates are {', '.join(map(str, method.q))}; give unit and meaning of each of these")
+            raise refused(
+                f"the coordinates are {', '.join(map(str, method.q))}; give unit and meaning of each of these"
+            )
         self.places = [page.coordinate(q.func.__name__, *coordinates[q]) for q in method.q]
         self.rates = [page.rate(place) for place in self.places]
         by_speeds = [rate - value for rate, value in method.kindiffdict().items()] if kane else []
@@ -80,12 +91,16 @@ class _Reader:
             dict(zip(method.q, self.places, strict=True)),
         ]
         self.frame = method._inertial if kane else method.inertial
-        whole = self.plain(sum(body.kinetic_energy(self.frame) for body in method.bodies) if kane else method._L[0])
+        whole = self.plain(
+            sum(body.kinetic_energy(self.frame) for body in method.bodies) if kane else method._L[0]
+        )
         still = dict.fromkeys(self.rates, 0)
         self.stored = -whole.subs(still)
         self.kinetic = sp.expand(whole + self.stored)
         if any(sp.diff(self.kinetic, rate).subs(still) != 0 for rate in self.rates):
-            raise refused(f"the Lagrangian holds a term linear in the rates, and {limits.GYROSCOPIC}")
+            raise refused(
+                f"the Lagrangian holds a term linear in the rates, and {limits.GYROSCOPIC}"
+            )
 
     def plain(self, expression: Any) -> sp.Expr:
         """An expression in the page's symbols."""
@@ -105,8 +120,12 @@ class _Reader:
             raise self.refused("there is friction and no normal force; give contact=(N, gap, law)")
         forces = sp.zeros(len(self.places), 1)
         for point, vector in self.loads:
-            velocity = point.vel(self.frame) if hasattr(point, "vel") else point.ang_vel_in(self.frame)
-            moves, pulls = (part.to_matrix(self.frame).applyfunc(self.plain) for part in (velocity, vector))
+            velocity = (
+                point.vel(self.frame) if hasattr(point, "vel") else point.ang_vel_in(self.frame)
+            )
+            moves, pulls = (
+                part.to_matrix(self.frame).applyfunc(self.plain) for part in (velocity, vector)
+            )
             forces += moves.jacobian(self.rates).T * pulls
         if contact is not None:
             normal, gap, law = contact
@@ -117,7 +136,11 @@ class _Reader:
             self.page.friction(self.plain(along), belt, *laws)
             forces -= normal * coefficient * self.gradient(self.plain(along))
         forces = forces.applyfunc(self.expanded)
-        known = {*self.places, *self.rates, *(entry.symbol for entry in (*self.page.units, *self.page.parameters))}
+        known = {
+            *self.places,
+            *self.rates,
+            *(entry.symbol for entry in (*self.page.units, *self.page.parameters)),
+        }
         for place, force in zip(self.places, forces, strict=True):
             if unknown := sorted(map(str, force.free_symbols - known)):
                 raise self.refused(
@@ -133,17 +156,29 @@ class _Reader:
     def expanded(self, expression: sp.Expr) -> sp.Expr:
         """An expression multiplied out, with its roots and quotients of coordinates kept."""
         kept = {base: sp.Dummy(positive=True) for base in self.bases(expression)}
-        held = expression.replace(lambda it: isinstance(it, sp.Pow) and it.base in kept, lambda it: kept[it.base] ** it.exp)
+        held = expression.replace(
+            lambda it: isinstance(it, sp.Pow) and it.base in kept,
+            lambda it: kept[it.base] ** it.exp,
+        )
         return sp.expand(held).xreplace({dummy: base for base, dummy in kept.items()})
 
     def lines(self, forces: sp.Matrix) -> Iterator[tuple[sp.Expr, sp.Matrix, int, tuple[Any, Any]]]:
         """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it, and the ends of the line."""
-        for base in sorted({base for force in forces for base in self.bases(force)}, key=sp.default_sort_key):
+        for base in sorted(
+            {base for force in forces for base in self.bases(force)}, key=sp.default_sort_key
+        ):
             parts = [part.base for part in sp.Add.make_args(base) if part.is_Pow and part.exp == 2]
             if len(parts) != 2 or sp.expand(sum(part**2 for part in parts) - base) != 0:
-                raise self.refused(f"the root of {base} is no length between two points; write it as sqrt(dx**2 + dy**2)")
+                raise self.refused(
+                    f"the root of {base} is no length between two points; write it as sqrt(dx**2 + dy**2)"
+                )
             # Along x comes first, and from the mass to the anchor both parts fall as the mass moves.
-            parts.sort(key=lambda part: next((row for row, place in enumerate(self.places) if part.has(place)), len(self.places)))
+            parts.sort(
+                key=lambda part: next(
+                    (row for row, place in enumerate(self.places) if part.has(place)),
+                    len(self.places),
+                )
+            )
             ends = []
             for part in parts:
                 slopes = {sp.diff(part, place): place for place in reversed(self.places)}
@@ -162,9 +197,13 @@ class _Reader:
                 f"{', '.join(str(one) for one in forces if one != 0)} is no damper of a page: {limits.NONLINEAR_DAMPER}"
             )
         if not (C - C.T).applyfunc(self.expanded).is_zero_matrix:
-            raise self.refused(f"the forces {', '.join(map(str, forces))} are no dampers: {limits.GYROSCOPIC}")
+            raise self.refused(
+                f"the forces {', '.join(map(str, forces))} are no dampers: {limits.GYROSCOPIC}"
+            )
         for base, half, row, ends in self.lines(C):
-            square = sp.Add(*(term for term in sp.Add.make_args(C[row, row]) if base in self.bases(term)))
+            square = sp.Add(
+                *(term for term in sp.Add.make_args(C[row, row]) if base in self.bases(term))
+            )
             coefficient = sp.simplify(square * base / half[row] ** 2)
             self.page.damper(coefficient, *ends)
             C = (C - coefficient / base * half * half.T).applyfunc(self.expanded)
@@ -178,9 +217,13 @@ class _Reader:
     def springs(self, forces: sp.Matrix) -> None:
         """Straight springs, those along coordinates, other potentials, and applied forces."""
         for base, half, row, ends in self.lines(forces):
-            product = sp.simplify(forces[row].subs(1 / sp.sqrt(base), length := sp.Dummy()).coeff(length) / half[row])
+            product = sp.simplify(
+                forces[row].subs(1 / sp.sqrt(base), length := sp.Dummy()).coeff(length) / half[row]
+            )
             left = {
-                stiffness: (forces + (stiffness - product / sp.sqrt(base)) * half).applyfunc(self.expanded)
+                stiffness: (forces + (stiffness - product / sp.sqrt(base)) * half).applyfunc(
+                    self.expanded
+                )
                 for stiffness in self.stiffnesses(product)
             }
             if not left or any(base in self.bases(force) for force in next(iter(left.values()))):
@@ -188,15 +231,23 @@ class _Reader:
                     f"the force {forces[row]} depends on {sp.sqrt(base)}, and is no k (l - r): it is no spring of a page"
                 )
             # Of k_2 λ_2 L_0, say, k_2 is the stiffness if it takes away what stands without the root.
-            stiffness = min(left, key=lambda one: sum(len(sp.Add.make_args(force)) for force in left[one]))
+            stiffness = min(
+                left, key=lambda one: sum(len(sp.Add.make_args(force)) for force in left[one])
+            )
             self.page.spring(stiffness, *ends, length=product / stiffness)
             forces = left[stiffness]
         potential = sp.S.Zero
         for place, force in zip(self.places, forces, strict=True):
-            potential -= sp.expand(sp.integrate(sp.expand(force + sp.diff(potential, place)), place))
-        for place, force in zip(self.places, (forces + self.gradient(potential)).applyfunc(sp.expand), strict=True):
+            potential -= sp.expand(
+                sp.integrate(sp.expand(force + sp.diff(potential, place)), place)
+            )
+        for place, force in zip(
+            self.places, (forces + self.gradient(potential)).applyfunc(sp.expand), strict=True
+        ):
             pull, square = (potential.coeff(place, power) for power in (1, 2))
-            pull, square = (sp.S.Zero if part.has(*self.places) else part for part in (pull, square))
+            pull, square = (
+                sp.S.Zero if part.has(*self.places) else part for part in (pull, square)
+            )
             if force != pull:
                 self.page.force(force - pull, along=place)
             if square != 0:

@@ -39,7 +39,9 @@ def _sides(model: Mechanics) -> Pair:
 
 def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
     """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of each, what it lacks, its −exponent."""
-    nodes = {node for side in _sides(model) for node in side.atoms(sp.exp, sp.tanh) if node.has(SLIP)}
+    nodes = {
+        node for side in _sides(model) for node in side.atoms(sp.exp, sp.tanh) if node.has(SLIP)
+    }
     found = []
     for node in sorted(nodes, key=sp.default_sort_key):
         argument = node.args[0]
@@ -47,13 +49,17 @@ def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]
             found.append((node, sp.S.Zero, node, -argument))
         elif (end := _within_domains(limit(model, argument, SLIP, sp.oo))) in (sp.oo, -sp.oo):
             far, exponent = sp.sign(end), 2 * sp.sign(end) * argument
-            found.append((node, far, -2 * far * sp.exp(-exponent) / (1 + sp.exp(-exponent)), exponent))
+            found.append(
+                (node, far, -2 * far * sp.exp(-exponent) / (1 + sp.exp(-exponent)), exponent)
+            )
     return found
 
 
 def _within_domains(value: sp.Expr) -> sp.Expr:
     """A value of which only the sign is asked, with parameters away from 0 where that is the end of their domain."""
-    return value.xreplace({it: sp.Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative})
+    return value.xreplace(
+        {it: sp.Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative}
+    )
 
 
 def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.Expr:
@@ -72,7 +78,9 @@ def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.
 
 def layers(model: Mechanics) -> Row:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
-    return tuple(sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for *_, exponent in _layers(model))
+    return tuple(
+        sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for *_, exponent in _layers(model)
+    )
 
 
 def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
@@ -80,7 +88,10 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     ahead, behind = _sides(model)
     found = _layers(model)
     if not felt:
-        factors = {node: far + factor * tail for (node, far, tail, _), factor in zip(found, near(len(found)), strict=True)}
+        factors = {
+            node: far + factor * tail
+            for (node, far, tail, _), factor in zip(found, near(len(found)), strict=True)
+        }
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     if sp.expand(ahead + behind) == 0:
         return SIDE * ahead.subs(SLIP, SIDE * slip(model))
@@ -99,7 +110,11 @@ def static_coefficients(model: Mechanics) -> Pair:
         begins = sign * limit(model, side, SLIP, sp.S.Zero)
         more = sp.simplify(holds - begins)
         found.append(
-            holds if more.is_nonnegative else begins if more.is_nonpositive else (holds + begins + sp.Abs(holds - begins)) / 2
+            holds
+            if more.is_nonnegative
+            else begins
+            if more.is_nonpositive
+            else (holds + begins + sp.Abs(holds - begins)) / 2
         )
     return found[0], found[1]
 
@@ -129,10 +144,14 @@ def slope_by_sizes(model: Mechanics) -> tuple[tuple[Pair, ...], ...]:
     for term in sp.Add.make_args(sp.expand(slope_at_rest(model))):
         coefficient, power = term.as_independent(sp.exp)
         power = sp.powsimp(power)
-        coefficient, exponent = (coefficient, power.args[0]) if isinstance(power, sp.exp) else (term, sp.S.Zero)
+        coefficient, exponent = (
+            (coefficient, power.args[0]) if isinstance(power, sp.exp) else (term, sp.S.Zero)
+        )
         terms[exponent] = terms.get(exponent, sp.S.Zero) + coefficient
     ordered = sorted(terms, key=sp.default_sort_key)
-    return tuple(tuple((sp.factor_terms(terms[a]), sp.expand(a - top)) for a in ordered) for top in ordered)
+    return tuple(
+        tuple((sp.factor_terms(terms[a]), sp.expand(a - top)) for a in ordered) for top in ordered
+    )
 
 
 def friction_at_rest(model: Mechanics) -> sp.Expr:

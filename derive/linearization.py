@@ -25,13 +25,34 @@ def module(model: Mechanics) -> Module:
         "linearization",
         "Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.",
         (
-            of_page("mass_matrix", "M of the kinetic energy.", (*model.coordinates, *model.arguments),
-                    rows(model.mass), "((M_11, …), …)"),
-            of_page("damping", "C: dampers, and the slope of the friction law at steady sliding.", (*state, PUSHING),
-                    rows(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}),
-            of_page("friction_slope", "Slope of the friction law at steady sliding, by the sliding speed.",
-                    model.arguments, laws.slope_at_rest(model), "dμ/dv"),
-            of_page("friction_slope_by_sizes", "The slope as a sum of c exp(a), over each of its exponentials.",
-                    model.arguments, laws.slope_by_sizes(model), "(((c, a), …), …)"),
+            of_page(
+                "mass_matrix",
+                "M of the kinetic energy.",
+                (*model.coordinates, *model.arguments),
+                rows(model.mass),
+                "((M_11, …), …)",
+            ),
+            of_page(
+                "damping",
+                "C: dampers, and the slope of the friction law at steady sliding.",
+                (*state, PUSHING),
+                rows(damping(model)),
+                "((C_11, …), …)",
+                {DEPTH: model.depth},
+            ),
+            of_page(
+                "friction_slope",
+                "Slope of the friction law at steady sliding, by the sliding speed.",
+                model.arguments,
+                laws.slope_at_rest(model),
+                "dμ/dv",
+            ),
+            of_page(
+                "friction_slope_by_sizes",
+                "The slope as a sum of c exp(a), over each of its exponentials.",
+                model.arguments,
+                laws.slope_by_sizes(model),
+                "(((c, a), …), …)",
+            ),
         ),
-    )  # fmt: skip
+    )

@@ -53,7 +53,11 @@ class Line:
     def slopes(self, dx: sp.Expr, dy: sp.Expr) -> Names:
         """How direction and length change when the vector changes by (dx, dy)."""
         turn = self.s * dx - self.c * dy
-        return {self.l: self.c * dx + self.s * dy, self.c: self.s * turn / self.l, self.s: -self.c * turn / self.l}
+        return {
+            self.l: self.c * dx + self.s * dy,
+            self.c: self.s * turn / self.l,
+            self.s: -self.c * turn / self.l,
+        }
 
 
 @dataclass(frozen=True)
@@ -126,10 +130,14 @@ class Mechanics:
     lines: tuple[Line, ...]
     torsions: tuple[Turning, ...]
     kinetic: sp.Expr
-    potential: sp.Expr  #: in coordinates, lengths and turnings, without the contact and the applied forces
+    potential: (
+        sp.Expr
+    )  #: in coordinates, lengths and turnings, without the contact and the applied forces
     stiffnesses: Row  #: of the spring along every line, 0 where there is none
     applied: Row  #: generalized applied forces
-    dissipation: sp.Expr  #: half of the power that the dampers take, in rates, directions and lengths
+    dissipation: (
+        sp.Expr
+    )  #: half of the power that the dampers take, in rates, directions and lengths
     gap: sp.Expr | None
     unilateral: bool
     polynomial: bool  #: whether the contact law is a polynomial of the penetration
@@ -170,7 +178,9 @@ class Mechanics:
         """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
         for angle in self.angles:
             if angle.symbol == symbol:
-                turned = angle.c * sp.diff(expression, angle.s) - angle.s * sp.diff(expression, angle.c)
+                turned = angle.c * sp.diff(expression, angle.s) - angle.s * sp.diff(
+                    expression, angle.c
+                )
                 return turned + sp.diff(expression, symbol)
         return sp.diff(expression, symbol)
 
@@ -179,10 +189,14 @@ class Mechanics:
         total = self.partial(expression, symbol)
         for line in self.lines:
             slopes = line.slopes(self.partial(line.dx, symbol), self.partial(line.dy, symbol))
-            total += sum((sp.diff(expression, inner) * slope for inner, slope in slopes.items()), sp.S.Zero)
+            total += sum(
+                (sp.diff(expression, inner) * slope for inner, slope in slopes.items()), sp.S.Zero
+            )
         for torsion in self.torsions:
             line = torsion.line
-            turn = (line.c * self.partial(line.dy, symbol) - line.s * self.partial(line.dx, symbol)) / line.l
+            turn = (
+                line.c * self.partial(line.dy, symbol) - line.s * self.partial(line.dx, symbol)
+            ) / line.l
             total += sp.diff(expression, torsion.phi) * (turn - sp.diff(torsion.rest, symbol))
         if self.gap is not None and expression.has(DEPTH):
             total -= sp.diff(expression, DEPTH) * self.partial(self.gap, symbol)
@@ -194,23 +208,38 @@ class Mechanics:
         Each parameter stands once where it can: an interval of it counts once, too.
         """
         # Kept whole: expanded, they may overflow, or become sums of logarithms.
-        nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression), key=sp.default_sort_key)
-        kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
-        shortest = expanded(expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
+        nodes = sorted(
+            expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression),
+            key=sp.default_sort_key,
+        )
+        kept = {1 / line.l: sp.Dummy() for line in self.lines} | {
+            node: sp.Dummy() for node in nodes
+        }
+        shortest = expanded(
+            expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)
+        ).subs(SIDE**2, 1)
         turned = {node: sp.Dummy(real=True) for pair in waves(shortest) for node in pair}
         shortest = shortest.xreplace(turned)
         kept |= turned
-        circles = [(line.c, line.s) for line in self.lines] + [(kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))]
+        circles = [(line.c, line.s) for line in self.lines] + [
+            (kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))
+        ]
         for cosine, sine in circles:
             if shortest.has(cosine, sine):
                 shortest = fewest_terms(shortest, cosine, sine)
-        whole = sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
+        whole = sp.factor_terms(
+            shortest.subs({dummy: quotient for quotient, dummy in kept.items()})
+        )
         return sp.collect(whole, tuple(map(number, self.parameters)))
 
     def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
         """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and sine, as 1/(1 + cos² v²) is none."""
         directions = {symbol for line in self.lines for symbol in (line.c, line.s)}
-        return {node for node in quotients(expression) if waves(node.base) or node.base.free_symbols & directions}
+        return {
+            node
+            for node in quotients(expression)
+            if waves(node.base) or node.base.free_symbols & directions
+        }
 
     # ------------------------------------------------------------------------------------------------ forces
 
@@ -230,7 +259,11 @@ class Mechanics:
     @cached_property
     def push(self) -> sp.Expr:
         """The contact force on the contact's side, in coordinates or in DEPTH."""
-        return sp.expand(self.law.subs(DEPTH, -self.gap)) if self.gap is not None and self.in_coordinates else self.law
+        return (
+            sp.expand(self.law.subs(DEPTH, -self.gap))
+            if self.gap is not None and self.in_coordinates
+            else self.law
+        )
 
     @cached_property
     def normal(self) -> sp.Expr:
@@ -261,7 +294,10 @@ class Mechanics:
     @cached_property
     def residuals_apart(self) -> Row:
         """The same without the springs along lines, each of which adds its tension times (c ∂dx + s ∂dy), and without torsion springs."""
-        springs = [elastic(line, stiffness) for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)]
+        springs = [
+            elastic(line, stiffness)
+            for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)
+        ]
         springs += [torsion.energy for torsion in self.torsions]
         return self._residuals(expanded(self.potential - sum(springs, sp.S.Zero)))
 
@@ -290,12 +326,19 @@ class Mechanics:
 def waves(expression: sp.Basic) -> list[Pair]:
     """Cosine and sine of everything of which the expression takes one of them, in an order of their own."""
     arguments = {node.args[0] for node in expression.atoms(sp.cos, sp.sin)}
-    return [(sp.cos(argument), sp.sin(argument)) for argument in sorted(arguments, key=sp.default_sort_key)]
+    return [
+        (sp.cos(argument), sp.sin(argument))
+        for argument in sorted(arguments, key=sp.default_sort_key)
+    ]
 
 
 def number(datum: Datum) -> sp.Symbol:
     """The dimensionless quantity that a parameter becomes."""
-    known = {name: True for name in ("positive", "nonnegative", "real") if datum.symbol.assumptions0.get(name)}
+    known = {
+        name: True
+        for name in ("positive", "nonnegative", "real")
+        if datum.symbol.assumptions0.get(name)
+    }
     return sp.Symbol(datum.becomes, **known)
 
 
@@ -330,7 +373,9 @@ def of(page: Page, units: bool = False) -> Mechanics:
         slide=None if page.sliding is None else scaled(page.sliding.along),
         belt=sp.S.Zero if page.sliding is None else scaled(page.sliding.belt),
         # The last, since it is known only now which angles stand by themselves.
-        angles=tuple(Angle(angle, *parts, angle in scaled.alone) for angle, parts in scaled.angles.items()),
+        angles=tuple(
+            Angle(angle, *parts, angle in scaled.alone) for angle, parts in scaled.angles.items()
+        ),
     )
 
 
@@ -367,7 +412,9 @@ def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
     return stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
 
 
-def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], sp.Expr, sp.Expr]:
+def _lines(
+    page: Page, scaled: _Scaled
+) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], sp.Expr, sp.Expr]:
     """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs; half the power of the dampers."""
     found: list[Line] = []
     along: dict[Line, sp.Expr] = {}
@@ -408,7 +455,13 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], Row, tuple[Tu
             line = line_of(damper.ends, None, damper.line)
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
         dissipation += coefficient * speed**2 / 2
-    return tuple(found), tuple(along.get(line, sp.S.Zero) for line in found), torsions, energy, dissipation
+    return (
+        tuple(found),
+        tuple(along.get(line, sp.S.Zero) for line in found),
+        torsions,
+        energy,
+        dissipation,
+    )
 
 
 def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turning:
@@ -421,7 +474,9 @@ def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turni
             "another number a parameter in rad, with a base value",
         )
     phi, way = sp.symbols(f"phi{count} way{count}", real=True)
-    return Turning(line, scaled(torsion.strength), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way)
+    return Turning(
+        line, scaled(torsion.strength), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way
+    )
 
 
 def _applied(page: Page, scaled: _Scaled) -> Row:

@@ -24,16 +24,39 @@ from .emit.quantities import interval
 from .from_mechanics import page_from
 
 __all__ = [
-    "Abs", "Page", "PageError", "atan", "cos", "cosh", "exp", "log", "page_from", "pi", "sgn", "sin", "sinh", "sqrt", "tanh",
-]  # fmt: skip
+    "Abs",
+    "Page",
+    "PageError",
+    "atan",
+    "cos",
+    "cosh",
+    "exp",
+    "log",
+    "page_from",
+    "pi",
+    "sgn",
+    "sin",
+    "sinh",
+    "sqrt",
+    "tanh",
+]
 
 #: The sign function under the name that articles give it.
 sgn = sign
 
 #: The functions that laws and energies are made of, by the names that pages give them; beside them roots and other powers.
 FUNCTIONS = {
-    "Abs": Abs, "atan": atan, "cos": cos, "cosh": cosh, "exp": exp, "log": log, "sgn": sgn, "sin": sin, "sinh": sinh, "tanh": tanh,
-}  # fmt: skip
+    "Abs": Abs,
+    "atan": atan,
+    "cos": cos,
+    "cosh": cosh,
+    "exp": exp,
+    "log": log,
+    "sgn": sgn,
+    "sin": sin,
+    "sinh": sinh,
+    "tanh": tanh,
+}
 #: Those of which code is made: the hyperbolic sine and cosine are two exponentials.
 WRITTEN = tuple(function for name, function in FUNCTIONS.items() if name not in ("cosh", "sinh"))
 
@@ -47,7 +70,9 @@ class PageError(ArithmeticError):
     """A page that can't be carried through: which line, what was expected, and what still works."""
 
     def __init__(self, line: int, message: str, page: str = "") -> None:
-        message = re.sub(r"(?<!['\w])_(?=[a-z])", "", message)  # names of generated code's own, as the page's laws have them
+        message = re.sub(
+            r"(?<!['\w])_(?=[a-z])", "", message
+        )  # names of generated code's own, as the page's laws have them
         place = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
         super().__init__(f"{place}: {message}" if place else message)
         self.line, self.message = line, message
@@ -73,7 +98,11 @@ class Datum:
     @property
     def cosine_and_sine(self) -> tuple[str, str]:
         """Names that stand for an angle in code: ``cos0`` and ``sin0`` for ``theta0``, ``cos_psi`` and ``sin_psi`` for ``psi``."""
-        suffix = self.becomes.removeprefix("theta") if self.becomes.startswith("theta") else f"_{self.becomes}"
+        suffix = (
+            self.becomes.removeprefix("theta")
+            if self.becomes.startswith("theta")
+            else f"_{self.becomes}"
+        )
         return f"cos{suffix}", f"sin{suffix}"
 
 
@@ -152,15 +181,21 @@ def expression_of(value: object) -> sp.Expr:
     """A number or an expression, as an expression; decimals in it as the fractions that are written."""
     if value is None or isinstance(value, str):
         said = "nothing" if value is None else f"{value!r}, a text"
-        raise refused(f"here is {said}; give a quantity of the page, without quotation marks, or a number")
+        raise refused(
+            f"here is {said}; give a quantity of the page, without quotation marks, or a number"
+        )
     try:
         expression = sp.sympify(value)
     except sp.SympifyError as error:
         said = "a function" if callable(value) else repr(value)
-        raise refused(f"here is {said}; give an expression of parameters and coordinates, or a number") from error
+        raise refused(
+            f"here is {said}; give an expression of parameters and coordinates, or a number"
+        ) from error
     if expression.has(sinh, cosh):
         for function in (sinh, cosh):
-            expression = expression.replace(function, lambda u, whole=function: whole(u).rewrite(exp))
+            expression = expression.replace(
+                function, lambda u, whole=function: whole(u).rewrite(exp)
+            )
     return sp.nsimplify(expression, rational=True) if expression.atoms(sp.Float) else expression
 
 
@@ -216,7 +251,9 @@ class Page:
         """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, positive=True)
-        return self._entered(self.units, Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line()))
+        return self._entered(
+            self.units, Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line())
+        )
 
     def parameter(
         self,
@@ -229,32 +266,47 @@ class Page:
         latex: str = "",
     ) -> sp.Symbol:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
-        _check_texts(name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex)
+        _check_texts(
+            name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex
+        )
         symbol = sp.Symbol(name, **_assumptions(domain))
         if base is not None and (
-            isinstance(base, bool) or not isinstance(base, int | float | sp.Expr) or not sp.sympify(base).is_number
+            isinstance(base, bool)
+            or not isinstance(base, int | float | sp.Expr)
+            or not sp.sympify(base).is_number
         ):
-            raise refused(f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
+            raise refused(
+                f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5"
+            )
         number, allowed = None if base is None else float(base), interval(domain)
         if number is not None and not allowed.holds(number):
             turn = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
             raise refused(f"the base value {base} of {name} is not in its domain {domain}{turn}")
-        if unit == "rad" and 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf:  # as one in degrees is
-            raise refused(f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)")
+        if (
+            unit == "rad" and 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf
+        ):  # as one in degrees is
+            raise refused(
+                f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)"
+            )
         for other in self.parameters:
             if other.becomes == (becomes or name):
                 raise refused(
                     f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
                 )
         letter = latex or sp.latex(symbol)
-        return self._entered(self.parameters, Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number))
+        return self._entered(
+            self.parameters,
+            Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number),
+        )
 
     def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
         """A coordinate: a length, or another quantity that says where the model is."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, real=True)
         letter = latex or sp.latex(symbol)
-        return self._entered(self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line()))
+        return self._entered(
+            self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line())
+        )
 
     def rate(self, of: sp.Expr) -> sp.Expr:
         """Time derivative of a coordinate, or of an expression in coordinates."""
@@ -271,11 +323,19 @@ class Page:
         """Potential energy, beside that of the springs."""
         self.energies.append((expression_of(energy), _line()))
 
-    def spring(self, stiffness: sp.Expr, *ends: Point, length: sp.Expr | int = 0, along: sp.Expr | None = None) -> None:
+    def spring(
+        self,
+        stiffness: sp.Expr,
+        *ends: Point,
+        length: sp.Expr | int = 0,
+        along: sp.Expr | None = None,
+    ) -> None:
         """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
         for what, value in (("stiffness", stiffness), ("undeformed length", length)):
             if moving := self._moving(expression_of(value)):
-                raise refused(f"the {what} of this spring depends on {moving}; say its energy with page.potential")
+                raise refused(
+                    f"the {what} of this spring depends on {moving}; say its energy with page.potential"
+                )
         self.springs.append(_element("spring", stiffness, ends, along, length))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
@@ -291,12 +351,18 @@ class Page:
         self._check_speeds(expression_of(coefficient), "the coefficient", limits.NONLINEAR_DAMPER)
         self.dampers.append(_element("damper", coefficient, ends, along, 0))
 
-    def force(self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None) -> None:
+    def force(
+        self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None
+    ) -> None:
         """An applied force: two components at a point, or one along a coordinate."""
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
-            raise refused("a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
+            raise refused(
+                "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate"
+            )
         if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
-            raise refused(f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
+            raise refused(
+                f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)"
+            )
         place = (_along(along),) if at is None else tuple(map(expression_of, at))
         self.forces.append(Force(tuple(map(expression_of, components)), place, _line()))
 
@@ -318,9 +384,15 @@ class Page:
         self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(
-        self, along: sp.Expr, belt: sp.Expr, law: Law | None = None, at_rest: sp.Expr | None = None,
-        *, slip: Law | None = None, holds: sp.Expr | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        along: sp.Expr,
+        belt: sp.Expr,
+        law: Law | None = None,
+        at_rest: sp.Expr | None = None,
+        *,
+        slip: Law | None = None,
+        holds: sp.Expr | None = None,
+    ) -> None:
         """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at speed 0; or dry friction.
 
         ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out, statics takes the law at the belt's
@@ -341,17 +413,23 @@ class Page:
             )
         coefficient = None if holds is None else expression_of(holds)
         if coefficient is not None and (moving := self._moving(coefficient)):
-            raise refused(f"what friction holds depends on {moving}; give a coefficient that stays, as mu_s")
+            raise refused(
+                f"what friction holds depends on {moving}; give a coefficient that stays, as mu_s"
+            )
         given = cast(Law, slip if law is None else law)
         self._check_law(given, "friction", "sliding speed")
         limit = None if at_rest is None else expression_of(at_rest)
-        self.sliding = Friction(expression_of(along), expression_of(belt), given, limit, _line(), coefficient)
+        self.sliding = Friction(
+            expression_of(along), expression_of(belt), given, limit, _line(), coefficient
+        )
 
     def _check_law(self, law: Law, kind: str, of: str) -> None:
         """A law is one of expressions, and of its own variable alone."""
         limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
         if len(needed := _needed(law, kind, of)) > 1:
-            raise refused(f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
+            raise refused(
+                f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}"
+            )
         try:
             moving = self._moving(expression_of(law(sp.Dummy(positive=True))))
         except PageError:
@@ -362,20 +440,30 @@ class Page:
                 f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model"
             ) from error
         if moving:
-            rates = kind == "friction" or any(str(rate) in moving.split(", ") for rate in self.rates)
-            raise refused(f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}")
+            rates = kind == "friction" or any(
+                str(rate) in moving.split(", ") for rate in self.rates
+            )
+            raise refused(
+                f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}"
+            )
 
-    def _check_speeds(self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING) -> None:
+    def _check_speeds(
+        self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING
+    ) -> None:
         """The normal force follows from the place; the coefficient of a damper holds no speed either."""
         held = [str(rate) for rate in self.rates if expression.has(rate)]
         if held:
             raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
-    def _first(self, said: Contact | Friction | tuple[sp.Expr, int] | None, what: str, remedy: str) -> None:
+    def _first(
+        self, said: Contact | Friction | tuple[sp.Expr, int] | None, what: str, remedy: str
+    ) -> None:
         """A statement that a page has once."""
         if said is not None:
             line = said[1] if isinstance(said, tuple) else said.line
-            raise refused(f"line {line} says the {what} already, and this would replace it; {remedy}")
+            raise refused(
+                f"line {line} says the {what} already, and this would replace it; {remedy}"
+            )
 
     def _moving(self, expression: sp.Expr) -> str:
         """The coordinates and rates that an expression holds."""
@@ -383,7 +471,9 @@ class Page:
 
     def _entered(self, entries: list[Any], entry: Datum | Coordinate) -> sp.Symbol:
         """The symbol of a quantity, which is entered once."""
-        if str(entry.symbol) in (str(known.symbol) for known in (*self.units, *self.parameters, *self.coordinates)):
+        if str(entry.symbol) in (
+            str(known.symbol) for known in (*self.units, *self.parameters, *self.coordinates)
+        ):
             raise refused(f"{entry.symbol} is defined twice; give the second quantity another name")
         entries.append(entry)
         return entry.symbol
@@ -392,7 +482,10 @@ class Page:
 def _line() -> int:
     """The line of the page that is being read: the innermost frame outside this file, and that of other methods."""
     frame = inspect.currentframe()
-    while frame is not None and frame.f_code.co_filename in (__file__, page_from.__code__.co_filename):
+    while frame is not None and frame.f_code.co_filename in (
+        __file__,
+        page_from.__code__.co_filename,
+    ):
         frame = frame.f_back
     return frame.f_lineno if frame else 0
 
@@ -405,45 +498,80 @@ def refused(message: str) -> PageError:
 def _needed(law: Law, kind: str, of: str) -> list[str]:
     """The arguments that a law has to be given."""
     if not callable(law):
-        raise refused(f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …")
+        raise refused(
+            f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …"
+        )
     try:
         arguments = inspect.signature(law).parameters.values()
     except ValueError:  # a function of a library that does not say what it takes
         return []
-    return [it.name for it in arguments if it.default is it.empty and it.kind in (it.POSITIONAL_ONLY, it.POSITIONAL_OR_KEYWORD)]
+    return [
+        it.name
+        for it in arguments
+        if it.default is it.empty and it.kind in (it.POSITIONAL_ONLY, it.POSITIONAL_OR_KEYWORD)
+    ]
 
 
 def _along(along: sp.Expr | None) -> sp.Expr:
     if not isinstance(along, sp.Expr):
-        raise refused(f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks")
+        raise refused(
+            f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks"
+        )
     return expression_of(along)
 
 
-def _element(what: str, strength: sp.Expr, ends: tuple[Point, ...], along: sp.Expr | None, rest: sp.Expr | int) -> Element:
+def _element(
+    what: str,
+    strength: sp.Expr,
+    ends: tuple[Point, ...],
+    along: sp.Expr | None,
+    rest: sp.Expr | int,
+) -> Element:
     way = None if along is None else _along(along)
     if (len(ends), along is None) not in ((2, True), (0, False)):
-        raise refused("a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
+        raise refused(
+            "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x"
+        )
     if any(not isinstance(end, tuple | list) or len(end) != 2 for end in ends):
-        raise refused(f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}")
+        raise refused(
+            f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}"
+        )
     both = tuple((expression_of(x), expression_of(y)) for x, y in ends)
-    return Element(what, expression_of(strength), (both[0], both[1]) if both else None, way, expression_of(rest), _line())
+    return Element(
+        what,
+        expression_of(strength),
+        (both[0], both[1]) if both else None,
+        way,
+        expression_of(rest),
+        _line(),
+    )
 
 
 def _check_texts(**texts: object) -> None:
     """What describes a quantity is text."""
     for what, text in texts.items():
         if not isinstance(text, str):
-            raise refused(f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments")
+            raise refused(
+                f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments"
+            )
         check_characters(what, text, _line())
 
 
 def check_characters(what: str, text: str, line: int, allowed: str = "") -> None:
     """Text that files of every language can hold: no control characters, line ends, surrogates, or marks that turn the direction."""
     wrong = next(
-        (one for one in text if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp") and one not in allowed), None
+        (
+            one
+            for one in text
+            if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp") and one not in allowed
+        ),
+        None,
     )
     if wrong is not None:
-        raise PageError(line, f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; take it out")
+        raise PageError(
+            line,
+            f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; take it out",
+        )
 
 
 def _assumptions(domain: str) -> dict[str, bool]:

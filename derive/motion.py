@@ -34,7 +34,10 @@ class Motion:
     @cached_property
     def mobility(self) -> sp.Expr:
         """Jᵀ M⁻¹ J of the displacement that friction opposes: by how much a unit of friction slows the sliding."""
-        return sum((a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)), sp.S.Zero)
+        return sum(
+            (a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)),
+            sp.S.Zero,
+        )
 
     @cached_property
     def holding(self) -> sp.Expr:
@@ -54,7 +57,9 @@ class Motion:
 
     def margins(self, force: sp.Expr) -> Row:
         """How far a force of friction is from its limit with the belt, and from that against it: positive while friction holds."""
-        ahead, behind = (coefficient * self.model.normal for coefficient in laws.static_coefficients(self.model))
+        ahead, behind = (
+            coefficient * self.model.normal for coefficient in laws.static_coefficients(self.model)
+        )
         return ahead - force, behind + force
 
     @cached_property
@@ -89,7 +94,9 @@ class Motion:
         """M q″ less all forces, of which the contact's is ``contact``, in MU and the symbols of the accelerations."""
         it = self.model
         rows = []
-        for symbol, inertia, pull in zip(it.coordinates, it.mass * sp.Matrix(self.named), self.pull, strict=True):
+        for symbol, inertia, pull in zip(
+            it.coordinates, it.mass * sp.Matrix(self.named), self.pull, strict=True
+        ):
             share = sp.S.Zero if it.gap is None else sp.diff(it.gap, symbol)
             if it.slide is not None:
                 share += MU * sp.diff(it.slide, symbol)
@@ -106,7 +113,10 @@ class Motion:
         """M q″, in MU or in the FRICTION that holds."""
         if not self.model.holds:
             return self.pull
-        return tuple(row.subs(MU, 0) + FRICTION * share for row, share in zip(self.pull, self.along, strict=True))
+        return tuple(
+            row.subs(MU, 0) + FRICTION * share
+            for row, share in zip(self.pull, self.along, strict=True)
+        )
 
     def accelerated(self, forces: Row) -> Row:
         """M⁻¹ times forces."""
@@ -124,12 +134,16 @@ class Motion:
     def inverse(self) -> sp.Matrix:
         """Symbols of the entries of the inverse of M."""
         n = len(self.model.coordinates)
-        return sp.Matrix(n, n, lambda i, j: sp.Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True))
+        return sp.Matrix(
+            n, n, lambda i, j: sp.Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True)
+        )
 
     @cached_property
     def named(self) -> Symbols:
         """Symbols of the accelerations."""
-        return tuple(sp.Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates)
+        return tuple(
+            sp.Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates
+        )
 
     @cached_property
     def solved(self) -> Names:
@@ -156,7 +170,9 @@ class Motion:
         if not self.is_coupled:
             return tuple(self.derivative(row, symbol, turn) for row in self.accelerations)
         it = self.model
-        changes = it.mass.applyfunc(lambda entry: it.tidy(it.derivative(entry, symbol))) * sp.Matrix(self.named)
+        changes = it.mass.applyfunc(
+            lambda entry: it.tidy(it.derivative(entry, symbol))
+        ) * sp.Matrix(self.named)
         pulls = sp.Matrix([self.derivative(row, symbol, turn) for row in self.forces])
         return tuple(self.inverse * (pulls - changes))
 
@@ -166,13 +182,18 @@ class Motion:
             return self.model.derivative(self.friction, symbol)
         slipping = self.model.derivative(self.friction * self.model.normal, symbol)
         changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
-        change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(a * b for a, b in changes)
+        change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(
+            a * b for a, b in changes
+        )
         return (1 - STUCK) * slipping + STUCK * change / self.mobility
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turn: sp.Expr) -> sp.Expr:
         """By a coordinate, a rate or a parameter, with ``turn`` for that of MU, or of FRICTION."""
         it = self.model
-        return it.tidy(it.derivative(expression, symbol) + sp.diff(expression, FRICTION if self.model.holds else MU) * turn)
+        return it.tidy(
+            it.derivative(expression, symbol)
+            + sp.diff(expression, FRICTION if self.model.holds else MU) * turn
+        )
 
     # ------------------------------------------------------------------------------------------------ energy
 
@@ -180,13 +201,17 @@ class Motion:
     def stored(self) -> sp.Expr:
         """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the contact's."""
         springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
-        return self._apart + sum((elastic(line, k) + k * line.rest**2 / 2 for line, k in springs), sp.S.Zero)
+        return self._apart + sum(
+            (elastic(line, k) + k * line.rest**2 / 2 for line, k in springs), sp.S.Zero
+        )
 
     @cached_property
     def energy(self) -> sp.Expr:
         """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly deformed: l² is dx² + dy²."""
         springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
-        return self._apart + sum((k * (line.l - line.rest) ** 2 / 2 for line, k in springs), sp.S.Zero)
+        return self._apart + sum(
+            (k * (line.l - line.rest) ** 2 / 2 for line, k in springs), sp.S.Zero
+        )
 
     @cached_property
     def strain_energy(self) -> sp.Expr:
@@ -222,7 +247,12 @@ class Motion:
         """Power of applied forces that have no potential; zero for those that have one."""
         it = self.model
         rows = zip(it.coordinates, it.rates, it.applied, strict=True)
-        return sp.expand(sum(((force - sp.diff(self.work, symbol)) * rate for symbol, rate, force in rows), sp.S.Zero))
+        return sp.expand(
+            sum(
+                ((force - sp.diff(self.work, symbol)) * rate for symbol, rate, force in rows),
+                sp.S.Zero,
+            )
+        )
 
     @cached_property
     def friction_force(self) -> sp.Expr:
@@ -242,8 +272,12 @@ class Motion:
             change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
         sliding = sp.S.Zero if it.slide is None else it.page.rate(it.slide)
         powers = self.friction_force * sliding + self.damper_power + self.applied_power
-        turned = {node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair}
-        circles = [(line.c, line.s) for line in it.lines] + [(turned[c], turned[s]) for c, s in waves(sp.Tuple(*turned))]
+        turned = {
+            node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair
+        }
+        circles = [(line.c, line.s) for line in it.lines] + [
+            (turned[c], turned[s]) for c, s in waves(sp.Tuple(*turned))
+        ]
         return difference(change.xreplace(turned), powers.xreplace(turned), tuple(circles)) == 0
 
     # ------------------------------------------------------------------------------------------------ borders
@@ -252,13 +286,19 @@ class Motion:
     def borders(self) -> Row:
         """What is zero on a kink of the field: the gap, the sliding speed."""
         it = self.model
-        return (sp.S.One if it.gap is None or not it.unilateral else it.gap, laws.slip(it) if it.slide is not None else sp.S.One)
+        return (
+            sp.S.One if it.gap is None or not it.unilateral else it.gap,
+            laws.slip(it) if it.slide is not None else sp.S.One,
+        )
 
     @cached_property
     def curved(self) -> bool:
         """Whether a border is no linear function of the coordinates and rates."""
         it = self.model
-        return any(not sp.hessian(border, (*it.coordinates, *it.rates)).is_zero_matrix for border in self.borders)
+        return any(
+            not sp.hessian(border, (*it.coordinates, *it.rates)).is_zero_matrix
+            for border in self.borders
+        )
 
     def rate(self, expression: sp.Expr, accelerations: Symbols) -> sp.Expr:
         """d/dt of an expression in coordinates and rates."""
@@ -270,14 +310,19 @@ class Motion:
 def _rows(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
     """Derivatives of the accelerations, a row for each."""
     columns = [motion.slopes(symbol) for symbol in symbols]
-    return tuple(tuple(column[row] for column in columns) for row in range(len(motion.accelerations)))
+    return tuple(
+        tuple(column[row] for column in columns) for row in range(len(motion.accelerations))
+    )
 
 
 def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
     """Derivatives of the sliding speed and, while it sticks, of the margins of the force of friction."""
     rows = motion.borders[1], *motion.margins(FRICTION)
     turns = {symbol: motion.friction_slope(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
-    return tuple(tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items()) for row in rows)
+    return tuple(
+        tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items())
+        for row in rows
+    )
 
 
 def directions(model: Mechanics) -> Names:
@@ -292,13 +337,21 @@ def module(model: Mechanics) -> Module:
     """The generated module."""
     motion = Motion(model)
     if not motion.balances():
-        raise ArithmeticError("the energy does not balance: the equations of motion are not those of the energies")
+        raise ArithmeticError(
+            "the energy does not balance: the equations of motion are not those of the energies"
+        )
     place = (*model.coordinates, *model.rates)
     moving = (*place, *model.arguments)
     felt = laws.near(len(laws.layers(model)))
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.dry_friction, **motion.solved}
+    shorthands = {
+        **directions(model),
+        DEPTH: model.depth,
+        MU: motion.friction,
+        **motion.dry_friction,
+        **motion.solved,
+    }
     accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
     accelerated = (*place, *accelerations, *model.arguments)
     function = partial(of_page, shorthands=shorthands)
@@ -308,53 +361,141 @@ def module(model: Mechanics) -> Module:
         return of_page(name, summary, (*regime, *ways), results, returns, continued)
 
     below = sp.Symbol("_below", real=True)
-    signs = {below: 1 - sp.sign(borders[0]), PUSHING: below / 2 if model.unilateral else sp.S.One, SIDE: motion.side}
+    signs = {
+        below: 1 - sp.sign(borders[0]),
+        PUSHING: below / 2 if model.unilateral else sp.S.One,
+        SIDE: motion.side,
+    }
     kinked = {**signs, **dict.fromkeys(felt, sp.S.One), **shorthands}
     jacobian = _rows(motion, place)
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     turnings = tuple(torsion.border for torsion in model.torsions)
-    turns = () if not ways else (
-        function("turning_borders", "Positive where a turning is counted on its way, from −0.93 to π times it.", (*moving, *ways),
-                 turnings, "(b_1, …)"),
-        function("turning_rates", "How they change along a motion.", (*accelerated, *ways),
-                 tuple(motion.rate(border, accelerations) for border in turnings), "rates of (b_1, …)"),
-    )  # fmt: skip
+    turns = (
+        ()
+        if not ways
+        else (
+            function(
+                "turning_borders",
+                "Positive where a turning is counted on its way, from −0.93 to π times it.",
+                (*moving, *ways),
+                turnings,
+                "(b_1, …)",
+            ),
+            function(
+                "turning_rates",
+                "How they change along a motion.",
+                (*accelerated, *ways),
+                tuple(motion.rate(border, accelerations) for border in turnings),
+                "rates of (b_1, …)",
+            ),
+        )
+    )
     grips = (
-        smooth("grip", "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
-               "it sticks.", motion.margins(motion.holding), "(ahead, behind)"),
-        smooth("grip_slopes", "Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters.",
-               _slopes(motion, (*place, *map(number, model.parameters))),
-               "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)"),
-    ) if model.holds else ()  # fmt: skip
+        (
+            smooth(
+                "grip",
+                "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
+                "it sticks.",
+                motion.margins(motion.holding),
+                "(ahead, behind)",
+            ),
+            smooth(
+                "grip_slopes",
+                "Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters.",
+                _slopes(motion, (*place, *map(number, model.parameters))),
+                "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)",
+            ),
+        )
+        if model.holds
+        else ()
+    )
     return Module(
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
         (
-            of_page("rhs", "Accelerations, kinked where a border is zero.", moving, motion.accelerations, "(q_1″, …)", kinked),
-            smooth("regime_rhs", "Accelerations in a smooth regime, continued beyond its borders.", motion.accelerations,
-                   "(q_1″, …)"),
-            smooth("regime_jacobian", "Derivatives of regime_rhs by the coordinates and the rates.", jacobian,
-                   "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)"),
-            smooth("regime_by_parameters", "Derivatives of regime_rhs by all parameters, an angle as the angle.", by_parameters,
-                   "((∂q_1″/∂p_1, …), …)"),
-            function("borders", "The gap and the sliding speed, each zero on a kink of the field; 1 where there is none.", moving,
-                     borders, "gap, slip"),
-            function("border_rates", "How the borders change along a motion with the given accelerations.",
-                     accelerated, tuple(motion.rate(border, accelerations) for border in borders), "rates of gap, slip"),
-            function("layers", "Minus the exponents of the sliding speed in the friction law: large where they are not felt.",
-                     (*moving, SIDE), layers, "(z_1, …)"),
-            function("layer_rates", "How they change along a motion with the given accelerations.",
-                     (*accelerated, SIDE),
-                     tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
+            of_page(
+                "rhs",
+                "Accelerations, kinked where a border is zero.",
+                moving,
+                motion.accelerations,
+                "(q_1″, …)",
+                kinked,
+            ),
+            smooth(
+                "regime_rhs",
+                "Accelerations in a smooth regime, continued beyond its borders.",
+                motion.accelerations,
+                "(q_1″, …)",
+            ),
+            smooth(
+                "regime_jacobian",
+                "Derivatives of regime_rhs by the coordinates and the rates.",
+                jacobian,
+                "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)",
+            ),
+            smooth(
+                "regime_by_parameters",
+                "Derivatives of regime_rhs by all parameters, an angle as the angle.",
+                by_parameters,
+                "((∂q_1″/∂p_1, …), …)",
+            ),
+            function(
+                "borders",
+                "The gap and the sliding speed, each zero on a kink of the field; 1 where there is none.",
+                moving,
+                borders,
+                "gap, slip",
+            ),
+            function(
+                "border_rates",
+                "How the borders change along a motion with the given accelerations.",
+                accelerated,
+                tuple(motion.rate(border, accelerations) for border in borders),
+                "rates of gap, slip",
+            ),
+            function(
+                "layers",
+                "Minus the exponents of the sliding speed in the friction law: large where they are not felt.",
+                (*moving, SIDE),
+                layers,
+                "(z_1, …)",
+            ),
+            function(
+                "layer_rates",
+                "How they change along a motion with the given accelerations.",
+                (*accelerated, SIDE),
+                tuple(motion.rate(layer, accelerations) for layer in layers),
+                "rates of (z_1, …)",
+            ),
             *turns,
             *grips,
-            function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.energy,
-                     "energy"),
-            function("strain_energy", "Energy stored in springs, contact and potentials, without the applied forces.",
-                     (*model.coordinates, *model.arguments, PUSHING), motion.strain_energy, "energy"),
-            function("friction_force", "The force of friction, along what it opposes.", regime,
-                     FRICTION if model.holds else motion.friction_force, "force"),
-            function("power_besides_friction", "Rate at which dampers, and applied forces without a potential, change the energy.",
-                     moving, motion.damper_power + motion.applied_power, "power"),
+            function(
+                "energy",
+                "Kinetic and stored energy, applied forces and contact included.",
+                (*moving, PUSHING),
+                motion.energy,
+                "energy",
+            ),
+            function(
+                "strain_energy",
+                "Energy stored in springs, contact and potentials, without the applied forces.",
+                (*model.coordinates, *model.arguments, PUSHING),
+                motion.strain_energy,
+                "energy",
+            ),
+            function(
+                "friction_force",
+                "The force of friction, along what it opposes.",
+                regime,
+                FRICTION if model.holds else motion.friction_force,
+                "force",
+            ),
+            function(
+                "power_besides_friction",
+                "Rate at which dampers, and applied forces without a potential, change the energy.",
+                moving,
+                motion.damper_power + motion.applied_power,
+                "power",
+            ),
         ),
-    )  # fmt: skip
+    )

@@ -54,14 +54,19 @@ def read(path: Path, name: str = "") -> Model:
     """
     try:
         if not path.is_file() or path.stat().st_size > _LARGEST:
-            raise PageError(0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python")
+            raise PageError(
+                0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python"
+            )
         if not _NAME.fullmatch(name or path.stem):
             raise PageError(
-                0, f"its name {name or path.stem!a} holds more than letters, digits, blanks and . - _; rename the file"
+                0,
+                f"its name {name or path.stem!a} holds more than letters, digits, blanks and . - _; rename the file",
             )
         return _model(path, path.read_text(encoding="utf-8-sig"), name or path.stem)
     except UnicodeDecodeError as error:
-        raise PageError(0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name) from error
+        raise PageError(
+            0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name
+        ) from error
     except PageError as error:
         raise error.of(path.name) from error
 
@@ -86,16 +91,29 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         tree = _Imports().visit(ast.parse(text, str(path)))
     except SyntaxError as error:
         raise PageError(error.lineno or 0, f"the page is no Python: {error.msg}") from error
-    except (ValueError, RecursionError, MemoryError) as error:  # a NUL, or a line of thousands of terms
-        raise PageError(0, f"the page is no Python that can be read: {error}; write shorter lines") from error
+    except (
+        ValueError,
+        RecursionError,
+        MemoryError,
+    ) as error:  # a NUL, or a line of thousands of terms
+        raise PageError(
+            0, f"the page is no Python that can be read: {error}; write shorter lines"
+        ) from error
     package = __name__.rpartition(".")[0]
-    names: dict[str, Any] = {"__name__": f"{package}.models.{path.stem}", "__package__": f"{package}.models"}
+    names: dict[str, Any] = {
+        "__name__": f"{package}.models.{path.stem}",
+        "__package__": f"{package}.models",
+    }
     try:
         exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
     except PageError:
         raise
     except (Exception, SystemExit) as error:
-        lines = [frame.lineno or 0 for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+        lines = [
+            frame.lineno or 0
+            for frame in traceback.extract_tb(error.__traceback__)
+            if frame.filename == str(path)
+        ]
         raise PageError(lines[-1] if lines else 0, _said(error)) from error
     page = names.get("page")
     if not isinstance(page, Page):
@@ -105,14 +123,21 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
 
 def _said(error: BaseException) -> str:
     """What went wrong, and what to do about a name that is not there."""
-    said, known = f"{type(error).__name__}: {error}", f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
+    said, known = (
+        f"{type(error).__name__}: {error}",
+        f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}",
+    )
     if isinstance(error, ImportError):
         return f"{str(error).partition(' (')[0]}; {known}"  # without the place of the package
     forcing = f": {limits.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""
     if isinstance(error, NameError):
         return said + (forcing or f"; define it above, or import it: {known}")
     if isinstance(error, AttributeError) and isinstance(error.obj, Page):
-        offered = ", ".join(name for name, value in vars(Page).items() if callable(value) and not name.startswith("_"))
+        offered = ", ".join(
+            name
+            for name, value in vars(Page).items()
+            if callable(value) and not name.startswith("_")
+        )
         return f"{said}{forcing}; a page has {offered}"
     return said
 

@@ -28,7 +28,8 @@ def check_units(page: Page) -> None:
     for torsion in page.torsions:
         if not torsion.rest.free_symbols <= angles:
             raise PageError(
-                torsion.line, "the inclination at rest of a torsion spring is made of angles of the page; give rest=theta0"
+                torsion.line,
+                "the inclination at rest of a torsion spring is made of angles of the page; give rest=theta0",
             )
 
 
@@ -36,11 +37,15 @@ def _check_dimension(it: Statement, known: dict[sp.Symbol, Dimension]) -> None:
     unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in known)
     if unknown:
         time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
-        raise PageError(it.line, f"{it.what} holds {', '.join(unknown)}, which the page does not define; define it above{time}")
+        raise PageError(
+            it.line,
+            f"{it.what} holds {', '.join(unknown)}, which the page does not define; define it above{time}",
+        )
     power = max((abs(part.exp) for part in it.value.atoms(sp.Pow) if part.exp.is_number), default=0)
     if power > MOST_POWER:
         raise PageError(
-            it.line, f"{it.what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp"
+            it.line,
+            f"{it.what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp",
         )
     try:
         found = units.of(it.value, known)
@@ -50,7 +55,10 @@ def _check_dimension(it: Statement, known: dict[sp.Symbol, Dimension]) -> None:
         return
     expected = units.times(it.dimension, units.of(it.per, known) or units.NONE, -1)
     if found != expected:
-        raise PageError(it.line, f"{it.what} = {it.value} is in {spelled(found)}; expected is {spelled(expected)}")
+        raise PageError(
+            it.line,
+            f"{it.what} = {it.value} is in {spelled(found)}; expected is {spelled(expected)}",
+        )
 
 
 def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
@@ -101,7 +109,9 @@ def scale(page: Page, dimension: Dimension) -> sp.Expr | None:
     powers = units.powers(dimension, tuple(known[unit.symbol] for unit in page.units))
     if powers is None:
         return None
-    return sp.Mul(*(unit.symbol ** sp.Rational(power) for unit, power in zip(page.units, powers, strict=True)))
+    return sp.Mul(
+        *(unit.symbol ** sp.Rational(power) for unit, power in zip(page.units, powers, strict=True))
+    )
 
 
 # ------------------------------------------------------------------------------------------------ laws and forces
@@ -114,23 +124,38 @@ def check_forces(model: Mechanics) -> None:
     laws.friction_at_rest(model)
     for row, entry in enumerate(model.page.coordinates):
         if model.mass.row(row).is_zero_matrix:
-            raise PageError(entry.line, f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it")
+            raise PageError(
+                entry.line,
+                f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it",
+            )
     at_rest = [
-        part.subs(dict.fromkeys(model.rates, 0)) for part in (model.kinetic, *(sp.diff(model.kinetic, v) for v in model.rates))
+        part.subs(dict.fromkeys(model.rates, 0))
+        for part in (model.kinetic, *(sp.diff(model.kinetic, v) for v in model.rates))
     ]
     line = model.page.inertia[1] if model.page.inertia else 0
     if any(at_rest):
-        raise PageError(line, f"the kinetic energy has parts that are not quadratic in the rates: {limits.GYROSCOPIC}")
+        raise PageError(
+            line,
+            f"the kinetic energy has parts that are not quadratic in the rates: {limits.GYROSCOPIC}",
+        )
     if model.mass.has(*model.rates) or model.mass.det() == 0:
         raise PageError(
-            line, "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″"
+            line,
+            "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″",
         )
     _check_inertia(model)
     for row, (entry, force) in enumerate(zip(model.page.coordinates, model.residuals, strict=True)):
         if force == 0:
-            working = [str(other.symbol) for index, other in enumerate(model.page.coordinates) if index != row]
+            working = [
+                str(other.symbol)
+                for index, other in enumerate(model.page.coordinates)
+                if index != row
+            ]
             rest = f"; the forces along {', '.join(working)} are well" if working else ""
-            raise PageError(entry.line, f"no force acts on {entry.symbol}; add a spring, a potential or a force along it{rest}")
+            raise PageError(
+                entry.line,
+                f"no force acts on {entry.symbol}; add a spring, a potential or a force along it{rest}",
+            )
 
 
 def _check_inertia(model: Mechanics) -> None:
@@ -139,11 +164,21 @@ def _check_inertia(model: Mechanics) -> None:
         return
     energy, line = model.page.inertia
     M = model.mass.subs(dict(_bases(model)))
-    places = [dict.fromkeys(model.coordinates, sp.S.Zero), {q: sp.Rational(3 + i, 7) for i, q in enumerate(model.coordinates)}]
-    minors = [[M[:size, :size].subs(place).det() for size in range(1, M.rows + 1)] for place in places]
+    places = [
+        dict.fromkeys(model.coordinates, sp.S.Zero),
+        {q: sp.Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
+    ]
+    minors = [
+        [M[:size, :size].subs(place).det() for size in range(1, M.rows + 1)] for place in places
+    ]
     known = [[sp.N(minor) for minor in row if minor.is_number] for row in minors]
-    if any(minor < 0 for row in known for minor in row) or all(any(minor == 0 for minor in row) for row in known):
-        raise PageError(line, f"the kinetic energy {energy} is not positive for all rates at the base values; masses are")
+    if any(minor < 0 for row in known for minor in row) or all(
+        any(minor == 0 for minor in row) for row in known
+    ):
+        raise PageError(
+            line,
+            f"the kinetic energy {energy} is not positive for all rates at the base values; masses are",
+        )
 
 
 def _check_contact(model: Mechanics) -> None:
@@ -151,10 +186,18 @@ def _check_contact(model: Mechanics) -> None:
     if contact is None:
         return
     if model.law == 0:
-        raise PageError(contact.line, "the normal force is 0, so that nothing pushes and nothing rubs; give one that is positive")
-    pulling = _negative(model, model.law, DEPTH) if contact.gap is None or contact.unilateral else ""
+        raise PageError(
+            contact.line,
+            "the normal force is 0, so that nothing pushes and nothing rubs; give one that is positive",
+        )
+    pulling = (
+        _negative(model, model.law, DEPTH) if contact.gap is None or contact.unilateral else ""
+    )
     if pulling and contact.gap is None:
-        raise PageError(contact.line, f"the normal force {model.law} pulls: {pulling}; a mass is pressed by a positive one")
+        raise PageError(
+            contact.line,
+            f"the normal force {model.law} pulls: {pulling}; a mass is pressed by a positive one",
+        )
     if contact.unilateral and model.law.subs(DEPTH, 0) != 0:
         raise PageError(
             contact.line,
@@ -162,7 +205,10 @@ def _check_contact(model: Mechanics) -> None:
             "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
         )
     if pulling:
-        raise PageError(contact.line, f"the contact law pulls: {pulling}; a belt pushes, law(depth) >= 0 for every depth > 0")
+        raise PageError(
+            contact.line,
+            f"the contact law pulls: {pulling}; a belt pushes, law(depth) >= 0 for every depth > 0",
+        )
 
 
 def _check_friction(model: Mechanics) -> None:
@@ -170,7 +216,10 @@ def _check_friction(model: Mechanics) -> None:
     if sliding is None:
         return
     if sliding.holds is not None and _negative(model, model.scaled(sliding.holds), laws.SLIP):
-        raise PageError(sliding.line, f"holds = {sliding.holds} is negative at the base values; give a coefficient that is >= 0")
+        raise PageError(
+            sliding.line,
+            f"holds = {sliding.holds} is negative at the base values; give a coefficient that is >= 0",
+        )
     ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
         at_zero = laws.limit(model, value, laws.SLIP, sp.S.Zero)
@@ -188,7 +237,8 @@ def _check_friction(model: Mechanics) -> None:
         witness = _negative(model, value, laws.SLIP)
         if witness:
             raise PageError(
-                sliding.line, f"the friction law drives where the belt is {side}: {witness}; friction opposes sliding"
+                sliding.line,
+                f"the friction law drives where the belt is {side}: {witness}; friction opposes sliding",
             )
 
 
@@ -208,4 +258,8 @@ def _bases(model: Mechanics) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
     for datum in model.parameters:
         base = sp.S.One if datum.base is None else sp.Rational(str(datum.base))
         parts = model.parts(number(datum))
-        yield from zip(reversed(parts), (base,) if len(parts) == 1 else (sp.sin(base), sp.cos(base), base), strict=False)
+        yield from zip(
+            reversed(parts),
+            (base,) if len(parts) == 1 else (sp.sin(base), sp.cos(base), base),
+            strict=False,
+        )

@@ -20,9 +20,24 @@ text{fill:#24292f;font:italic 20px 'STIX Two Text','Times New Roman',serif}.forc
 """.strip()
 
 _GREEK = {
-    "alpha": "α", "beta": "β", "delta": "δ", "eta": "η", "gamma": "γ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "omega": "ω",
-    "phi": "φ", "psi": "ψ", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "zeta": "ζ",
-}  # fmt: skip
+    "alpha": "α",
+    "beta": "β",
+    "delta": "δ",
+    "eta": "η",
+    "gamma": "γ",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "omega": "ω",
+    "phi": "φ",
+    "psi": "ψ",
+    "rho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "theta": "θ",
+    "zeta": "ζ",
+}
 
 
 @dataclass
@@ -41,7 +56,9 @@ class Sheet:
     def circle(self, centre: Place, radius: float, style: str = "ink") -> None:
         """A circle."""
         x, y = centre
-        self.elements.append(f'<circle class="{style}" cx="{_number(x)}" cy="{_number(y)}" r="{_number(radius)}"/>')
+        self.elements.append(
+            f'<circle class="{style}" cx="{_number(x)}" cy="{_number(y)}" r="{_number(radius)}"/>'
+        )
         self.places += [(x - radius, y - radius), (x + radius, y + radius)]
 
     def arc(self, centre: Place, radius: float, angle: float) -> None:
@@ -49,7 +66,9 @@ class Sheet:
         x, y = centre
         end = x + radius * math.cos(angle), y - radius * math.sin(angle)
         sweep = f"A{_number(radius)} {_number(radius)} 0 0 0 {_number(end[0])} {_number(end[1])}"
-        self.elements.append(f'<path class="ink thin" d="M{_number(x + radius)} {_number(y)}{sweep}"/>')
+        self.elements.append(
+            f'<path class="ink thin" d="M{_number(x + radius)} {_number(y)}{sweep}"/>'
+        )
         self.places += [(x + radius, y), end]
 
     def name(self, text: str, place: Place, anchor: str = "middle", style: str = "") -> None:
@@ -58,12 +77,20 @@ class Sheet:
         words = []
         for word in text.split():
             stem, _, index = word.partition("_")
-            stem, digits = (stem, "") if stem in _GREEK else re.fullmatch(r"(.*?)(\d*)", stem).groups()  # type: ignore[union-attr]  # always matches
+            stem, digits = (
+                (stem, "") if stem in _GREEK else re.fullmatch(r"(.*?)(\d*)", stem).groups()
+            )  # type: ignore[union-attr]  # always matches
             index = digits + index
-            lowered = f'<tspan class="index" dy="5">{escape(index)}</tspan><tspan dy="-5">&#8203;</tspan>' if index else ""
+            lowered = (
+                f'<tspan class="index" dy="5">{escape(index)}</tspan><tspan dy="-5">&#8203;</tspan>'
+                if index
+                else ""
+            )
             words.append(escape(_GREEK.get(stem, stem)) + lowered)
         kind = f' class="{style}"' if style else ""
-        self.elements.append(f'<text{kind} x="{_number(x)}" y="{_number(y)}" text-anchor="{anchor}">{" ".join(words)}</text>')
+        self.elements.append(
+            f'<text{kind} x="{_number(x)}" y="{_number(y)}" text-anchor="{anchor}">{" ".join(words)}</text>'
+        )
         width = 11.0 * len(text.replace("_", ""))
         left = x - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
         self.places += [(left, y - 16), (left + width, y + 8)]
@@ -81,9 +108,12 @@ class Sheet:
     def svg(self, title: str) -> str:
         """The file."""
         margin = 16
-        left, top = (math.floor(min(place[axis] for place in self.places)) - margin for axis in (0, 1))
+        left, top = (
+            math.floor(min(place[axis] for place in self.places)) - margin for axis in (0, 1)
+        )
         width, height = (
-            math.ceil(max(place[axis] for place in self.places)) + margin - start for axis, start in ((0, left), (1, top))
+            math.ceil(max(place[axis] for place in self.places)) + margin - start
+            for axis, start in ((0, left), (1, top))
         )
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left} {top} {width} {height}" width="{width}" height="{height}" role="img">\n'
@@ -125,7 +155,10 @@ def spring(sheet: Sheet, axis: Axis, turns: int = 6, width: float = 8.0) -> None
     """A zigzag with straight ends."""
     lead = 0.18 * axis.length
     step = (axis.length - 2 * lead) / (2 * turns)
-    inner = [axis.at(lead + (place + 0.5) * step, width if place % 2 else -width) for place in range(2 * turns)]
+    inner = [
+        axis.at(lead + (place + 0.5) * step, width if place % 2 else -width)
+        for place in range(2 * turns)
+    ]
     sheet.line(axis.start, axis.at(lead), *inner, axis.at(axis.length - lead), axis.end)
 
 
@@ -134,7 +167,12 @@ def damper(sheet: Sheet, axis: Axis, width: float = 7.0) -> None:
     middle = 0.5 * axis.length
     sheet.line(axis.start, axis.at(middle + 5))
     sheet.line(axis.at(middle + 5, -width + 2), axis.at(middle + 5, width - 2))
-    sheet.line(axis.at(middle - 8, -width), axis.at(middle + 14, -width), axis.at(middle + 14, width), axis.at(middle - 8, width))
+    sheet.line(
+        axis.at(middle - 8, -width),
+        axis.at(middle + 14, -width),
+        axis.at(middle + 14, width),
+        axis.at(middle - 8, width),
+    )
     sheet.line(axis.at(middle + 14), axis.end)
 
 

@@ -27,7 +27,9 @@ def check(model: Mechanics) -> None:
     turning = moving | {angle.symbol for angle in model.angles}
     for it in statements(model.page):
         value = model.scaled(it.value)
-        for fault in itertools.chain(_angles(value, turning), _kinks(value, moving), _unknown(value), _domains(value, moving)):
+        for fault in itertools.chain(
+            _angles(value, turning), _kinks(value, moving), _unknown(value), _domains(value, moving)
+        ):
             raise PageError(it.line, f"{it.what} {fault}")
     _check_contact(model)
 
@@ -52,7 +54,9 @@ def _unknown(value: sp.Expr) -> Iterator[str]:
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         yield f"is {value}, which is no real number; write one that is"
     for node in sp.preorder_traversal(value):
-        if isinstance(node, sp.Pow) and not (isinstance(node.exp, sp.Rational) and node.exp.q <= LARGEST_ROOT):
+        if isinstance(node, sp.Pow) and not (
+            isinstance(node.exp, sp.Rational) and node.exp.q <= LARGEST_ROOT
+        ):
             yield (
                 f"holds {node}: an exponent is a fraction of two integers, as in {node.base}**Rational(4, 3), and no other; "
                 "what varies in it is said by exp and log"
@@ -92,7 +96,11 @@ def _check_contact(model: Mechanics) -> None:
         law = model.scaled(expression_of(contact.law(depth)))
         for fault in itertools.chain(_kinks(law, {depth}), _domains(law, {depth})):
             raise PageError(contact.line, f"the contact law, with unilateral=False, {fault}")
-    unknown = [node for node in energy.atoms(sp.Function, sp.Integral, sp.nan, sp.zoo) if not isinstance(node, WRITTEN)]
+    unknown = [
+        node
+        for node in energy.atoms(sp.Function, sp.Integral, sp.nan, sp.zoo)
+        if not isinstance(node, WRITTEN)
+    ]
     if unknown or energy.has(sp.nan, sp.zoo, sp.oo, sp.I):
         raise PageError(
             contact.line,

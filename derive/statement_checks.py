@@ -33,7 +33,10 @@ MOST_PLACES, FAR = 2000, 1000.0
 def check(page: Page, docstring: str) -> None:
     """All of it; a :class:`~derive.model.PageError` names the first line that makes no sense."""
     if not docstring.strip():
-        raise PageError(1, 'the page has no docstring; begin it with r"""…""": what the model is, and its drawing')
+        raise PageError(
+            1,
+            'the page has no docstring; begin it with r"""…""": what the model is, and its drawing',
+        )
     _check_coordinates(page)
     _check_names(page)
     _check_elements(page)
@@ -42,7 +45,10 @@ def check(page: Page, docstring: str) -> None:
 
 def _check_coordinates(page: Page) -> None:
     if not page.coordinates:
-        raise PageError(0, f"the page has no coordinate, and a model has 1 to {limits.MOST_COORDINATES}; add page.coordinate(…)")
+        raise PageError(
+            0,
+            f"the page has no coordinate, and a model has 1 to {limits.MOST_COORDINATES}; add page.coordinate(…)",
+        )
     if len(page.coordinates) > limits.MOST_COORDINATES:
         excess = page.coordinates[limits.MOST_COORDINATES]
         raise PageError(
@@ -58,31 +64,53 @@ def _check_names(page: Page) -> None:
     for datum in (*page.units, *page.parameters):
         name = datum.symbol.name
         if name in reserved.OF_FILES:
-            raise PageError(datum.line, f"this quantity is named {name!r}, as a key of files of data is; give it another name")
+            raise PageError(
+                datum.line,
+                f"this quantity is named {name!r}, as a key of files of data is; give it another name",
+            )
         if not name.isidentifier():
             raise PageError(
-                datum.line, f"this quantity is named {name!r}, which is no name; give it another, as {_instead(name)!r}"
+                datum.line,
+                f"this quantity is named {name!r}, which is no name; give it another, as {_instead(name)!r}",
             )
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
         used = name in reserved.RESULTS | reserved.OF_CODE or name in (
-            reserved.OF_MOTIONS if what == COORDINATE else reserved.OF_SETS if what == PARAMETER else ()
+            reserved.OF_MOTIONS
+            if what == COORDINATE
+            else reserved.OF_SETS
+            if what == PARAMETER
+            else ()
         )
         for refused, why in (
-            (not name.isidentifier() or keyword.iskeyword(name), f"which is no name in Python; give it another, as {_instead(name)!r}"),
-            (not name.isascii(), "which C can't spell; give it a name of Latin letters, and its symbol with latex="),
-            (name.startswith("_") or len(name) > LONGEST, f"and a name begins with a letter and has at most {LONGEST}, as languages "
-             "that code is exported to ask; give it another name"),
-            (what == PARAMETER and name in reserved.OF_COMMANDS, "as an option of the commands is; give it another name, here or "
-             "with becomes"),
+            (
+                not name.isidentifier() or keyword.iskeyword(name),
+                f"which is no name in Python; give it another, as {_instead(name)!r}",
+            ),
+            (
+                not name.isascii(),
+                "which C can't spell; give it a name of Latin letters, and its symbol with latex=",
+            ),
+            (
+                name.startswith("_") or len(name) > LONGEST,
+                f"and a name begins with a letter and has at most {LONGEST}, as languages "
+                "that code is exported to ask; give it another name",
+            ),
+            (
+                what == PARAMETER and name in reserved.OF_COMMANDS,
+                "as an option of the commands is; give it another name, here or with becomes",
+            ),
             (used, "which results and generated functions use; give it another name"),
-        ):  # fmt: skip
+        ):
             if refused:
                 raise PageError(line, f"{what} is named {name!r}, {why}")
         if name in taken:
             other, first = taken[name]
             place = f" of line {first}" if first else ""
-            raise PageError(line, f"{what} is named {name!r}, as is {other}{place}; give one of them another name")
+            raise PageError(
+                line,
+                f"{what} is named {name!r}, as is {other}{place}; give one of them another name",
+            )
         taken[name] = what, line
 
 
@@ -104,7 +132,12 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
         yield acceleration_of(entry.symbol), f"the acceleration of {entry.symbol}", entry.line
         yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
         yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
-        for of_limit in (f"mean_{entry.symbol}", f"rest_{entry.symbol}", f"cycle_{entry.symbol}", f"cycle_{entry.rate}"):
+        for of_limit in (
+            f"mean_{entry.symbol}",
+            f"rest_{entry.symbol}",
+            f"cycle_{entry.symbol}",
+            f"cycle_{entry.rate}",
+        ):
             yield of_limit, f"a column of a sweep, for {entry.symbol}", entry.line
     for datum in page.parameters:
         yield datum.becomes, PARAMETER, datum.line
@@ -127,9 +160,12 @@ def _check_elements(page: Page) -> None:
     for element in page.elements:
         what, strength = element.what, element.strength
         if _is_negative(page, strength):
-            does = "drives the motion" if what == "damper" else "pushes away from where it is at rest"
+            does = (
+                "drives the motion" if what == "damper" else "pushes away from where it is at rest"
+            )
             raise PageError(
-                element.line, f"the {element.quality} of this {what}, {strength}, is negative: it {does}; give a positive one"
+                element.line,
+                f"the {element.quality} of this {what}, {strength}, is negative: it {does}; give a positive one",
             )
         if what == "damper" and (place := _negative_place(page, strength)):
             raise PageError(
@@ -138,16 +174,22 @@ def _check_elements(page: Page) -> None:
                 'domains in which it is not, as ">= 0", or write it so',
             )
         if what == "spring" and _is_negative(page, element.rest):
-            raise PageError(element.line, f"the undeformed length {element.rest} of this spring is negative; give a positive one")
+            raise PageError(
+                element.line,
+                f"the undeformed length {element.rest} of this spring is negative; give a positive one",
+            )
         if element.along is not None:
             _check_along(element.along, f"along of this {what}", element.line, moving, rates)
         elif element.ends is not None:
             one, two = element.ends
             vector = [sp.expand(end - begin) for begin, end in zip(one, two, strict=True)]
             if not any(part.free_symbols & moving for part in vector):
-                apart = "are the same point" if not any(vector) else "do not move against each other"
+                apart = (
+                    "are the same point" if not any(vector) else "do not move against each other"
+                )
                 raise PageError(
-                    element.line, f"the two ends of this {what} {apart}: it does nothing; give the mass's end and the anchor's"
+                    element.line,
+                    f"the two ends of this {what} {apart}: it does nothing; give the mass's end and the anchor's",
                 )
         key = what, strength, str(element.ends), element.along, element.rest
         if key in seen:
@@ -158,11 +200,15 @@ def _check_elements(page: Page) -> None:
         seen[key] = element.line
 
 
-def _check_along(along: sp.Expr, what: str, line: int, moving: set[sp.Symbol], rates: set[sp.Symbol]) -> None:
+def _check_along(
+    along: sp.Expr, what: str, line: int, moving: set[sp.Symbol], rates: set[sp.Symbol]
+) -> None:
     if along.free_symbols & rates:
         raise PageError(line, f"{what} is {along}, a speed; give the coordinate itself, as along=x")
     if not along.free_symbols & moving:
-        raise PageError(line, f"{what} is {along}, which no coordinate moves; give a coordinate, as along=x")
+        raise PageError(
+            line, f"{what} is {along}, which no coordinate moves; give a coordinate, as along=x"
+        )
 
 
 def _is_negative(page: Page, value: sp.Expr) -> bool:
@@ -170,21 +216,33 @@ def _is_negative(page: Page, value: sp.Expr) -> bool:
     if value.is_nonnegative:
         return False
     bases = {entry.symbol: sp.S.One for entry in page.units}
-    bases |= {entry.symbol: sp.S.One if entry.base is None else sp.Float(entry.base) for entry in page.parameters}
+    bases |= {
+        entry.symbol: sp.S.One if entry.base is None else sp.Float(entry.base)
+        for entry in page.parameters
+    }
     at_base = value.subs(bases)
-    return bool((value.is_nonpositive and not value.is_zero) or (at_base.is_number and at_base.is_negative))
+    return bool(
+        (value.is_nonpositive and not value.is_zero) or (at_base.is_number and at_base.is_negative)
+    )
 
 
 def _negative_place(page: Page, value: sp.Expr) -> str:
     """Where among ends, base values and places inside of all domains an expression is negative, in words; empty if nowhere."""
     data = [entry for entry in page.parameters if entry.symbol in value.free_symbols]
-    if value.is_nonnegative or value.free_symbols - {entry.symbol for entry in (*page.units, *data)}:
+    if value.is_nonnegative or value.free_symbols - {
+        entry.symbol for entry in (*page.units, *data)
+    }:
         return ""
     units = {entry.symbol: sp.S.One for entry in page.units}
     for place in itertools.islice(itertools.product(*map(_places, data)), MOST_PLACES):
-        at = value.subs(units | {entry.symbol: number for entry, number in zip(data, place, strict=True)})
+        at = value.subs(
+            units | {entry.symbol: number for entry, number in zip(data, place, strict=True)}
+        )
         if at.is_number and at.is_negative:
-            return "at " + ", ".join(f"{entry.symbol} = {sp.N(number, 3)}" for entry, number in zip(data, place, strict=True))
+            return "at " + ", ".join(
+                f"{entry.symbol} = {sp.N(number, 3)}"
+                for entry, number in zip(data, place, strict=True)
+            )
     return ""
 
 
@@ -194,7 +252,9 @@ def _places(entry: Datum) -> list[sp.Rational]:
     low = -FAR if allowed.low == -math.inf else allowed.low
     high = FAR if allowed.high == math.inf else allowed.high
     parts = [low + (high - low) * part for part in (0.01, 0.99, 0.5, 0.25, 0.75)]
-    return [sp.Rational(str(number)) for number in ([] if entry.base is None else [entry.base]) + parts]
+    return [
+        sp.Rational(str(number)) for number in ([] if entry.base is None else [entry.base]) + parts
+    ]
 
 
 # ------------------------------------------------------------------------------------------------ laws, forces, energies
@@ -205,7 +265,8 @@ def _check_places(page: Page) -> None:
     for energy, line in page.energies:
         if energy.free_symbols & rates:
             raise PageError(
-                line, "this potential energy holds a speed; what goes with speed is kinetic(...), damper(...) or friction(...)"
+                line,
+                "this potential energy holds a speed; what goes with speed is kinetic(...), damper(...) or friction(...)",
             )
     for force in page.forces:
         if any(part.free_symbols & rates for part in force.components):
@@ -217,14 +278,16 @@ def _check_places(page: Page) -> None:
     contact, sliding = page.normal, page.sliding
     if contact is not None and contact.gap is not None and not contact.gap.free_symbols & moving:
         raise PageError(
-            contact.line, f"the gap {contact.gap} holds no coordinate, so it never closes; give the distance of mass and belt"
+            contact.line,
+            f"the gap {contact.gap} holds no coordinate, so it never closes; give the distance of mass and belt",
         )
     if sliding is not None:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
         if sliding.belt.free_symbols & (moving | rates):
             held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
             raise PageError(
-                sliding.line, f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that stays, as V"
+                sliding.line,
+                f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that stays, as V",
             )
         if not sliding.belt.is_nonnegative:
             raise PageError(
@@ -233,10 +296,14 @@ def _check_places(page: Page) -> None:
                 "coordinate point along the belt, and give what stands in its speed domains with which it is >= 0",
             )
         if sliding.belt == 0:
-            raise PageError(sliding.line, "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V")
+            raise PageError(
+                sliding.line,
+                "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V",
+            )
         if contact is None:
             raise PageError(
-                sliding.line, "there is friction and no normal force; add page.contact(...) or page.normal_force(...)"
+                sliding.line,
+                "there is friction and no normal force; add page.contact(...) or page.normal_force(...)",
             )
 
 
@@ -244,7 +311,10 @@ def check_used(page: Page) -> None:
     """Every parameter stands in a statement."""
     used = {symbol for it in statements(page) for symbol in it.value.free_symbols}
     for datum in (it for it in page.parameters if it.symbol not in used):
-        raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
+        raise PageError(
+            datum.line,
+            f"{datum.symbol} is in no statement of the page; use it, or take this line out",
+        )
 
 
 @dataclass(frozen=True)
@@ -268,13 +338,27 @@ def statements(page: Page) -> Iterator[Statement]:
             yield Statement(part, "the end of this line", line, units.LENGTH)
         if kind == "spring":
             dimension = units.LENGTH if along is None else units.NONE
-            yield Statement(element.rest, "the undeformed length of this spring", line, dimension, 1 / (along or sp.S.One))
+            yield Statement(
+                element.rest,
+                "the undeformed length of this spring",
+                line,
+                dimension,
+                1 / (along or sp.S.One),
+            )
         for function in (sp.cos, sp.sin) if kind == "torsion spring" else ():
-            yield Statement(function(element.rest), "the inclination at rest of this spring", line, units.NONE)
+            yield Statement(
+                function(element.rest), "the inclination at rest of this spring", line, units.NONE
+            )
         dimension = units.STIFFNESS if along is None and kind != "torsion spring" else units.ENERGY
         if kind == "damper":
             dimension = units.times(dimension, units.TIME)
-        yield Statement(element.strength, f"the {element.quality} of this {kind}", line, dimension, (along or sp.S.One) ** 2)
+        yield Statement(
+            element.strength,
+            f"the {element.quality} of this {kind}",
+            line,
+            dimension,
+            (along or sp.S.One) ** 2,
+        )
     for energy, line in page.energies:
         yield Statement(energy, "this potential energy", line, units.ENERGY)
     if page.inertia is not None:
@@ -282,7 +366,9 @@ def statements(page: Page) -> Iterator[Statement]:
     for force in page.forces:
         alone = len(force.place) == 1
         for component, place in zip(force.components, force.place, strict=True):
-            yield Statement(place, "the place of this force", force.line, None if alone else units.LENGTH)
+            yield Statement(
+                place, "the place of this force", force.line, None if alone else units.LENGTH
+            )
             work = (units.ENERGY, place) if alone else (units.FORCE, sp.S.One)
             yield Statement(component, "this force", force.line, *work)
     if page.normal is not None:
@@ -293,6 +379,8 @@ def statements(page: Page) -> Iterator[Statement]:
         yield Statement(it.along, "the displacement that friction opposes", it.line, units.LENGTH)
         yield Statement(it.belt, "the belt's speed", it.line, units.SPEED)
         for sign in (1, -1):
-            yield Statement(expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE)
+            yield Statement(
+                expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE
+            )
         yield Statement(it.at_rest or sp.S.Zero, "at_rest", it.line, units.NONE)
         yield Statement(it.holds or sp.S.Zero, "what friction holds", it.line, units.NONE)

@@ -14,9 +14,15 @@ def parameters(model: Mechanics) -> Symbols:
     """Parameters of the balance of forces, an angle as the angle."""
     used = {symbol for row in model.residuals for symbol in row.free_symbols}
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
-    parts += [part for torsion in model.torsions for part in (torsion.cosine, torsion.sine, torsion.stiffness)]
+    parts += [
+        part
+        for torsion in model.torsions
+        for part in (torsion.cosine, torsion.sine, torsion.stiffness)
+    ]
     used |= {symbol for part in parts for symbol in part.free_symbols}
-    return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.parts(symbol)))
+    return tuple(
+        symbol for symbol in map(number, model.parameters) if used & set(model.parts(symbol))
+    )
 
 
 def arguments(model: Mechanics) -> Symbols:
@@ -26,13 +32,19 @@ def arguments(model: Mechanics) -> Symbols:
 
 def jacobian(model: Mechanics) -> tuple[Row, ...]:
     """K: derivatives of the residuals by the coordinates."""
-    return tuple(tuple(model.tidy(model.derivative(row, symbol)) for symbol in model.coordinates) for row in model.residuals)
+    return tuple(
+        tuple(model.tidy(model.derivative(row, symbol)) for symbol in model.coordinates)
+        for row in model.residuals
+    )
 
 
 def by_parameters(model: Mechanics) -> tuple[Row, ...]:
     """Derivatives of the residuals by the parameters, and by μ as the last."""
     return tuple(
-        tuple(_shortest(model, model.tidy(model.derivative(row, symbol))) for symbol in (*parameters(model), MU))
+        tuple(
+            _shortest(model, model.tidy(model.derivative(row, symbol)))
+            for symbol in (*parameters(model), MU)
+        )
         for row in model.residuals
     )
 
@@ -55,55 +67,163 @@ def module(model: Mechanics) -> Module:
     mirror = symmetry.mirror(model)
     function = partial(of_page, shorthands=shorthands)
     T = balance_rows.sums(model)
-    apart = () if T.is_Identity else (
-        function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,
-                 tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(F_1, …)"),
-        function("balance_jacobian", "Their derivatives by the coordinates: the same sums of the rows of K.", state,
-                 rows((T * sp.Matrix(jacobian(model))).applyfunc(model.tidy)),
-                 "((∂F_1/∂q_1, …), …)"),
-    )  # fmt: skip
+    apart = (
+        ()
+        if T.is_Identity
+        else (
+            function(
+                "balance",
+                "Sums of the forces, in which those of springs between coordinates cancel.",
+                state,
+                tuple(map(sp.expand, T * sp.Matrix(model.residuals))),
+                "(F_1, …)",
+            ),
+            function(
+                "balance_jacobian",
+                "Their derivatives by the coordinates: the same sums of the rows of K.",
+                state,
+                rows((T * sp.Matrix(jacobian(model))).applyfunc(model.tidy)),
+                "((∂F_1/∂q_1, …), …)",
+            ),
+        )
+    )
     turned = " A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else ""
-    turnings = () if not model.torsions else (
-        function("turnings", "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
-                 (*model.coordinates, *model.directions, *arguments(model)),
-                 tuple((torsion.cosine, torsion.sine) for torsion in model.torsions), "((cos φ_1, sin φ_1), …)"),
-        function("torsions", "The stiffness of every torsion spring.", place,
-                 tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
-    )  # fmt: skip
+    turnings = (
+        ()
+        if not model.torsions
+        else (
+            function(
+                "turnings",
+                "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
+                (*model.coordinates, *model.directions, *arguments(model)),
+                tuple((torsion.cosine, torsion.sine) for torsion in model.torsions),
+                "((cos φ_1, sin φ_1), …)",
+            ),
+            function(
+                "torsions",
+                "The stiffness of every torsion spring.",
+                place,
+                tuple(torsion.stiffness for torsion in model.torsions),
+                "(k_1, …)",
+            ),
+        )
+    )
     held = (
-        function("friction_held", "The friction coefficient while it sticks, by the share of the static one that is used.",
-                 (*model.arguments, laws.HELD), laws.friction_held(model), "mu"),
-    ) if model.holds else ()  # fmt: skip
+        (
+            function(
+                "friction_held",
+                "The friction coefficient while it sticks, by the share of the static one that is used.",
+                (*model.arguments, laws.HELD),
+                laws.friction_held(model),
+                "mu",
+            ),
+        )
+        if model.holds
+        else ()
+    )
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
         (
-            function("geometry", "The vector from the mass's end of every spring to its anchor, and its undeformed length.", place,
-                     tuple((line.dx, line.dy, line.rest) for line in model.lines), "((dx, dy, rest), …)"),
-            function("contact_gap", "The gap: contact where it is not positive.", place,
-                     sp.S.Zero if model.gap is None else model.gap, "gap"),
-            function("mirror", "The image of a state in the model's mirror, if it has one: see \"mirror\" in model.json.", place,
-                     tuple(map(mirror.image, model.coordinates)), "image"),
-            function("friction_at_rest", "The friction coefficient at steady sliding.", model.arguments,
-                     friction, "mu"),
-            function("friction_at_speed", "The friction coefficient at the belt's speed: of a motion that has come to rest.",
-                     model.arguments, laws.friction_at_speed(model), "mu"),
-            function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
-                     tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
-                     "(∂mu/∂p_1, …)"),
+            function(
+                "geometry",
+                "The vector from the mass's end of every spring to its anchor, and its undeformed length.",
+                place,
+                tuple((line.dx, line.dy, line.rest) for line in model.lines),
+                "((dx, dy, rest), …)",
+            ),
+            function(
+                "contact_gap",
+                "The gap: contact where it is not positive.",
+                place,
+                sp.S.Zero if model.gap is None else model.gap,
+                "gap",
+            ),
+            function(
+                "mirror",
+                'The image of a state in the model\'s mirror, if it has one: see "mirror" in model.json.',
+                place,
+                tuple(map(mirror.image, model.coordinates)),
+                "image",
+            ),
+            function(
+                "friction_at_rest",
+                "The friction coefficient at steady sliding.",
+                model.arguments,
+                friction,
+                "mu",
+            ),
+            function(
+                "friction_at_speed",
+                "The friction coefficient at the belt's speed: of a motion that has come to rest.",
+                model.arguments,
+                laws.friction_at_speed(model),
+                "mu",
+            ),
+            function(
+                "friction_by_parameters",
+                "Its derivatives by all parameters, an angle as the angle.",
+                model.arguments,
+                tuple(
+                    model.tidy(model.derivative(friction, symbol))
+                    for symbol in map(number, model.parameters)
+                ),
+                "(∂mu/∂p_1, …)",
+            ),
             *held,
             *turnings,
-            function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
-            function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),
-            function("spring_forces", "The tension of every spring, negative where it pushes.", place,
-                     tuple(k * (line.l - line.rest) for k, line in zip(model.stiffnesses, model.lines, strict=True)), "(T_1, …)"),
-            function("contact_force", "The normal force of the contact.", (*model.coordinates, *model.arguments, PUSHING), model.normal, "N"),
-            function("forces_apart", f"The forces without those springs; each adds its tension times (c ∂dx + s ∂dy).{turned}", state,
-                     model.residuals_apart, "(F_1, …)"),
-            function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
-                     jacobian(model), "((∂F_1/∂q_1, …), …)"),
-            function("forces_by_parameters", "Derivatives of the forces by the parameters, an angle as the angle, and by mu.", state,
-                     by_parameters(model), "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)"),
+            function(
+                "forces",
+                "Minus the sum of forces along each coordinate.",
+                state,
+                model.residuals,
+                "(F_1, …)",
+            ),
+            function(
+                "stiffnesses",
+                "The stiffness of every spring.",
+                place,
+                model.stiffnesses,
+                "(k_1, …)",
+            ),
+            function(
+                "spring_forces",
+                "The tension of every spring, negative where it pushes.",
+                place,
+                tuple(
+                    k * (line.l - line.rest)
+                    for k, line in zip(model.stiffnesses, model.lines, strict=True)
+                ),
+                "(T_1, …)",
+            ),
+            function(
+                "contact_force",
+                "The normal force of the contact.",
+                (*model.coordinates, *model.arguments, PUSHING),
+                model.normal,
+                "N",
+            ),
+            function(
+                "forces_apart",
+                f"The forces without those springs; each adds its tension times (c ∂dx + s ∂dy).{turned}",
+                state,
+                model.residuals_apart,
+                "(F_1, …)",
+            ),
+            function(
+                "forces_jacobian",
+                "K: derivatives of the forces by the coordinates, directions following.",
+                state,
+                jacobian(model),
+                "((∂F_1/∂q_1, …), …)",
+            ),
+            function(
+                "forces_by_parameters",
+                "Derivatives of the forces by the parameters, an angle as the angle, and by mu.",
+                state,
+                by_parameters(model),
+                "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
+            ),
             *apart,
         ),
-    )  # fmt: skip
+    )

@@ -24,7 +24,12 @@ def comes_around(model: Mechanics, place: int) -> bool:
     if model.page.coordinates[place].unit != "rad":
         return False
     symbol = model.coordinates[place]
-    parts = [*model.residuals, *(part for line in model.lines for part in (line.dx, line.dy)), model.kinetic, model.depth]
+    parts = [
+        *model.residuals,
+        *(part for line in model.lines for part in (line.dx, line.dy)),
+        model.kinetic,
+        model.depth,
+    ]
     return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)
 
 
@@ -38,9 +43,14 @@ class Mirror:
     def takes(self, line: Line, other: Line) -> bool:
         """Whether a line lies after the mirror where the mirrored image of another one does; its own is upright on the mirror."""
         image = [
-            part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True) for part in (line.dx, line.dy)
+            part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True)
+            for part in (line.dx, line.dy)
         ]
-        return bool(self.centres) and sp.expand(image[0] + other.dx) == 0 and sp.expand(image[1] - other.dy) == 0
+        return (
+            bool(self.centres)
+            and sp.expand(image[0] + other.dx) == 0
+            and sp.expand(image[1] - other.dy) == 0
+        )
 
     def image(self, symbol: sp.Symbol) -> sp.Expr:
         """Where a coordinate comes to lie."""
@@ -50,7 +60,9 @@ class Mirror:
 def mirror(model: Mechanics) -> Mirror:
     """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is none."""
     sizes = range(1, len(model.coordinates) + 1)
-    subsets = itertools.chain.from_iterable(itertools.combinations(model.coordinates, size) for size in sizes)
+    subsets = itertools.chain.from_iterable(
+        itertools.combinations(model.coordinates, size) for size in sizes
+    )
     found = [one for turned in subsets for one in _about(model, turned)]
     return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Mirror({}, ()))
 
@@ -102,12 +114,21 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
         changes[torsion.phi] = -torsion.phi if odd else image
         unknown += [] if odd else [image]
     rows = []
-    if model.gap is not None and sp.expand(model.gap.subs(images, simultaneous=True) - model.gap) != 0:
+    if (
+        model.gap is not None
+        and sp.expand(model.gap.subs(images, simultaneous=True) - model.gap) != 0
+    ):
         return [sp.S.One]
     for symbol, row in zip(model.coordinates, model.residuals, strict=True):
         image = row.subs(changes, simultaneous=True)
         rows.append(image + row if symbol in one.centres else image - row)
-    symbols = (*model.coordinates, *model.directions, *unknown, *(1 / line.l for line in model.lines), DEPTH)
+    symbols = (
+        *model.coordinates,
+        *model.directions,
+        *unknown,
+        *(1 / line.l for line in model.lines),
+        DEPTH,
+    )
     generators = [symbol for symbol in symbols if any(row.has(symbol) for row in rows)]
     out = []
     for row in rows:
@@ -120,7 +141,9 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
     """The smallest sets of parameters that may be 0 and make all of them vanish."""
     used = {part for term in remainders for part in term.free_symbols}
     allowed = [
-        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.parts(symbol))
+        symbol
+        for symbol in (*map(number, model.parameters), MU)
+        if not symbol.is_positive and used & set(model.parts(symbol))
     ]
     for size in range(min(MOST, len(allowed)) + 1):
         found = [

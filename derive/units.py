@@ -23,8 +23,15 @@ def _of(kilograms: int, metres: int, seconds: int) -> Dimension:
 NONE, LENGTH, TIME, SPEED = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(0, 1, -1)
 FORCE, ENERGY, STIFFNESS = _of(1, 1, -2), _of(1, 2, -2), _of(1, 0, -2)
 _NAMED: dict[str, Dimension] = {
-    "1": NONE, "rad": NONE, "kg": _of(1, 0, 0), "m": LENGTH, "s": TIME, "N": FORCE, "J": ENERGY, "Hz": _of(0, 0, -1),
-}  # fmt: skip
+    "1": NONE,
+    "rad": NONE,
+    "kg": _of(1, 0, 0),
+    "m": LENGTH,
+    "s": TIME,
+    "N": FORCE,
+    "J": ENERGY,
+    "Hz": _of(0, 0, -1),
+}
 
 
 class UnitsError(ArithmeticError):
@@ -40,14 +47,20 @@ def times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimens
 def read(text: str) -> Dimension:
     """The dimension of a unit as it is written: ``N/m``, ``N s/m``, ``kg m/s^2``, ``N/m^(3/2)``."""
     dimension, power = NONE, 1
-    for part in re.findall(r"/|[^\s/]+(?:\^\([^)]*\))?", re.sub(r"\^\((\S+)/(\S+)\)", r"^\1|\2", text)):
+    for part in re.findall(
+        r"/|[^\s/]+(?:\^\([^)]*\))?", re.sub(r"\^\((\S+)/(\S+)\)", r"^\1|\2", text)
+    ):
         if part == "/":
             power = -1
             continue
         name, _, exponent = part.partition("^")
         if name not in _NAMED or not re.fullmatch(r"-?\d+(\|\d+)?|", exponent):
-            raise UnitsError(f"{text!r} is not a unit; write it with {', '.join(_NAMED)}, as N s/m or N/m^(3/2)")
-        dimension = times(dimension, _NAMED[name], power * Fraction(exponent.replace("|", "/") or 1))
+            raise UnitsError(
+                f"{text!r} is not a unit; write it with {', '.join(_NAMED)}, as N s/m or N/m^(3/2)"
+            )
+        dimension = times(
+            dimension, _NAMED[name], power * Fraction(exponent.replace("|", "/") or 1)
+        )
     return dimension
 
 
@@ -84,7 +97,11 @@ def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension |
             return dimension
         case sp.Pow() if expression.exp.is_Rational:
             base = of(expression.base, known)
-            return None if base is None else times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
+            return (
+                None
+                if base is None
+                else times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
+            )
         case sp.Abs():
             return of(expression.args[0], known)
         case sp.Max() | sp.Min():
@@ -111,7 +128,9 @@ def _of_sum(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimens
         if dimension is not None:
             found.setdefault(dimension, term)
     if len(found) > 1:
-        listed = " and ".join(f"{term} is in {spelled(dimension)}" for dimension, term in found.items())
+        listed = " and ".join(
+            f"{term} is in {spelled(dimension)}" for dimension, term in found.items()
+        )
         raise UnitsError(f"{expression} adds what can't be added: {listed}")
     return next(iter(found), None)
 
@@ -122,7 +141,10 @@ def powers(dimension: Dimension, units: tuple[Dimension, ...]) -> tuple[Fraction
         return () if dimension == NONE else None
     symbols = sp.symbols(f"p0:{len(units)}")
     equations = [
-        sum((sp.Rational(unit[row]) * symbol for symbol, unit in zip(symbols, units, strict=True)), -sp.Rational(dimension[row]))
+        sum(
+            (sp.Rational(unit[row]) * symbol for symbol, unit in zip(symbols, units, strict=True)),
+            -sp.Rational(dimension[row]),
+        )
         for row in range(3)
     ]
     solutions = sp.linsolve(equations, symbols)

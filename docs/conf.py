@@ -48,7 +48,10 @@ html_title = f"spragsym {__version__}"
 
 def _bars(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:
     """|x| in a docstring is an absolute value, not one of reStructuredText's substitutions."""
-    lines[:] = [line if line.lstrip().startswith((">>>", "...")) else line.replace("|", r"\|") for line in lines]
+    lines[:] = [
+        line if line.lstrip().startswith((">>>", "...")) else line.replace("|", r"\|")
+        for line in lines
+    ]
 
 
 def setup(app: Any) -> None:

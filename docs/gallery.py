@@ -31,9 +31,16 @@ UNDRAWN = ("coulomb_stick_slip",)
 def page(points: bool = True) -> str:
     """The page as Markdown; without ``points``, nothing is computed."""
     models = [ss.load(name) for name in sorted(shipped(), key=lambda name: (name != USUAL, name))]
-    rows = [(model.about, *title_drawing_words(model.about)[::2], computed(model) if points else []) for model in models]
-    made = jinja2.Environment(undefined=jinja2.StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
-    return made.from_string((HERE / "models.jinja").read_text(encoding="utf-8")).render(models=rows, undrawn=UNDRAWN)
+    rows = [
+        (model.about, *title_drawing_words(model.about)[::2], computed(model) if points else [])
+        for model in models
+    ]
+    made = jinja2.Environment(
+        undefined=jinja2.StrictUndefined, trim_blocks=True, keep_trailing_newline=True
+    )
+    return made.from_string((HERE / "models.jinja").read_text(encoding="utf-8")).render(
+        models=rows, undrawn=UNDRAWN
+    )
 
 
 def computed(model: Model) -> list[str]:
@@ -45,7 +52,8 @@ def computed(model: Model) -> list[str]:
     found = []
     for what, points in (("Folds at the base values", turns), ("Cusps", peaks)):
         listed = ", ".join(
-            f"θ₀ = {np.degrees(points.theta0[row]):.4f}°" + (f", μ₀ = {points.mu0[row]:.6f}" if what == "Cusps" else "")
+            f"θ₀ = {np.degrees(points.theta0[row]):.4f}°"
+            + (f", μ₀ = {points.mu0[row]:.6f}" if what == "Cusps" else "")
             for row in range(len(points))
         )
         more = "" if points.complete else f" ({'; '.join(points.remarks)})"
@@ -68,5 +76,7 @@ if __name__ == "__main__":
     (HERE / "models.md").write_text(page(), encoding="utf-8")
     for name in sys.argv[1:] or [name for name in shipped() if name not in UNDRAWN]:
         with house_style():
-            (HERE / f"images/models/{name}_set.svg").write_bytes(picture(drawn(ss.load(name)), "svg"))
+            (HERE / f"images/models/{name}_set.svg").write_bytes(
+                picture(drawn(ss.load(name)), "svg")
+            )
         print(name, flush=True)

@@ -208,26 +208,52 @@ def tame(parameter: Real) -> Flag:
 
 def moderate(point: Point) -> Flag:
     """Whether double-double arithmetic is as good as its bounds say at this point."""
-    across = (rough(point.sin0) > SMALLEST_WIDE) & tame(rough(point.sigma)) & tame(rough(point.beta)) & tame(pressed(point))
+    across = (
+        (rough(point.sin0) > SMALLEST_WIDE)
+        & tame(rough(point.sigma))
+        & tame(rough(point.beta))
+        & tame(pressed(point))
+    )
     return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (rough(point.kappa) > 0.0)
 
 
 def balance(point: Point) -> Balance:
     """f of the point: coefficients and sizes over the largest coefficient."""
-    a, b, d, m = f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar)
+    a, b, d, m = f_coefficients(
+        point.cos0,
+        point.sin0,
+        point.mu0,
+        point.kappa,
+        point.alpha,
+        point.sigma,
+        point.beta,
+        point.nbar,
+    )
     a_size, d_size = f_magnitudes(
-        rough(point.cos0), rough(point.sin0), rough(point.mu0), rough(point.kappa), rough(point.alpha), rough(point.sigma),
-        rough(point.beta), rough(point.nbar),
-    )  # fmt: skip
+        rough(point.cos0),
+        rough(point.sin0),
+        rough(point.mu0),
+        rough(point.kappa),
+        rough(point.alpha),
+        rough(point.sigma),
+        rough(point.beta),
+        rough(point.nbar),
+    )
     # m = μ₀ σ n̄ is not negative.
-    scale = maximum(maximum(absolute(rough(a)), absolute(rough(b))), maximum(absolute(rough(d)), rough(m)))
+    scale = maximum(
+        maximum(absolute(rough(a)), absolute(rough(b))), maximum(absolute(rough(d)), rough(m))
+    )
     over = 1.0 / scale
     return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
 
 
 def representable(line: Balance) -> Flag:
     """Whether double precision can carry the quartic of this balance."""
-    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (rough(line.b) <= -SMALLEST_RATIO)
+    return (
+        (line.scale > SMALLEST_SCALE)
+        & (line.scale < LARGEST_SCALE)
+        & (rough(line.b) <= -SMALLEST_RATIO)
+    )
 
 
 # ---------------------------------------------------------------------------------------------- the number of roots
@@ -244,7 +270,9 @@ def depressed_size(a_size: Real, b_size: Real, d_size: Real, m_size: Real) -> De
     r1_size = 0.25 * (a_size * a_size + b_size * b_size + d_size * d_size)
     r0_size = 0.25 * b_size * (a_size * d_size + m_size * b_size)
     mean = m_size / 3.0
-    return Depressed((r1_size + m_size * mean) / 3.0, 0.5 * (r0_size + mean * (r1_size + 2.0 * mean * mean)))
+    return Depressed(
+        (r1_size + m_size * mean) / 3.0, 0.5 * (r0_size + mean * (r1_size + 2.0 * mean * mean))
+    )
 
 
 def cubic(a: Real, b: Real, d: Real, m: Real) -> Cubic:
@@ -443,7 +471,14 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     inner = maximum(a1, b1)
     outer = minimum(a2, b2)
     count = where(contact, 1.0, 2.0) + where(more, 2.0, 0.0)
-    return Guesses(minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2), count, spared | real)
+    return Guesses(
+        minimum(a1, b1),
+        minimum(inner, outer),
+        maximum(inner, outer),
+        maximum(a2, b2),
+        count,
+        spared | real,
+    )
 
 
 #: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
@@ -495,7 +530,10 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     b_size = absolute(rough(line.b))
     m_size = rough(line.m)
     f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size)
-    value = absolute(rough(f(at.cosine, at.sine, line.a, line.b, line.d, line.m))) + COUNT_F * u * f_size
+    value = (
+        absolute(rough(f(at.cosine, at.sine, line.a, line.b, line.d, line.m)))
+        + COUNT_F * u * f_size
+    )
     slope = rough(f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m))
     slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * m_size * s_size) * c_size
     steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
@@ -506,7 +544,9 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
     radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
 
-    wide_L, wide_x, wide_y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
+    wide_L, wide_x, wide_y = state(
+        at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar
+    )
     L = rough(wide_L)
     x = rough(wide_x)
     y = rough(wide_y)
@@ -530,7 +570,11 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
     side = 1.0 - 2.0 * nbar  # the sign of y, by n̄
     reach = 2.1 * off / sigma  # sin θ and sin θ* differ by less where y may be 0
-    monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < rough(at.sine))
+    monotone = (
+        (2.0 * reach * bend < steepness * c_size)
+        & (4.0 * reach < c_size * c_size)
+        & (reach < rough(at.sine))
+    )
     ordered = monotone & (absolute(y) <= y_error)
     member = (L > L_error) & ((side * y > y_error) | (ordered & (side * slope < 0.0)))
     outsider = (L < -L_error) | (side * y < -y_error) | (ordered & (side * slope > 0.0))
@@ -546,7 +590,9 @@ def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Poi
     The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and of
     sin θ and L over themselves.
     """
-    (K11, K12), (K21, K22) = stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar)
+    (K11, K12), (K21, K22) = stiffness(
+        at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar
+    )
     wide_trace, determinant, wide_flutter = invariants(K11, K12, K21, K22)
     trace = rough(wide_trace)
     flutter = rough(wide_flutter)
@@ -569,7 +615,9 @@ def apart(low: Real, low_radius: Real, high: Real, high_radius: Real) -> Flag:
     """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
     low_square = rough(low) * rough(low)
     high_square = rough(high) * rough(high)
-    return 2.0 * rough(high - low) > (low_radius + high_radius) * (1.0 + maximum(low_square, high_square))
+    return 2.0 * rough(high - low) > (low_radius + high_radius) * (
+        1.0 + maximum(low_square, high_square)
+    )
 
 
 class Direction(NamedTuple):
@@ -592,10 +640,16 @@ def cosine_and_sine(x: Real) -> Direction:
     tail = (near - r) - rest
     z = r * r
     odd4 = -2.50507602534068634195e-08 + z * 1.58969099521155010221e-10
-    odd = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 + z * odd4))
+    odd = 8.33333333332248946124e-03 + z * (
+        -1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 + z * odd4)
+    )
     s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01)
-    even4 = -2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)
-    even = 4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * even4))
+    even4 = -2.75573143513906633035e-07 + z * (
+        2.08757232129817482790e-09 + z * -1.13596475577881948265e-11
+    )
+    even = 4.16666666666666019037e-02 + z * (
+        -1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * even4)
+    )
     half = 0.5 * z
     top = 1.0 - half
     c = top + (((1.0 - top) - half) + (z * z * even - r * tail))
@@ -618,16 +672,28 @@ def arctangent(t: Real) -> Real:
     beyond = where(fourth, size - 1.5, -1.0) / where(fourth, 1.0 + 1.5 * size, size)
     about_one = where(second, 2.0 * size - 1.0, size - 1.0) / where(second, 2.0 + size, size + 1.0)
     x = where(first, size, where(third, about_one, beyond))
-    high = where(third, where(second, 4.63647609000806093515e-01, 7.85398163397448278999e-01),
-                 where(fourth, 9.82793723247329054082e-01, 1.57079632679489655800e+00))  # fmt: skip
-    low = where(third, where(second, 2.26987774529616870924e-17, 3.06161699786838301793e-17),
-                where(fourth, 1.39033110312309984516e-17, 6.12323399573676603587e-17))  # fmt: skip
+    high = where(
+        third,
+        where(second, 4.63647609000806093515e-01, 7.85398163397448278999e-01),
+        where(fourth, 9.82793723247329054082e-01, 1.57079632679489655800e00),
+    )
+    low = where(
+        third,
+        where(second, 2.26987774529616870924e-17, 3.06161699786838301793e-17),
+        where(fourth, 1.39033110312309984516e-17, 6.12323399573676603587e-17),
+    )
     z = x * x
     w = z * z
-    even = 6.66107313738753120669e-02 + w * (4.97687799461593236017e-02 + w * 1.62858201153657823623e-02)
-    even = 3.33333333333329318027e-01 + w * (1.42857142725034663711e-01 + w * (9.09088713343650656196e-02 + w * even))
+    even = 6.66107313738753120669e-02 + w * (
+        4.97687799461593236017e-02 + w * 1.62858201153657823623e-02
+    )
+    even = 3.33333333333329318027e-01 + w * (
+        1.42857142725034663711e-01 + w * (9.09088713343650656196e-02 + w * even)
+    )
     odd = -5.83357013379057348645e-02 + w * -3.65315727442169155270e-02
-    odd = -1.99999999998764832476e-01 + w * (-1.11111104054623557880e-01 + w * (-7.69187620504482999495e-02 + w * odd))
+    odd = -1.99999999998764832476e-01 + w * (
+        -1.11111104054623557880e-01 + w * (-7.69187620504482999495e-02 + w * odd)
+    )
     rest = x * (z * even + w * odd)
     result = where(first, x - rest, high - ((rest - low) - x))
     return where(t < 0.0, -result, result)

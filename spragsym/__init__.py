@@ -13,11 +13,15 @@ array(1, dtype=int8)
 
 import sys as _sys
 
-if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endswith(("/spragsym", "\\spragsym")):
+if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endswith(
+    ("/spragsym", "\\spragsym")
+):
     import _signal
 
     # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what is imported.
-    if _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN:  # which a script's job in the background ignores
+    if (
+        _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN
+    ):  # which a script's job in the background ignores
         _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
 
 import importlib.util as _util
@@ -25,7 +29,9 @@ import pathlib as _pathlib
 
 import lazy_loader as _lazy
 
-_HERE = _pathlib.Path(__file__).resolve().parent  # a link to this folder, from wherever, leads to its checkout
+_HERE = (
+    _pathlib.Path(__file__).resolve().parent
+)  # a link to this folder, from wherever, leads to its checkout
 
 
 def _find_beside(name: str) -> None:

@@ -15,7 +15,9 @@ def run() -> None:
         main()
     except SystemExit as stop:
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is said
-        if stop.code == INTERRUPTED:  # the interpreter would end as one that was killed, had Ctrl-C come while a text was run
+        if (
+            stop.code == INTERRUPTED
+        ):  # the interpreter would end as one that was killed, had Ctrl-C come while a text was run
             os._exit(INTERRUPTED)
         raise
 

@@ -45,7 +45,14 @@ class Shown:
     def table_model(self) -> Any:
         """The model that says which columns are angles, its own or that of a part; None where a result does not know it."""
         parts = (getattr(self, name, None) for name in ("parameters", "sweep"))
-        return next((known for each in (self, *parts) if (known := getattr(each, "model", None)) is not None), None)
+        return next(
+            (
+                known
+                for each in (self, *parts)
+                if (known := getattr(each, "model", None)) is not None
+            ),
+            None,
+        )
 
     def table_values(self) -> dict[str, Any]:
         """What stands in the table, by name."""
@@ -88,7 +95,9 @@ class Words:
             return value
         if not isinstance(value, float):
             text = str(value)
-            return type(value).__name__ if "\n" in text else text  # the tables of a result stand in no cell
+            return (
+                type(value).__name__ if "\n" in text else text
+            )  # the tables of a result stand in no cell
         if key == "error":
             from .numerics.decimals import upward
 
@@ -115,7 +124,9 @@ def words(thing: Any, above: Words = _ALONE) -> Words:
     """Table words of a result; a part that does not know its model or its parameter takes those of the result ``above``."""
     kind = type(thing) if isinstance(thing, Shown) else Shown
     model, vary = (getattr(thing, name, None) for name in ("table_model", "vary"))
-    return Words(getattr(model, "is_angle", above.known), kind, vary if isinstance(vary, str) else above.vary)
+    return Words(
+        getattr(model, "is_angle", above.known), kind, vary if isinstance(vary, str) else above.vary
+    )
 
 
 def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
@@ -129,17 +140,25 @@ def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
         shape = next(iter(columns.values())).shape
         yield _columns(caption(said, name, single, _size(shape)), columns, shape, said)
     elif single:
-        yield Table(name, ("", "value"), tuple((said.heading(key), said.cell(key, value)) for key, value in single.items()))
+        yield Table(
+            name,
+            ("", "value"),
+            tuple((said.heading(key), said.cell(key, value)) for key, value in single.items()),
+        )
     for key, value in values.items():
         if _is_single(value):
             continue
         if is_dataclass(value):
-            yield from (replace(table, title=f"{key}: {table.title}") for table in tables(value, said))
+            yield from (
+                replace(table, title=f"{key}: {table.title}") for table in tables(value, said)
+            )
         elif isinstance(value, Sequence):
             yield from _sequence(key, value, said)
 
 
-def sorted_out(thing: Any, said: Words) -> tuple[dict[str, NDArray[Any]], dict[str, Any], dict[str, Any]]:
+def sorted_out(
+    thing: Any, said: Words
+) -> tuple[dict[str, NDArray[Any]], dict[str, Any], dict[str, Any]]:
     """The columns of a dataclass, arrays of its largest shape; what fits on the line above them; and all values."""
     values = thing.table_values() if isinstance(thing, Shown) else named_fields(thing)
     if isinstance(values.get("undecided"), np.ndarray):
@@ -154,10 +173,18 @@ def sorted_out(thing: Any, said: Words) -> tuple[dict[str, NDArray[Any]], dict[s
     if isinstance(values.get("vary"), tuple):
         values["vary"] = ", ".join(values["vary"])
     single = {key: value for key, value in values.items() if _is_single(value)}
-    arrays = {key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim}
-    shape = max((value.shape for key, value in arrays.items() if key not in said.kind.table_angles), key=math.prod, default=())
+    arrays = {
+        key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim
+    }
+    shape = max(
+        (value.shape for key, value in arrays.items() if key not in said.kind.table_angles),
+        key=math.prod,
+        default=(),
+    )
     columns = {key: value for key, value in arrays.items() if value.shape == shape}
-    single |= {key: said.listed(key, value) for key, value in arrays.items() if value.shape != shape}
+    single |= {
+        key: said.listed(key, value) for key, value in arrays.items() if value.shape != shape
+    }
     return columns, single, values
 
 
@@ -176,10 +203,18 @@ def not_all(found: Any) -> str:
 
 def caption(said: Words, name: str, single: Mapping[str, Any], size: str) -> str:
     """What a result is, the numbers in it, and how many rows there are."""
-    return ", ".join([name, *(f"{said.heading(key)} = {said.cell(key, value)}" for key, value in single.items()), size])
+    return ", ".join(
+        [
+            name,
+            *(f"{said.heading(key)} = {said.cell(key, value)}" for key, value in single.items()),
+            size,
+        ]
+    )
 
 
-def in_rows(title: str, said: Words, count: int, columns: Callable[[IntArray], Mapping[str, Any]]) -> Table:
+def in_rows(
+    title: str, said: Words, count: int, columns: Callable[[IntArray], Mapping[str, Any]]
+) -> Table:
     """A row for each of so many things, the first and the last ones of many; ``columns`` are those of some rows, by name."""
     some, half = np.arange(count), ROWS // 2
     taken = columns(some if count <= ROWS else np.delete(some, slice(half, -half)))
@@ -191,7 +226,11 @@ def in_rows(title: str, said: Words, count: int, columns: Callable[[IntArray], M
 
 def points(places: Sequence[IntArray]) -> dict[str, list[str]]:
     """A column that says where in an array rows are of; none for an array of no axis."""
-    return {"point": [", ".join(map(str, place)) for place in zip(*places, strict=True)]} if places else {}
+    return (
+        {"point": [", ".join(map(str, place)) for place in zip(*places, strict=True)]}
+        if places
+        else {}
+    )
 
 
 def named_fields(thing: Any) -> dict[str, Any]:
@@ -205,18 +244,28 @@ def named_fields(thing: Any) -> dict[str, Any]:
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
             end = f"_{each.name}" if each.name in ("before", "after") else ""
-            out |= {f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
+            out |= {
+                f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part
+                for key, part in value.items()
+            }
         elif value is not None:
             out[each.name] = value
     return out
 
 
 def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], said: Words) -> Table:
-    used = {key: value for key, value in columns.items() if value.dtype.kind != "U" or (value != "").any()}
+    used = {
+        key: value
+        for key, value in columns.items()
+        if value.dtype.kind != "U" or (value != "").any()
+    }
 
     def taken(some: IntArray) -> dict[str, Any]:
         places = np.unravel_index(some, shape)
-        return {**points(places if len(shape) > 1 else ()), **{key: value[places] for key, value in used.items()}}
+        return {
+            **points(places if len(shape) > 1 else ()),
+            **{key: value[places] for key, value in used.items()},
+        }
 
     return in_rows(title, said, math.prod(shape), taken)
 
@@ -226,11 +275,18 @@ def _sequence(key: str, things: Sequence[Any], above: Words) -> Iterator[Table]:
     if not things:
         yield Table(f"{key}: none")
         return
-    rows = [_extents(named_fields(thing)) if is_dataclass(thing) else {" ": thing} for thing in things]
+    rows = [
+        _extents(named_fields(thing)) if is_dataclass(thing) else {" ": thing} for thing in things
+    ]
     yield in_rows(
-        key, words(things[0], above), len(rows),
-        lambda some: {"": map(str, some), **{name: [rows[i].get(name, "") for i in some] for name in rows[0]}},
-    )  # fmt: skip
+        key,
+        words(things[0], above),
+        len(rows),
+        lambda some: {
+            "": map(str, some),
+            **{name: [rows[i].get(name, "") for i in some] for name in rows[0]},
+        },
+    )
 
 
 def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -242,7 +298,10 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
         elif value.dtype.kind in "USO":
             out[key] = ", ".join(dict.fromkeys(map(str, value.ravel())))
         else:
-            out |= {f"{key} from": value.min() if value.size else np.inf, f"{key} to": value.max() if value.size else -np.inf}
+            out |= {
+                f"{key} from": value.min() if value.size else np.inf,
+                f"{key} to": value.max() if value.size else -np.inf,
+            }
     return out
 
 
@@ -252,12 +311,20 @@ def _is_single(value: Any) -> bool:
         return True
     if isinstance(value, np.ndarray):
         return value.ndim == 0
-    few = isinstance(value, tuple) and bool(value) and all(isinstance(part, float) for part in value)
-    return few or (not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence)))
+    few = (
+        isinstance(value, tuple) and bool(value) and all(isinstance(part, float) for part in value)
+    )
+    return few or (
+        not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence))
+    )
 
 
 def _size(shape: tuple[int, ...]) -> str:
-    return counted(shape[0], "row", "rows") if len(shape) == 1 else f"{' × '.join(map(str, shape))} points"
+    return (
+        counted(shape[0], "row", "rows")
+        if len(shape) == 1
+        else f"{' × '.join(map(str, shape))} points"
+    )
 
 
 # ------------------------------------------------------------------------------------------------- as HTML, as text
@@ -267,7 +334,9 @@ def _html(table: Table) -> str:
     if not table.header:
         return f"<p>{html.escape(table.title)}</p>"
     head = "".join(f"<th>{html.escape(name)}</th>" for name in table.header)
-    body = "".join(f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
+    body = "".join(
+        f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows
+    )
     caption = f"<caption>{html.escape(table.title)}</caption>"
     return f"<table>{caption}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 

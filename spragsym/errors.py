@@ -44,7 +44,9 @@ class MissingExtraError(SpragsymError, ImportError):
     """A feature needs a package that is not installed."""
 
     def __init__(self, feature: str, module: str, extra: str) -> None:
-        super().__init__(f"{feature} needs {module}, which is not installed; in the source folder: pip install '.[{extra}]'")
+        super().__init__(
+            f"{feature} needs {module}, which is not installed; in the source folder: pip install '.[{extra}]'"
+        )
 
 
 class BackendError(SpragsymError, ImportError):
@@ -72,7 +74,13 @@ class UndecidedWarning(UserWarning):
 
 
 #: Other ways to write the symbols of the model.
-_WORDS = {"theta": "theta0", "mu": "mu0", "inclination": "theta0", "friction": "mu0", "preload": "kappa"}
+_WORDS = {
+    "theta": "theta0",
+    "mu": "mu0",
+    "inclination": "theta0",
+    "friction": "mu0",
+    "preload": "kappa",
+}
 
 
 def closest(given: str, allowed: Iterable[str]) -> str | None:
@@ -92,7 +100,11 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
         if (known := _WORDS.get(candidate, candidate)) in plain:
             return plain[known]
     # A one-letter name resembles every short name, so only its exact spelling counts.
-    found = difflib.get_close_matches(word, [name for name in plain if len(name) > 1], n=1) if len(word) > 1 else []
+    found = (
+        difflib.get_close_matches(word, [name for name in plain if len(name) > 1], n=1)
+        if len(word) > 1
+        else []
+    )
     return plain[found[0]] if found else None
 
 
@@ -106,7 +118,9 @@ def one_of(name: str, given: Any, allowed: Iterable[str]) -> str:
     """A word that is one of those allowed, else an error that names them."""
     words = [*allowed]
     if given not in words:
-        raise ParameterError(f"{name} = {given!r} is not one of {', '.join(words)}{hint(str(given), words)}")
+        raise ParameterError(
+            f"{name} = {given!r} is not one of {', '.join(words)}{hint(str(given), words)}"
+        )
     return str(given)
 
 

@@ -16,7 +16,11 @@ INTERRUPTED, _PATIENCE = 130, 0.7
 def _handler() -> Any:
     """The handler of Ctrl-C; None where that goes to another thread, or is ignored."""
     handler = signal.getsignal(signal.SIGINT)
-    return handler if threading.current_thread() is threading.main_thread() and callable(handler) else None
+    return (
+        handler
+        if threading.current_thread() is threading.main_thread() and callable(handler)
+        else None
+    )
 
 
 @contextmanager
@@ -106,7 +110,10 @@ def cut() -> None:
 @contextmanager
 def ending() -> Iterator[None]:
     """A command: after Ctrl-C it raises KeyboardInterrupt at its end at the latest, and the process ends within a second."""
-    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    if (
+        threading.current_thread() is not threading.main_thread()
+        or signal.getsignal(signal.SIGINT) == signal.SIG_IGN
+    ):
         yield
         return
     own = _Ending.installed or begun()

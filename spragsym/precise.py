@@ -35,7 +35,9 @@ Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
 
 #: Digits beyond which a request is taken for a mistake.
 MOST_DIGITS = 1000
-_NUMBER = re.compile(r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*")
+_NUMBER = re.compile(
+    r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*"
+)
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,9 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
         )
     if isinstance(value, str):
         if not _NUMBER.fullmatch(value):
-            raise ParameterTypeError(f"{name} = {value[:40]!r} is not a number such as '0.007' or '7/1000'")
+            raise ParameterTypeError(
+                f"{name} = {value[:40]!r} is not a number such as '0.007' or '7/1000'"
+            )
         if re.search(r"/0*$", value.strip()):
             raise ParameterError(f"{name} = {value[:40]!r} divides by zero")
     elif isinstance(value, mpmath.mpf | float) and not mpmath.isfinite(value):
@@ -68,23 +72,34 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
     # Python compares rational numbers with floats exactly, infinite ones too. π is irrational and its float lies below it: what
     # is beyond the float but below π is not worth a doubt.
     if not allowed.spans(exact):
-        raise ParameterError(f"{name} = {value} is not in {allowed}" + (f": {allowed.remedy}" if allowed.remedy else ""))
+        raise ParameterError(
+            f"{name} = {value} is not in {allowed}"
+            + (f": {allowed.remedy}" if allowed.remedy else "")
+        )
     return exact
 
 
 def as_digits(dps: int) -> int:
     """``dps`` as a number of digits that makes sense."""
     if isinstance(dps, bool) or not isinstance(dps, int):
-        raise ParameterTypeError(f"dps = {dps!r} is not an integer; give a number of decimal digits")
+        raise ParameterTypeError(
+            f"dps = {dps!r} is not an integer; give a number of decimal digits"
+        )
     if not 1 <= dps <= MOST_DIGITS:
-        raise ParameterError(f"dps = {dps} is not in [1, {MOST_DIGITS}]; give a number of decimal digits")
+        raise ParameterError(
+            f"dps = {dps} is not in [1, {MOST_DIGITS}]; give a number of decimal digits"
+        )
     return dps
 
 
 def equilibria(
-    p: ParameterSet | None = None, *, contact: bool = True, dps: int = 50,
-    method: Method = "auto", **exact: Exact,
-) -> PreciseEquilibria:  # fmt: skip
+    p: ParameterSet | None = None,
+    *,
+    contact: bool = True,
+    dps: int = 50,
+    method: Method = "auto",
+    **exact: Exact,
+) -> PreciseEquilibria:
     """All equilibria of one point of any model to ``dps`` digits, count and digits proved by interval arithmetic.
 
     Parameters
@@ -136,9 +151,14 @@ def equilibria(
 
 
 def cusps(
-    p: ParameterSet | None = None, *, vary: Sequence[str] | None = None, between: Ranges | None = None,
-    dps: int = 40, method: Method = "auto", **exact: Exact,
-) -> CuspProof:  # fmt: skip
+    p: ParameterSet | None = None,
+    *,
+    vary: Sequence[str] | None = None,
+    between: Ranges | None = None,
+    dps: int = 40,
+    method: Method = "auto",
+    **exact: Exact,
+) -> CuspProof:
     """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that there are no more.
 
     Parameters
@@ -193,42 +213,64 @@ def cusps(
     given = _exactly(model, p, exact, unasked=vary)
     from .bifurcation.digits import precise_cusps
 
-    return precise_cusps(model.Parameters(), given, vary, as_digits(dps), between=between, method=method)
+    return precise_cusps(
+        model.Parameters(), given, vary, as_digits(dps), between=between, method=method
+    )
 
 
 def _model(p: ParameterSet | None) -> Model:
     """The model that is asked."""
     if p is not None and not isinstance(p, ParameterSet):
-        raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}")
+        raise ParameterTypeError(
+            f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}"
+        )
     if p is not None and p.shape:
-        raise ParameterError(f"p has the shape {p.shape}; digits are asked for one point, so give single numbers")
+        raise ParameterError(
+            f"p has the shape {p.shape}; digits are asked for one point, so give single numbers"
+        )
     return load(USUAL) if p is None else model_of(p)
 
 
 def _exactly(
     model: Model, p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Collection[str] = ()
-) -> dict[str, Any]:  # fmt: skip
+) -> dict[str, Any]:
     """Parameters as exact numbers: those given by name, of the set, or the base values as printed.
 
     ``unasked`` are parameters on which the answer does not depend.
     """
-    known = {**{name: name for name in model.parameters}, **{f"{name}_deg": name for name in model.about["angles"]}}
+    known = {
+        **{name: name for name in model.parameters},
+        **{f"{name}_deg": name for name in model.about["angles"]},
+    }
     for name in exact:
         if known.get(name) in unasked:
-            raise ParameterError(f"{name} is not asked: the answer is for all {known[name]}; leave it out")
+            raise ParameterError(
+                f"{name} is not asked: the answer is for all {known[name]}; leave it out"
+            )
         if name not in known:
-            raise ParameterError(f"{name} is no parameter of {model.name}{hint(name, known)}; it has {', '.join(known)}")
+            raise ParameterError(
+                f"{name} is no parameter of {model.name}{hint(name, known)}; it has {', '.join(known)}"
+            )
     given: dict[str, Any] = {}
     for name in (one for one in model.parameters if one not in unasked):
-        allowed, degrees, value = model.Parameters.ranges[name], exact.get(f"{name}_deg"), exact.get(name)
+        allowed, degrees, value = (
+            model.Parameters.ranges[name],
+            exact.get(f"{name}_deg"),
+            exact.get(name),
+        )
         if degrees is not None and value is not None:
             raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
         if degrees is not None:
-            low, high = (round(math.degrees(end), 9) for end in (allowed.low, allowed.high))  # 180 where the end is π
+            low, high = (
+                round(math.degrees(end), 9) for end in (allowed.low, allowed.high)
+            )  # 180 where the end is π
             limits = replace(allowed, low=low, high=high)
             given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
             continue
-        if value is None and (own := model.base.get(name) if p is None else getattr(p, name)) is not None:
+        if (
+            value is None
+            and (own := model.base.get(name) if p is None else getattr(p, name)) is not None
+        ):
             value = repr(own) if p is None else float(own)
         if value is None:
             degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])

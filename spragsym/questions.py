@@ -44,10 +44,15 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         asked = model
         if method != "auto":
             asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search
-            args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
+            args, options = (
+                of(asked, args),
+                {key: of(asked, value) for key, value in options.items()},
+            )  # type: ignore[assignment]
         if (closed := _closed_form(asked, name, args, options)) is not None:
             try:
-                return closed(*args, **{key: value for key, value in options.items() if value is not None})
+                return closed(
+                    *args, **{key: value for key, value in options.items() if value is not None}
+                )
             except NotInClosedForm:
                 pass
         if method == "closed":
@@ -67,7 +72,9 @@ def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
         def ask(*args: P.args, **options: P.kwargs) -> R:
             model = model_of(*args, *options.values())
             if not issubclass(model.Parameters, Parameters):
-                raise ModelError(f"{own.__name__} is not there yet for the model {model.name}; {instead}")
+                raise ModelError(
+                    f"{own.__name__} is not there yet for the model {model.name}; {instead}"
+                )
             return own(*args, **options)
 
         return ask
@@ -86,8 +93,14 @@ def model_of(*things: Any) -> Model:
     model: Model = kind.model_of_class()
     for other, its in others:
         if not issubclass(its, kind) and not issubclass(kind, its):
-            remedy = "call .dimensionless() on it" if hasattr(other, "dimensionless") else "make one with model.Parameters(...)"
-            raise ParameterTypeError(f"p = {other!r:.60} is no set of parameters of {model.name}; {remedy}")
+            remedy = (
+                "call .dimensionless() on it"
+                if hasattr(other, "dimensionless")
+                else "make one with model.Parameters(...)"
+            )
+            raise ParameterTypeError(
+                f"p = {other!r:.60} is no set of parameters of {model.name}; {remedy}"
+            )
     return model
 
 
@@ -112,13 +125,17 @@ def of(model: Model, thing: Any) -> Any:
 _signature = functools.cache(inspect.signature)
 
 
-def _closed_form(model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]) -> Callable[..., Any] | None:
+def _closed_form(
+    model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]
+) -> Callable[..., Any] | None:
     """The closed form of a question, if it has arguments of these names; None is what is left out."""
     closed = model.closed_form(name)
     if closed is None or (len(args) == 1 and not options):
         return closed
     try:
-        _signature(closed).bind(*args, **{key: value for key, value in options.items() if value is not None})
+        _signature(closed).bind(
+            *args, **{key: value for key, value in options.items() if value is not None}
+        )
     except TypeError:
         return None
     return closed

@@ -34,12 +34,34 @@ if os.environ.get("HYPOTHESIS_PROFILE") != "search" and hasattr(providers, "_get
 
 #: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
 LONGEST = (
-    "test_documents", "test_explorer_pages", "test_explorer", "test_cycles", "test_packaging", "test_models_statics",
-    "test_studies", "test_commands", "test_onset_curves", "test_figures", "test_sweeps", "test_cli", "test_failures",
-    "test_digits", "test_exports", "test_criticality", "test_check", "test_theorem", "test_design", "test_dynamics",
-    "test_page_laws", "test_models_certificates", "test_questions", "test_machines", "test_c99",
-    "test_javascript", "test_pages",
-)  # fmt: skip
+    "test_documents",
+    "test_explorer_pages",
+    "test_explorer",
+    "test_cycles",
+    "test_packaging",
+    "test_models_statics",
+    "test_studies",
+    "test_commands",
+    "test_onset_curves",
+    "test_figures",
+    "test_sweeps",
+    "test_cli",
+    "test_failures",
+    "test_digits",
+    "test_exports",
+    "test_criticality",
+    "test_check",
+    "test_theorem",
+    "test_design",
+    "test_dynamics",
+    "test_page_laws",
+    "test_models_certificates",
+    "test_questions",
+    "test_machines",
+    "test_c99",
+    "test_javascript",
+    "test_pages",
+)
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -49,7 +71,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         mark = item.get_closest_marker("by_hand")
         if mark and re.match(rf"({'|'.join(map(re.escape, mark.args))})\b", item.callspec.id):  # type: ignore[attr-defined]
             item.add_marker("validate")
-    items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
+    items.sort(
+        key=lambda item: (
+            LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST)
+        )
+    )
 
 
 # ---------------------------------------------------------------------------------------------- what is computed once
@@ -91,7 +117,9 @@ def c_library(once: Once) -> ctypes.CDLL:
     compiler = c_target.compiler()
     if compiler is None:
         pytest.skip("no C compiler on this machine")
-    return c_target.load(once("c_target", lambda: c_target.compiled(compiler, ("-O0", "-ffp-contract=off"))))
+    return c_target.load(
+        once("c_target", lambda: c_target.compiled(compiler, ("-O0", "-ffp-contract=off")))
+    )
 
 
 @pytest.fixture
@@ -133,7 +161,9 @@ def _as_from_a_terminal() -> None:
 def begin() -> Iterator[Begin]:
     """``subprocess.Popen`` whose processes, and those that they started, end with the test, whatever happens."""
     started: list[subprocess.Popen[Any]] = []
-    posix: dict[str, Any] = {"preexec_fn": _as_from_a_terminal, "start_new_session": True} if os.name == "posix" else {}
+    posix: dict[str, Any] = (
+        {"preexec_fn": _as_from_a_terminal, "start_new_session": True} if os.name == "posix" else {}
+    )
 
     def popen(call: list[str], **options: Any) -> subprocess.Popen[Any]:
         started.append(subprocess.Popen(call, **posix, **options))

@@ -19,7 +19,9 @@ OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 def fenced(path: Path, language: str) -> list[str]:
     """Blocks of one language."""
-    return re.findall(rf"^```{language}\n(.*?)^```$", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    return re.findall(
+        rf"^```{language}\n(.*?)^```$", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
 
 
 def commands(path: Path) -> list[tuple[str, str]]:
@@ -45,11 +47,22 @@ def run(command: str, folder: Path, *, bare: bool = False) -> str:
     """
     if os.name != "posix" or not shutil.which("bash"):
         pytest.skip("needs bash")
-    given = {"PATH": os.defpath, "HOME": str(folder), "LANG": "C.UTF-8"} if bare else dict(os.environ)
-    environment = {**given, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{given['PATH']}", "PYTHONIOENCODING": "utf-8"}
+    given = (
+        {"PATH": os.defpath, "HOME": str(folder), "LANG": "C.UTF-8"} if bare else dict(os.environ)
+    )
+    environment = {
+        **given,
+        "PATH": f"{Path(sys.executable).parent}{os.pathsep}{given['PATH']}",
+        "PYTHONIOENCODING": "utf-8",
+    }
     environment.pop("FORCE_COLOR", None)
     done = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300
+        ["bash", "-o", "pipefail", "-c", command],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=300,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -57,4 +70,6 @@ def run(command: str, folder: Path, *, bare: bool = False) -> str:
 
 def assert_shown(shown: str, given: str) -> None:
     """Output as shown, where ``...`` stands for anything."""
-    assert doctest.OutputChecker().check_output(shown, given, OPTIONS), f"shown:\n{shown}\ngiven:\n{given}"
+    assert doctest.OutputChecker().check_output(shown, given, OPTIONS), (
+        f"shown:\n{shown}\ngiven:\n{given}"
+    )

@@ -26,8 +26,12 @@ ROOT = Path(__file__).parents[1]
 needs_posix = pytest.mark.skipif(os.name != "posix", reason="signals, shells and links of POSIX")
 
 #: Why tests with long motions are skipped; empty where an integrator that was compiled is there.
-LONG_MOTIONS_TAKE_MINUTES = "long motions take SciPy minutes" if integrators.choose(None) == "scipy" else ""
-needs_a_quick_integrator = pytest.mark.skipif(bool(LONG_MOTIONS_TAKE_MINUTES), reason=LONG_MOTIONS_TAKE_MINUTES)
+LONG_MOTIONS_TAKE_MINUTES = (
+    "long motions take SciPy minutes" if integrators.choose(None) == "scipy" else ""
+)
+needs_a_quick_integrator = pytest.mark.skipif(
+    bool(LONG_MOTIONS_TAKE_MINUTES), reason=LONG_MOTIONS_TAKE_MINUTES
+)
 
 #: As little as a process can be given: Windows starts none without its own folder.
 NO_ENVIRONMENT = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
@@ -37,7 +41,9 @@ def few(parameters: Iterable[Any], *kept: Any) -> list[Any]:
     """Parameters of a test: those kept, by value or id, run in ``make test``, the others in ``make check`` only."""
     found = []
     for one in parameters:
-        values, name, marks = (one.values, one.id, one.marks) if hasattr(one, "marks") else ([one], None, ())
+        values, name, marks = (
+            (one.values, one.id, one.marks) if hasattr(one, "marks") else ([one], None, ())
+        )
         more = [] if one in kept or name in kept else [pytest.mark.thorough]
         found.append(pytest.param(*values, id=name, marks=[*marks, *more]))
     return found
@@ -52,7 +58,10 @@ def as_fraction(value: mpmath.mpf) -> Fraction:
 def written_brake(folder: Path, rows: Mapping[str, str]) -> Path:
     """A file of these quantities, as text with units."""
     file = folder / "brake.toml"
-    file.write_text("[brake]\n" + "".join(f'{name} = "{value}"\n' for name, value in rows.items()), encoding="utf-8")
+    file.write_text(
+        "[brake]\n" + "".join(f'{name} = "{value}"\n' for name, value in rows.items()),
+        encoding="utf-8",
+    )
     return file
 
 
@@ -86,19 +95,37 @@ def in_python(name: str, names: Sequence[str]) -> Callable[..., Any]:
     """
     function = _function(name)
     taken = [argument for argument in inspect.signature(function).parameters if argument != "xp"]
-    spelled = {"cos_theta": "cos", "sin_theta": "sin"} | ({"nbar": "pushing"} if "pushing" in taken else {})
+    spelled = {"cos_theta": "cos", "sin_theta": "sin"} | (
+        {"nbar": "pushing"} if "pushing" in taken else {}
+    )
     given = [spelled.get(argument, argument) for argument in names]
     assert set(given) <= set(taken), name
-    return lambda *values: function(**{**dict.fromkeys(taken, 1.0), **dict(zip(given, values, strict=True))})
+    return lambda *values: function(
+        **{**dict.fromkeys(taken, 1.0), **dict(zip(given, values, strict=True))}
+    )
 
 
 def leaves(result: Any) -> list[Any]:
     """Numbers or arrays of nested lists and tuples, in their order."""
-    return [leaf for part in result for leaf in leaves(part)] if isinstance(result, list | tuple) else [result]
+    return (
+        [leaf for part in result for leaf in leaves(part)]
+        if isinstance(result, list | tuple)
+        else [result]
+    )
 
 
 def _function(name: str) -> Callable[..., Any]:
-    modules = map(generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "stability", "models.kang_nam.algebra"))
+    modules = map(
+        generated,
+        (
+            "catastrophe",
+            "equilibrium",
+            "laws",
+            "linear_sprag",
+            "stability",
+            "models.kang_nam.algebra",
+        ),
+    )
     return next(getattr(module, name) for module in modules if name in module.__all__)
 
 
@@ -118,7 +145,9 @@ def lowest_sets(number: int) -> list[Any]:
     """Sets whose lowest fold is a cusp, a turn or none: one of each, one without a spring along the belt, random ones."""
     rng = np.random.default_rng(31)
     first = [
-        ss.Parameters.article(), ss.Parameters(kappa=1e-4, alpha=0.25, sigma=5.4, beta=0.0), ss.Parameters.article(alpha=0.0),
+        ss.Parameters.article(),
+        ss.Parameters(kappa=1e-4, alpha=0.25, sigma=5.4, beta=0.0),
+        ss.Parameters.article(alpha=0.0),
         ss.Parameters(kappa=0.5499, alpha=0.8771, sigma=0.022509, beta=4.455),
-    ]  # fmt: skip
+    ]
     return [*first, *(random_fixed(rng) for _ in range(number - len(first)))]

@@ -37,7 +37,11 @@ class Late(BaseException):
 
 def names() -> list[str]:
     """The modules that judge cases."""
-    return sorted(path.stem for path in HERE.glob("[a-z]*.py") if "\ndef judge(" in path.read_text(encoding="utf-8"))
+    return sorted(
+        path.stem
+        for path in HERE.glob("[a-z]*.py")
+        if "\ndef judge(" in path.read_text(encoding="utf-8")
+    )
 
 
 def code() -> str:
@@ -46,7 +50,10 @@ def code() -> str:
     for part in CODE:
         place = HERE.parent / part
         for path in sorted(place.rglob("*")) if place.is_dir() else [place]:
-            if path.suffix in (".py", ".c", ".h", ".json", ".toml", ".txt") and "__pycache__" not in path.parts:
+            if (
+                path.suffix in (".py", ".c", ".h", ".json", ".toml", ".txt")
+                and "__pycache__" not in path.parts
+            ):
                 found.update(f"{path.relative_to(HERE.parent)}\n".encode() + path.read_bytes())
     return found.hexdigest()
 
@@ -61,7 +68,11 @@ def finished(path: Path) -> dict[int, dict[str, Any]]:
     """The finished cases of a file by number; a line that was cut short by a kill is dropped from it."""
     if not path.is_file():
         return {}
-    whole = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+    whole = [
+        line
+        for line in path.read_text(encoding="utf-8").splitlines(keepends=True)
+        if line.endswith("\n")
+    ]
     path.write_text("".join(whole), encoding="utf-8")
     return {line["number"]: line for line in map(json.loads, whole)}
 
@@ -87,7 +98,9 @@ def in_time(judge: Judge, number: int, seed: int) -> dict[str, Any]:
     return {"number": number, **found, "seconds": time.process_time() - begun}
 
 
-def cases(judge: Judge, numbers: range, seed: int, path: Path | None, seconds: float) -> Iterator[dict[str, Any]]:
+def cases(
+    judge: Judge, numbers: range, seed: int, path: Path | None, seconds: float
+) -> Iterator[dict[str, Any]]:
     """All cases: those of the file, and the others until the time is over."""
     done, end = {} if path is None else finished(path), time.monotonic() + seconds
     for number in numbers:
@@ -116,9 +129,19 @@ def run(name: str, numbers: range, seed: int, folder: Path | None, seconds: floa
             print(f"  {name} {found['number']}: {text}", flush=True)
         for key, value in found.items():
             if isinstance(value, int | float) and key != "number":
-                sums[key] = sums.get(key, 0) + value if isinstance(value, int) else max(sums.get(key, -np.inf), value)
-    told = ", ".join(f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value}" for key, value in sums.items())
-    print(f"{name}: {count} of {len(numbers)} cases, {bad} contradicted; {dict(sorted(kinds.items()))}; {told}", flush=True)
+                sums[key] = (
+                    sums.get(key, 0) + value
+                    if isinstance(value, int)
+                    else max(sums.get(key, -np.inf), value)
+                )
+    told = ", ".join(
+        f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value}"
+        for key, value in sums.items()
+    )
+    print(
+        f"{name}: {count} of {len(numbers)} cases, {bad} contradicted; {dict(sorted(kinds.items()))}; {told}",
+        flush=True,
+    )
     return not bad
 
 
@@ -134,7 +157,10 @@ def main() -> int:
     given = parser.parse_args()
     if given.name is None:
         for name in names():
-            text = ast.get_docstring(ast.parse((HERE / f"{name}.py").read_text(encoding="utf-8"))) or ""
+            text = (
+                ast.get_docstring(ast.parse((HERE / f"{name}.py").read_text(encoding="utf-8")))
+                or ""
+            )
             print(f"{name:16} {text.splitlines()[0]}")
         return 0
     chosen = names() if given.name == "all" else [given.name]
@@ -144,7 +170,9 @@ def main() -> int:
     good = True
     for name in chosen:
         number = given.number or int(importlib.import_module(f"validation.{name}").CASES)
-        good &= run(name, range(given.first, given.first + number), given.seed, given.folder, seconds)
+        good &= run(
+            name, range(given.first, given.first + number), given.seed, given.folder, seconds
+        )
     return 0 if good else 1
 
 

@@ -31,7 +31,9 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     for i, point in enumerate(found.points):
         along = found.points[min(i + 1, len(found.points) - 1)] - found.points[max(i - 1, 0)]
         across = np.array([-along[1], along[0]]) / np.linalg.norm(along)
-        starts = [[x, 0.0, vx, 0.0] for x, vx in (point + sign * ASIDE * across for sign in (-1, 1))]
+        starts = [
+            [x, 0.0, vx, 0.0] for x, vx in (point + sign * ASIDE * across for sign in (-1, 1))
+        ]
         sides = [settled(values, start)[0] for start in starts]
         off, within = apart(*sides)
         told = found.sides[i].tolist()

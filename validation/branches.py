@@ -30,9 +30,15 @@ Told = tuple[str, float, float, float]
 def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
     """Index of the point of a branch that is nearest to a cycle."""
     scale = np.ptp(branch.values) or 1.0
-    far = np.abs(branch.values - cycle.parameters[branch.vary]) / scale + np.abs(branch.periods / cycle.period - 1)
-    near = np.argsort(far, kind="stable")[:NEAREST]  # a cycle with its error takes long where an orbit has many pieces
-    away = [far[k] + float(np.abs(branch.cycles[k].state - cycle.state).max()) for k in near.tolist()]
+    far = np.abs(branch.values - cycle.parameters[branch.vary]) / scale + np.abs(
+        branch.periods / cycle.period - 1
+    )
+    near = np.argsort(far, kind="stable")[
+        :NEAREST
+    ]  # a cycle with its error takes long where an orbit has many pieces
+    away = [
+        far[k] + float(np.abs(branch.cycles[k].state - cycle.state).max()) for k in near.tolist()
+    ]
     return int(near[int(np.argmin(away))])
 
 
@@ -40,8 +46,12 @@ def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -
     """Events on the piece of a branch around its start that lies within a range."""
     low, high = inside
     count, middle = len(branch.values), place(branch, start)
-    turn = 0 if branch.of("end", "homoclinic") else middle - count // 2  # a closed branch goes on where its list ends
-    out = np.flatnonzero((np.roll(branch.values, -turn) < low) | (np.roll(branch.values, -turn) > high))
+    turn = (
+        0 if branch.of("end", "homoclinic") else middle - count // 2
+    )  # a closed branch goes on where its list ends
+    out = np.flatnonzero(
+        (np.roll(branch.values, -turn) < low) | (np.roll(branch.values, -turn) > high)
+    )
     middle -= turn
     first, last = max(out[out < middle], default=-1), min(out[out > middle], default=count)
     width = high - low
@@ -49,8 +59,9 @@ def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -
         (event.kind, event.value, event.cycle.period, float(event.error))
         for event in branch.events
         if event.kind != "end" or "half" in event.how
-        if low + 1e-3 * width < event.value < high - 1e-3 * width and first <= (place(branch, event.cycle) - turn) % count <= last
-    ]  # fmt: skip
+        if low + 1e-3 * width < event.value < high - 1e-3 * width
+        and first <= (place(branch, event.cycle) - turn) % count <= last
+    ]
 
 
 def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
@@ -58,7 +69,10 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
     return [
         f"{kind} at {value!r} of period {period:.5f}"
         for kind, value, period, error in one
-        if not any(kind == k and abs(value - v) < SAME * width + error + e and abs(period / p - 1) < 1e-4 for k, v, p, e in other)
+        if not any(
+            kind == k and abs(value - v) < SAME * width + error + e and abs(period / p - 1) < 1e-4
+            for k, v, p, e in other
+        )
     ]
 
 
@@ -79,30 +93,51 @@ def doubtful(branch: ss.CycleBranch) -> list[str]:
         ]
         values = event.cycle.multipliers[1:]
         off = _from_event(event.kind, values)
-        if not off < max(1e-3, SHARE * max(beside)) or (event.kind == "torus" and not np.abs(values.imag).max() > 0):
-            found.append(f"{event.kind} at {event.value!r}: multipliers {np.round(values, 6).tolist()}")
+        if not off < max(1e-3, SHARE * max(beside)) or (
+            event.kind == "torus" and not np.abs(values.imag).max() > 0
+        ):
+            found.append(
+                f"{event.kind} at {event.value!r}: multipliers {np.round(values, 6).tolist()}"
+            )
     return found
 
 
 def _from_event(kind: str, values: Any) -> float:
     """How far the nearest multiplier is from where it is at an event."""
-    aim = {"fold": np.abs(values - 1), "period_doubling": np.abs(values + 1), "torus": np.abs(np.abs(values) - 1)}[kind]
+    aim = {
+        "fold": np.abs(values - 1),
+        "period_doubling": np.abs(values + 1),
+        "torus": np.abs(np.abs(values) - 1),
+    }[kind]
     return float(aim.min())
 
 
-def compared(cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]) -> tuple[dict[str, Any], ss.CycleBranch]:
+def compared(
+    cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]
+) -> tuple[dict[str, Any], ss.CycleBranch]:
     """A cycle followed over a range, and over a part of it with shorter steps."""
-    branches = [ss.cycle_branch(cycle, vary, to, points=120, longest=step) for to, step in zip(ranges, (0.08, 0.05), strict=True)]
+    branches = [
+        ss.cycle_branch(cycle, vary, to, points=120, longest=step)
+        for to, step in zip(ranges, (0.08, 0.05), strict=True)
+    ]
     (whole, part), inside = (told(branch, ranges[1], cycle) for branch in branches), ranges[1]
     width = inside[1] - inside[0]
-    cut = any("could not" in event.how or "points were" in event.how for branch in branches for event in branch.of("end"))
+    cut = any(
+        "could not" in event.how or "points were" in event.how
+        for branch in branches
+        for event in branch.of("end")
+    )
     differ = [] if cut else [f"missed: {text}" for text in missing(whole, part, width)]
     differ += [] if cut else [f"invented: {text}" for text in missing(part, whole, width)]
     differ += [f"in doubt: {text}" for branch in branches for text in doubtful(branch)]
     return {
-        "wrong": [f"along {vary}, {text}" for text in differ], "pairs": 1, "points": sum(len(branch.values) for branch in branches),
-        "in part": int(cut), "events": len(whole) + len(part), "loose": sum(error > SAME * width for *_, error in (*whole, *part)),
-    }, branches[0]  # fmt: skip
+        "wrong": [f"along {vary}, {text}" for text in differ],
+        "pairs": 1,
+        "points": sum(len(branch.values) for branch in branches),
+        "in part": int(cut),
+        "events": len(whole) + len(part),
+        "loose": sum(error > SAME * width for *_, error in (*whole, *part)),
+    }, branches[0]
 
 
 def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
@@ -115,7 +150,10 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     wide = (value * (1 - rng.uniform(0.1, 0.5)), value * (1 + rng.uniform(0.1, 0.5)))
     if vary == "theta0":
         wide = (wide[0], min(wide[1], 3.0))
-    part = (value - rng.uniform(0.2, 1.0) * (value - wide[0]), value + rng.uniform(0.2, 1.0) * (wide[1] - value))
+    part = (
+        value - rng.uniform(0.2, 1.0) * (value - wide[0]),
+        value + rng.uniform(0.2, 1.0) * (wide[1] - value),
+    )
     found, branch = compared(cycle, vary, [wide, part])
     rows = [found]
     for event in branch.of("period_doubling")[:1]:
@@ -125,7 +163,10 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
             return summed(rows) | {"not switched": 1}
         there = doubled.parameters[vary]
         if wide[0] < there < wide[1]:
-            inner = (there - rng.uniform(0.1, 1.0) * (there - wide[0]), there + rng.uniform(0.1, 1.0) * (wide[1] - there))
+            inner = (
+                there - rng.uniform(0.1, 1.0) * (there - wide[0]),
+                there + rng.uniform(0.1, 1.0) * (wide[1] - there),
+            )
             rows.append(compared(doubled, vary, [wide, inner])[0])
     return summed(rows)
 
@@ -133,4 +174,8 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
 def summed(rows: list[dict[str, Any]]) -> dict[str, Any]:
     """All pairs of branches of a case; what differs counts where neither was followed in part."""
     wrong = [text for row in rows for text in row.pop("wrong")]
-    return {"kind": "branches", "wrong": wrong, **{key: sum(row[key] for row in rows) for key in rows[0]}}
+    return {
+        "kind": "branches",
+        "wrong": wrong,
+        **{key: sum(row[key] for row in rows) for key in rows[0]},
+    }

@@ -45,7 +45,10 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     name = list(DRAWN)[number % len(DRAWN)]
     model, drawn = model_of(name), DRAWN[name]
     values = draw(model, rng)
-    asked = [lambda side=side: by_hand.equilibria(model, drawn, values, side, rng) for side in (True, False)[: 1 + drawn.lifts]]
+    asked = [
+        lambda side=side: by_hand.equilibria(model, drawn, values, side, rng)
+        for side in (True, False)[: 1 + drawn.lifts]
+    ]
     asked.append(lambda: motion(model, drawn, values, rng))
     found: dict[str, Any] = {"kind": name, "wrong": [], "undecided": 0, "refused": 0}
     for ask in asked:
@@ -71,7 +74,11 @@ def draw(model: Any, rng: np.random.Generator) -> Values:
         base = model.base.get(name, 1.0)
         kind = rng.random()
         if high < 1e6:
-            ends = [low if not allowed.open_low else np.nextafter(low, high), np.nextafter(high, low), (low + high) / 2]
+            ends = [
+                low if not allowed.open_low else np.nextafter(low, high),
+                np.nextafter(high, low),
+                (low + high) / 2,
+            ]
             value = rng.choice(ends) if kind < 0.08 else rng.uniform(low, high)
         elif low < 0:
             value = rng.uniform(-3.2, 3.2)
@@ -108,7 +115,13 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
         start[1] = max(start[1], -5 * values["depth_e"])  # no number holds the force much deeper
     rhs = by_hand.field(drawn, values)
     t_end = float(min(20.0, 30.0 / _fastest(rhs, start)) * 10 ** rng.uniform(-1, 0))
-    outcome = {"wrong": [], "seconds": 0.0, "kind": int(kind), "t_end": t_end, "start": start.tolist()}
+    outcome = {
+        "wrong": [],
+        "seconds": 0.0,
+        "kind": int(kind),
+        "t_end": t_end,
+        "start": start.tolist(),
+    }
     try:
         reference, sure = _reference(rhs, start, t_end)
     except TimeoutError:
@@ -118,14 +131,21 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
         for rtol in (RTOL, RTOL / 1000):  # stiff creep multiplies the tolerance
             try:
                 tr = ss.simulate(
-                    model.Parameters(**values), start=start, t_end=t_end, rtol=rtol, backend=backend, max_steps=MAX_STEPS
+                    model.Parameters(**values),
+                    start=start,
+                    t_end=t_end,
+                    rtol=rtol,
+                    backend=backend,
+                    max_steps=MAX_STEPS,
                 )
             except ss.ConvergenceError as error:
                 outcome["refused"] = str(error)
                 wrong = []
                 break
             outcome["seconds"] = max(outcome["seconds"], time.process_time() - begin)
-            wrong = [f"{backend}: {text}" for text in _off_motion(drawn, values, tr, reference, sure)]
+            wrong = [
+                f"{backend}: {text}" for text in _off_motion(drawn, values, tr, reference, sure)
+            ]
             if not wrong:
                 break
         outcome["wrong"] += wrong
@@ -141,9 +161,13 @@ def _off_motion(drawn: Drawn, values: Values, tr: Any, reference: Any, sure: flo
     if away > 1e-6 * max(1e-3, float(np.abs(tr.state).max())) + 30 * sure:
         wrong.append(f"the end is {away:.2g} from the reference's, sure to {sure:.1g}")
     energy, power = tr.energy(), tr.power()
-    kinetic = np.abs(tr.state[n:] ** 2 * np.array(drawn.inertia(values), dtype=float)[:, None]).max()
+    kinetic = np.abs(
+        tr.state[n:] ** 2 * np.array(drawn.inertia(values), dtype=float)[:, None]
+    ).max()
     scale = np.abs(energy).max() + kinetic + tr.integral(np.abs(power))
-    rounding = 1e-14 * max(map(abs, values.values())) * max(1.0, values.get("lambda_2", 1.0)) ** 2  # of springs' energies at rest
+    rounding = (
+        1e-14 * max(map(abs, values.values())) * max(1.0, values.get("lambda_2", 1.0)) ** 2
+    )  # of springs' energies at rest
     off = abs(energy[-1] - energy[0] - tr.integral(power))
     if not off <= 1e-5 * scale + rounding:
         wrong.append(f"the energy is off by {off / scale:.2g} of its size")
@@ -153,7 +177,9 @@ def _off_motion(drawn: Drawn, values: Values, tr: Any, reference: Any, sure: flo
 def _fastest(rhs: Any, start: Any) -> float:
     """A rate of the field near the start, by differences."""
     base = rhs(0.0, start)
-    rates = [np.abs((rhs(0.0, start + 1e-6 * unit) - base) / 1e-6).max() for unit in np.eye(len(start))]
+    rates = [
+        np.abs((rhs(0.0, start + 1e-6 * unit) - base) / 1e-6).max() for unit in np.eye(len(start))
+    ]
     return float(np.sqrt(max(max(rates), 1e-6)))
 
 
@@ -170,7 +196,15 @@ def _reference(rhs: Any, start: Any, t_end: float) -> tuple[Any, float]:
 
     with np.errstate(all="ignore"):
         ends = [
-            solve_ivp(counted, (0.0, t_end), start, method="LSODA", rtol=rtol, atol=rtol * 1e-3, max_step=t_end / 500).y[:, -1]
+            solve_ivp(
+                counted,
+                (0.0, t_end),
+                start,
+                method="LSODA",
+                rtol=rtol,
+                atol=rtol * 1e-3,
+                max_step=t_end / 500,
+            ).y[:, -1]
             for rtol in (1e-8, 1e-10)
         ]
     return ends[1], float(np.abs(ends[1] - ends[0]).max())

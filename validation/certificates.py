@@ -39,7 +39,10 @@ def box(model: Any, rng: np.random.Generator) -> tuple[Any, Any]:
     middle = {name: value for name, value in middle.items() if name in model.parameters}
     size = {name: rng.choice([0.005, 0.02, 0.05]) for name in middle}
     low, high = (
-        model.Parameters(**{name: value * (1 + side * size[name]) for name, value in middle.items()}) for side in (-1, 1)
+        model.Parameters(
+            **{name: value * (1 + side * size[name]) for name, value in middle.items()}
+        )
+        for side in (-1, 1)
     )
     return low, high
 
@@ -64,7 +67,9 @@ def leaves(model: Any, p: Any, end: ModelEnd) -> bool | None:
     off = []
     for side in (-1, 1):
         motion = ss.simulate(
-            p.replace(mu0=end.value * (1 + side * BESIDE), d=STEEP / float(p.V)), start=[*q, *[0.0] * len(q)], t_end=LONG
+            p.replace(mu0=end.value * (1 + side * BESIDE), d=STEEP / float(p.V)),
+            start=[*q, *[0.0] * len(q)],
+            t_end=LONG,
         )
         off.append(float(np.abs(getattr(motion, first) - q[0]).max()))
     return None if off[0] > 3 * near or near < off[1] <= 3 * near else bool(off[1] > near)
@@ -74,7 +79,10 @@ def fails(eq: Any, claim: str) -> Any:
     """At which points a claim is false, by their equilibria; those that are not decided do not count."""
     if claim == "one equilibrium":
         return (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole)
-    return (np.abs(eq.eigenvalues.real) * np.abs(eq.eigenvalues.imag) > 1e-9 * np.abs(eq.eigenvalues) ** 2).any(axis=(-2, -1))
+    return (
+        np.abs(eq.eigenvalues.real) * np.abs(eq.eigenvalues.imag)
+        > 1e-9 * np.abs(eq.eigenvalues) ** 2
+    ).any(axis=(-2, -1))
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
@@ -90,13 +98,28 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         end = end_of(model, found.counterexample)
         left = None if end is None else leaves(model, found.counterexample, end)
         told["motions"] += left is not None
-        told["wrong"] += [f"{found.counterexample!r}: {end}, leaves {left}"] * (end is None or left is False)
+        told["wrong"] += [f"{found.counterexample!r}: {end}, leaves {left}"] * (
+            end is None or left is False
+        )
     elif found.outcome == "refuted":
-        told["wrong"] += [f"{found.counterexample!r}: {claim}"] * (not fails(ss.equilibria(found.counterexample), claim))
+        told["wrong"] += [f"{found.counterexample!r}: {claim}"] * (
+            not fails(ss.equilibria(found.counterexample), claim)
+        )
     elif found.outcome == "proved":
-        bad = jumping(name, low, high, rng) if claim == "no jump" else int(
-            fails(ss.equilibria(low.replace(**within(low, high, rng, MANY if name == "kang_nam" else COUNTED))), claim).sum()
-        )  # fmt: skip
+        bad = (
+            jumping(name, low, high, rng)
+            if claim == "no jump"
+            else int(
+                fails(
+                    ss.equilibria(
+                        low.replace(
+                            **within(low, high, rng, MANY if name == "kang_nam" else COUNTED)
+                        )
+                    ),
+                    claim,
+                ).sum()
+            )
+        )
         told["wrong"] += [f"{low!r} to {high!r}: {bad} points contradict {claim}"] * bool(bad)
     return told
 
@@ -104,7 +127,13 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
 def jumping(name: str, low: Any, high: Any, rng: np.random.Generator) -> int:
     """Points of a box that jump: by jump values, and by states that are followed."""
     values = within(low, high, rng, CLOSED if name == "kang_nam" else JUMPS)
-    jumps = np.asarray(ss.jump_value(low.replace(**values), "mu0", **({} if name == "kang_nam" else {"until": float(high.mu0)})))
+    jumps = np.asarray(
+        ss.jump_value(
+            low.replace(**values),
+            "mu0",
+            **({} if name == "kang_nam" else {"until": float(high.mu0)}),
+        )
+    )
     bad = int((jumps <= values.get("mu0", float(low.mu0))).sum())
     values = within(low, high, rng, FOLLOWED)
     points = [{key: float(value[i]) for key, value in values.items()} for i in range(FOLLOWED)]
@@ -113,6 +142,16 @@ def jumping(name: str, low: Any, high: Any, rng: np.random.Generator) -> int:
 
 def within(low: Any, high: Any, rng: np.random.Generator, number: int) -> dict[str, Any]:
     """Random points of a box by name, corners of it among them."""
-    names = [name for name in low.model.parameters if float(getattr(low, name)) < float(getattr(high, name))]
-    share = {name: np.where(rng.random(number) < 0.3, rng.integers(0, 2, number), rng.random(number)) for name in names}
-    return {name: (1 - part) * float(getattr(low, name)) + part * float(getattr(high, name)) for name, part in share.items()}
+    names = [
+        name
+        for name in low.model.parameters
+        if float(getattr(low, name)) < float(getattr(high, name))
+    ]
+    share = {
+        name: np.where(rng.random(number) < 0.3, rng.integers(0, 2, number), rng.random(number))
+        for name in names
+    }
+    return {
+        name: (1 - part) * float(getattr(low, name)) + part * float(getattr(high, name))
+        for name, part in share.items()
+    }

@@ -31,29 +31,54 @@ def states(number: int, rng: np.random.Generator) -> dict[str, Any]:
     order, found = (np.argsort(one.x, axis=-1)[same][:, :slots] for one in (known, eq))
     error = 0.0
     for key in ("x", "y"):
-        want, got = (np.take_along_axis(getattr(one, key)[same], at, axis=-1) for one, at in ((known, order), (eq, found)))
-        error = max(error, float(np.nanmax(np.abs(got - want) / np.maximum(1, np.abs(want)), initial=0.0)))
-    wrong = [f"{name}: {int(other.sum())} other counts"] * bool(other.any()) + [f"{name}: {error:.2g} off"] * (error > 2e-12)
-    return {"kind": name, "wrong": wrong, "points": 200, "undecided": int((~eq.decided).sum()), "error": error}
+        want, got = (
+            np.take_along_axis(getattr(one, key)[same], at, axis=-1)
+            for one, at in ((known, order), (eq, found))
+        )
+        error = max(
+            error, float(np.nanmax(np.abs(got - want) / np.maximum(1, np.abs(want)), initial=0.0))
+        )
+    wrong = [f"{name}: {int(other.sum())} other counts"] * bool(other.any()) + [
+        f"{name}: {error:.2g} off"
+    ] * (error > 2e-12)
+    return {
+        "kind": name,
+        "wrong": wrong,
+        "points": 200,
+        "undecided": int((~eq.decided).sum()),
+        "error": error,
+    }
 
 
 def changes(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """Folds along a parameter, or cusps, inside of the region that was searched."""
     vary = (*NAMES, "cusps")[number % 7]
     p = ss.Parameters(
-        rng.uniform(0.1, 3.0), rng.uniform(0.0, 1.5) * (rng.random() < 0.9), 10.0 ** rng.uniform(-2.5, -0.5),
-        10.0 ** rng.uniform(-2.5, -0.5) * (rng.random() < 0.9), 10.0 ** rng.uniform(-1.5, 0.5), rng.choice([0.0, 0.3]),
-    )  # fmt: skip
+        rng.uniform(0.1, 3.0),
+        rng.uniform(0.0, 1.5) * (rng.random() < 0.9),
+        10.0 ** rng.uniform(-2.5, -0.5),
+        10.0 ** rng.uniform(-2.5, -0.5) * (rng.random() < 0.9),
+        10.0 ** rng.uniform(-1.5, 0.5),
+        rng.choice([0.0, 0.3]),
+    )
     found, known = (
-        ss.cusps(p, method=method) if vary == "cusps" else ss.folds(p, vary, method=method) for method in ("search", "auto")
+        ss.cusps(p, method=method) if vary == "cusps" else ss.folds(p, vary, method=method)
+        for method in ("search", "auto")
     )
     span = dict(zip(found.vary, found.region[2:], strict=True))
     inside = np.logical_and.reduce(
-        [(getattr(known, key) > low) & (getattr(known, key) < high) for key, (low, high) in span.items()]
+        [
+            (getattr(known, key) > low) & (getattr(known, key) < high)
+            for key, (low, high) in span.items()
+        ]
     )
     first = "theta0" if vary == "cusps" else vary
     got, want = np.sort(getattr(found, first)), np.sort(getattr(known, first)[inside])
-    told = {"kind": f"folds along {vary}" if vary != "cusps" else vary, "undecided": int(not found.complete), "points": len(got)}
+    told = {
+        "kind": f"folds along {vary}" if vary != "cusps" else vary,
+        "undecided": int(not found.complete),
+        "points": len(got),
+    }
     if not found.complete:
         return told | {"wrong": []}
     off = float(np.abs(got - want).max(initial=0.0)) if len(got) == len(want) else np.inf

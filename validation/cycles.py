@@ -35,7 +35,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     if number >= len(KNOWN):
         return regimes(rng)
     kind, degrees, near = KNOWN[number]
-    cycle = ss.cycle(ss.Parameters.article(theta0=np.radians(degrees)), V=0.5, d=10.0, near=near, patient=False)
+    cycle = ss.cycle(
+        ss.Parameters.article(theta0=np.radians(degrees)), V=0.5, d=10.0, near=near, patient=False
+    )
     off = max(differences(cycle))
     return {"kind": "cycle", "wrong": [f"{kind}: {off:.2g} off"] * (off > 1e-9), "difference": off}
 
@@ -44,14 +46,25 @@ def regimes(rng: np.random.Generator) -> dict[str, Any]:
     """Random motions about the article's parameters, belts over a decade, β = 0 in half of them."""
     n = MOTIONS
     p = ss.Parameters(
-        theta0=rng.uniform(0.2, 2.9, n), mu0=rng.uniform(0.0, 1.0, n), kappa=0.007 * 10 ** rng.uniform(-0.7, 0.7, n),
-        alpha=0.007 * 10 ** rng.uniform(-0.7, 0.7, n), sigma=0.1 * 10 ** rng.uniform(-0.5, 0.5, n),
+        theta0=rng.uniform(0.2, 2.9, n),
+        mu0=rng.uniform(0.0, 1.0, n),
+        kappa=0.007 * 10 ** rng.uniform(-0.7, 0.7, n),
+        alpha=0.007 * 10 ** rng.uniform(-0.7, 0.7, n),
+        sigma=0.1 * 10 ** rng.uniform(-0.5, 0.5, n),
         beta=rng.choice([0.0, 0.05], n) * rng.uniform(0, 1, n),
-    )  # fmt: skip
-    rest = {"V": rng.uniform(0.05, 1.0, n), "d": 10 ** rng.uniform(0.3, 1.3, n), "x0": rng.normal(0, 0.2, n)}
+    )
+    rest = {
+        "V": rng.uniform(0.05, 1.0, n),
+        "d": 10 ** rng.uniform(0.3, 1.3, n),
+        "x0": rng.normal(0, 0.2, n),
+    }
     rest |= {"vx0": rng.normal(0, 0.1, n), "vy0": rng.normal(0, 0.02, n)}
     early, late = (rms_sweep(p, **rest, t_end=end, transient=end - window) for end, window in TIMES)
     told = np.flatnonzero(~np.isin(early.regime, (Regime.UNSETTLED, Regime.FAILED))).tolist()
     pairs = [(early.outcome(i), late.outcome(i)) for i in told]
-    wrong = [f"{one}, later {two}" for one, two in pairs if one.equilibrium != two.equilibrium or not same_limit(one, two, ())]
+    wrong = [
+        f"{one}, later {two}"
+        for one, two in pairs
+        if one.equilibrium != two.equilibrium or not same_limit(one, two, ())
+    ]
     return {"kind": "regimes", "wrong": wrong, "limits told": len(told)}

@@ -26,9 +26,20 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     other = wrong_counts(p, eq)
     wrong = [f"{name}: {other} other counts"] * (other > 0)
     wrong += [
-        f"{name}: an error of {error:.2g}, {share:.2g} of its bound" for error, share in worst if error > 1e-12 or share > 1
+        f"{name}: an error of {error:.2g}, {share:.2g} of its bound"
+        for error, share in worst
+        if error > 1e-12 or share > 1
     ]
     if number % 10 == 0:
         shares = worst_shares(tuple(float(column[0]) for column in p.broadcast(*NAMES)), PRECISIONS)
-        wrong += [f"{name} to {dps} digits: {share:.2g} of its bound" for dps, share in shares.items() if share > 1]
-    return {"kind": name, "wrong": wrong, "points": eq.count.size, "error": max(error for error, _ in worst)}
+        wrong += [
+            f"{name} to {dps} digits: {share:.2g} of its bound"
+            for dps, share in shares.items()
+            if share > 1
+        ]
+    return {
+        "kind": name,
+        "wrong": wrong,
+        "points": eq.count.size,
+        "error": max(error for error, _ in worst),
+    }

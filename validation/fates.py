@@ -62,7 +62,11 @@ PASSES, FINELY, AGAIN = 1000.0, 0.02, 1e-5
 
 
 def averages(
-    values: dict[str, float], start: Any, lasting: float = LONG, window: float = WINDOW, rtol: float = 1e-12
+    values: dict[str, float],
+    start: Any,
+    lasting: float = LONG,
+    window: float = WINDOW,
+    rtol: float = 1e-12,
 ) -> tuple[Any, Any]:
     """Means of x and y and root mean squares of x about zero and its mean over each half of the last part, and the last state."""
     numbers, halves, state = tuple(values.values()), [], np.array(start)
@@ -74,7 +78,9 @@ def averages(
             share = np.linspace(0, 1, round(span / SAMPLED) + 1)
             weights = np.sin(np.pi * share) ** 4
             x, y, *_ = motion(span * share)
-            mean_x, mean_y, square = (float(weights @ each / weights.sum()) for each in (x, y, x**2))
+            mean_x, mean_y, square = (
+                float(weights @ each / weights.sum()) for each in (x, y, x**2)
+            )
             halves.append([mean_x, mean_y, square**0.5, max(square - mean_x**2, 0.0) ** 0.5])
     return np.array(halves), state
 
@@ -116,7 +122,9 @@ def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]
     return False, told
 
 
-def carried(given: dict[str, Any], low: float, high: float, *, jumps: bool = False) -> tuple[bool, str]:
+def carried(
+    given: dict[str, Any], low: float, high: float, *, jumps: bool = False
+) -> tuple[bool, str]:
     """Whether a motion carried from one value to another ends on the attractor of the motion there, with or without a jump."""
     values, vary = given["values"], given["vary"]
     there, _ = settled(values | {vary: high}, given["start"])
@@ -124,7 +132,9 @@ def carried(given: dict[str, Any], low: float, high: float, *, jumps: bool = Fal
     share, step, largest = 0.0, STEP, 0.0
     while share < 1:
         ahead = min(share + step, 1.0)
-        now, then = averages(values | {vary: low + ahead * (high - low)}, state, STEP_LASTS, STEP_LASTS)
+        now, then = averages(
+            values | {vary: low + ahead * (high - low)}, state, STEP_LASTS, STEP_LASTS
+        )
         jump = float(np.abs(now[-1] - before[-1]).max())
         if jump > JUMP and step > STEP / 2**HALVINGS:
             step /= 2
@@ -134,7 +144,10 @@ def carried(given: dict[str, Any], low: float, high: float, *, jumps: bool = Fal
     here, _ = settled(values | {vary: high}, state)
     off, within = apart(here, there)
     right = off < ALIKE and (jumps or largest <= JUMP)
-    return right, f"carried over, averages differ by {off:.2g}, change by {within:.1g}, jump by {largest:.2g} at most"
+    return (
+        right,
+        f"carried over, averages differ by {off:.2g}, change by {within:.1g}, jump by {largest:.2g} at most",
+    )
 
 
 def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
@@ -142,10 +155,14 @@ def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
     told, missed = [], []
     for place in places:
         values = given["values"] | {given["vary"]: place}
-        (one, state), (other, _) = (averages(values, np.add(given["start"], [off, 0, 0, 0])) for off in (0, 1e-9))
+        (one, state), (other, _) = (
+            averages(values, np.add(given["start"], [off, 0, 0, 0])) for off in (0, 1e-9)
+        )
         told.append(max(apart(one, other)))
         missed.append(0.0 if max(told) > STEADY else returned(values, state))
-    why = f"averages change by {max(told):.1g}" + (f", it passes itself at {max(missed):.1g}" if max(missed) else "")
+    why = f"averages change by {max(told):.1g}" + (
+        f", it passes itself at {max(missed):.1g}" if max(missed) else ""
+    )
     return max(told) > STEADY or max(missed) > AGAIN, why
 
 
@@ -162,8 +179,10 @@ def returned(values: dict[str, float], start: Any) -> float:
     near = times[gone + int(np.argmin(off[gone:]))]
     closest = minimize_scalar(
         lambda t: float(np.abs(motion(np.array([t]))[:, 0] - start).max()),
-        bounds=(near - FINELY, min(near + FINELY, PASSES)), method="bounded", options={"xatol": 1e-12},
-    )  # fmt: skip
+        bounds=(near - FINELY, min(near + FINELY, PASSES)),
+        method="bounded",
+        options={"xatol": 1e-12},
+    )
     return float(closest.fun) / extent
 
 
@@ -182,9 +201,15 @@ def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool
     rng = np.random.default_rng(0)
     for _ in range(LOOKED_AT // 2):
         values = given["values"] | {given["vary"]: place + width * rng.uniform(-1, 1)}
-        pair = [settled(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)))[0] for _ in range(2)]
+        pair = [
+            settled(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)))[0]
+            for _ in range(2)
+        ]
         if differ(*pair):
-            return True, f"averages of neighbours differ by {apart(*pair)[0]:.1g}, change by {apart(*pair)[1]:.1g}"
+            return (
+                True,
+                f"averages of neighbours differ by {apart(*pair)[0]:.1g}, change by {apart(*pair)[1]:.1g}",
+            )
     return False, f"of {LOOKED_AT} motions no neighbours come to different ends"
 
 
@@ -192,29 +217,48 @@ def part(given: dict[str, Any], said: str) -> tuple[str, bool, str]:
     """One part of a refusal: what it says, whether that is confirmed, and how."""
     (low, high), vary = given["bracket"], given["vary"]
     named = [float(text) for text in re.findall(rf" at {vary} = ([-+.\de]+)", said)]
-    by_rounding = [float(text) for text in re.findall(rf"as rounding decides, to .*? at {vary} = ([-+.\de]+)", said)]
+    by_rounding = [
+        float(text)
+        for text in re.findall(rf"as rounding decides, to .*? at {vary} = ([-+.\de]+)", said)
+    ]
     if by_rounding:
-        lasts = re.findall(r"or, as rounding decides, to nothing that is decided by t = ([-+.\de]+)", said)
+        lasts = re.findall(
+            r"or, as rounding decides, to nothing that is decided by t = ([-+.\de]+)", said
+        )
         found = [
-            open_ if lasts and ((open_ := undecided(given, place))[0] or (open_ := lingering(given, place, float(lasts[0])))[0])
-            else alternating(given, place, 0.0) for place in by_rounding
-        ]  # fmt: skip
+            open_
+            if lasts
+            and (
+                (open_ := undecided(given, place))[0]
+                or (open_ := lingering(given, place, float(lasts[0])))[0]
+            )
+            else alternating(given, place, 0.0)
+            for place in by_rounding
+        ]
         if "undecided" in said:
             found.append(undecided(given, *np.linspace(named[0], named[1], 5)[1:-1]))
-        return "rounding decides", all(right for right, _ in found), "; ".join(how for _, how in found)
+        return (
+            "rounding decides",
+            all(right for right, _ in found),
+            "; ".join(how for _, how in found),
+        )
     if "one attractor" in said:
         return "one attractor", *carried(given, low, high)
     if "leave it open" in said:
         return "left open", True, "nothing is said"
     if "nothing that" in said:
         texts = re.findall(rf"it comes to (.*?) at {vary} = ([-+.\de]+)", said)
-        return "nothing that is decided", *undecided(given, *(float(value) for text, value in texts if "nothing" in text))
+        return "nothing that is decided", *undecided(
+            given, *(float(value) for text, value in texts if "nothing" in text)
+        )
     if "alternate" in said:
         width, place = re.findall(rf"within ([-+.\de]+) of {vary} = ([-+.\de]+)", said)[0]
         return "alternate", *alternating(given, float(place), float(width))
     if "no boundary of basins" in said:
         aside = 1e-3 * (high - low)
-        return "an attractor ends", *carried(given, max(named[0] - aside, low), min(named[1] + aside, high), jumps=True)
+        return "an attractor ends", *carried(
+            given, max(named[0] - aside, low), min(named[1] + aside, high), jumps=True
+        )
     return "undecided between", *undecided(given, *np.linspace(named[0], named[1], 5)[1:-1])
 
 
@@ -222,13 +266,22 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     """One call, and whether what it says is confirmed."""
     given = fate_of(number)
     values = given["values"]
-    p = ss.Parameters(**{name: values[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")})
+    p = ss.Parameters(
+        **{name: values[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")}
+    )
     speeds = {name: values[name] for name in ("V", "d")}
     try:
-        found = ss.fate_boundary(p, vary=given["vary"], bracket=given["bracket"], start=given["start"], **speeds)
+        found = ss.fate_boundary(
+            p, vary=given["vary"], bracket=given["bracket"], start=given["start"], **speeds
+        )
     except (ss.ParameterError, ss.ConvergenceError) as error:
-        parts = [part(given, each) for each in re.split(r"; (?!give)", str(error).partition("): ")[2])]
+        parts = [
+            part(given, each) for each in re.split(r"; (?!give)", str(error).partition("): ")[2])
+        ]
         wrong = [f"{error}; {how}" for _, right, how in parts if not right]
         return {"kind": " and ".join(sorted({kind for kind, *_ in parts})), "wrong": wrong}
     right, how = confirmed(given, found)
-    return {"kind": f"answer, {found.saddle}", "wrong": [] if right else [f"{given['vary']} = {found.value!r}: {how}"]}
+    return {
+        "kind": f"answer, {found.saddle}",
+        "wrong": [] if right else [f"{given['vary']} = {found.value!r}: {how}"],
+    }

@@ -24,20 +24,32 @@ def grid() -> Array:
     """θ₀ in (0, π), ever closer to 0, π/2 and π."""
     near = np.geomspace(NEAREST, 0.3, TOWARDS)
     half = 0.5 * np.pi
-    return np.unique(np.concatenate([np.linspace(0, np.pi, EVEN + 2)[1:-1], near, half - near, half + near, np.pi - near]))
+    return np.unique(
+        np.concatenate(
+            [np.linspace(0, np.pi, EVEN + 2)[1:-1], near, half - near, half + near, np.pi - near]
+        )
+    )
 
 
 def compare(p: ss.Parameters, onsets: ss.Onsets) -> tuple[int, int, int]:
     """Onsets that the map has and the list has not, the other way round, and those on the map."""
     theta0, eq = refined_map(p, onsets)
-    flutter = np.where(np.arange(eq.stability.shape[-1]) < eq.count[:, None], eq.stability == ss.Stability.FLUTTER, False)
+    flutter = np.where(
+        np.arange(eq.stability.shape[-1]) < eq.count[:, None],
+        eq.stability == ss.Stability.FLUTTER,
+        False,
+    )
     missed = extra = seen = 0
-    for cell in np.flatnonzero(np.diff(eq.count) == 0):  # otherwise a fold is in between, and the states changed places
+    for cell in np.flatnonzero(
+        np.diff(eq.count) == 0
+    ):  # otherwise a fold is in between, and the states changed places
         change = flutter[cell + 1].astype(int) - flutter[cell]
         expected = Counter((int(branch), int(change[branch])) for branch in np.flatnonzero(change))
         inside = (onsets.theta0 > theta0[cell]) & (onsets.theta0 < theta0[cell + 1])
         inside &= onsets.side != 0  # a touch, which changes nothing on either side
-        listed = Counter(zip(onsets.branch[inside].tolist(), onsets.side[inside].tolist(), strict=True))
+        listed = Counter(
+            zip(onsets.branch[inside].tolist(), onsets.side[inside].tolist(), strict=True)
+        )
         seen += expected.total()
         missed += (expected - listed).total()
         extra += (listed - expected).total()
@@ -58,7 +70,10 @@ def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibr
         folds = np.flatnonzero((np.diff(eq.count) != 0) & (np.diff(theta0) > 1e-6))
         if zoom == ZOOMS or not near.size + folds.size:
             break
-        fine = np.linspace(theta0[near - 1], theta0[near + 1], 13), np.linspace(theta0[folds], theta0[folds + 1], 13)
+        fine = (
+            np.linspace(theta0[near - 1], theta0[near + 1], 13),
+            np.linspace(theta0[folds], theta0[folds + 1], 13),
+        )
         theta0 = np.union1d(theta0, np.concatenate(fine, axis=-1))
     return theta0, eq
 
@@ -67,7 +82,11 @@ def dips(p: ss.Parameters, eq: ss.Equilibria) -> Array:
     """Points at which the discriminant of a state comes closer to 0 than at the neighbours, without a change of its sign."""
     mu0, alpha, sigma, beta = p.scalars("mu0", "alpha", "sigma", "beta")
     s, c = np.sin(eq.theta), np.cos(eq.theta)
-    K11, K22, K21 = sigma * (1 - s * s / eq.L) + alpha, sigma * (1 - c * c / eq.L) + beta + 1, sigma / eq.L * s * c
+    K11, K22, K21 = (
+        sigma * (1 - s * s / eq.L) + alpha,
+        sigma * (1 - c * c / eq.L) + beta + 1,
+        sigma / eq.L * s * c,
+    )
     value = (K11 - K22) ** 2 + 4 * (K21 + mu0) * K21
     left, here, right = value[:-2], value[1:-1], value[2:]
     same = (np.sign(left) == np.sign(here)) & (np.sign(here) == np.sign(right))

@@ -24,7 +24,11 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     kind = ("counts", "path", "lowest fold", "flutter")[number % 4]
     if kind == "counts":
         p = random_fixed(rng)
-        tall = [float(np.median(curve.mu0[curve.mu0 < 50])) for curve in ss.bifurcation_set(p).curves if (curve.mu0 < 50).any()]
+        tall = [
+            float(np.median(curve.mu0[curve.mu0 < 50]))
+            for curve in ss.bifurcation_set(p).curves
+            if (curve.mu0 < 50).any()
+        ]
         bad = count_map_mismatches(p, 500, 2 * max(tall, default=1.0))
     elif kind == "path":
         p, vary, values = creeping_states.random_path(rng, NAMES[number // 4 % len(NAMES)])

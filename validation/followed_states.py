@@ -25,12 +25,22 @@ NEAR, STEP, LEAST, CLOSE = 0.02, 0.02, 1e-6, 1e-3
 def end_by_hand(p: Any, most: float) -> float:
     """The friction at which the state that is followed ends, NaN where it does not up to ``most``."""
     path = ss.quasi_static_path(p, "mu0", [0.0])
-    here, mu, step = np.array([path.coordinates[name][0] for name in p.model.coordinates]), 0.0, STEP
+    here, mu, step = (
+        np.array([path.coordinates[name][0] for name in p.model.coordinates]),
+        0.0,
+        STEP,
+    )
     while mu < most:
         at = min(mu + step, most)
         eq = ss.equilibria(p.replace(mu0=at), method="search")
-        states = np.array([eq.coordinates[name][: int(eq.count)] for name in p.model.coordinates]).reshape(here.size, -1)
-        off = np.abs(states - here[:, None]).max(axis=0, initial=0.0) if states.size else np.array([math.inf])
+        states = np.array(
+            [eq.coordinates[name][: int(eq.count)] for name in p.model.coordinates]
+        ).reshape(here.size, -1)
+        off = (
+            np.abs(states - here[:, None]).max(axis=0, initial=0.0)
+            if states.size
+            else np.array([math.inf])
+        )
         if off.min() < NEAR:
             here, mu, step = states[:, off.argmin()], at, min(STEP, 2 * step)
         elif step < LEAST:
@@ -48,7 +58,11 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         key, _, rest = line.partition(" = ")
         value, _, unit = rest.partition("#")[0].strip(' "').partition(" +-")[0].partition(" ")
         if key in ("theta0", "mu0"):
-            drawn = rng.uniform(10.0, 60.0 if name == "sprag_rod" else 110.0) if key == "theta0" else rng.uniform(0.05, 0.8)
+            drawn = (
+                rng.uniform(10.0, 60.0 if name == "sprag_rod" else 110.0)
+                if key == "theta0"
+                else rng.uniform(0.05, 0.8)
+            )
             rest = f'"{drawn:.6g} {"deg" if key == "theta0" else ""}"'
         elif key in ("k", "k_x", "k_t", "F_L", "psi", "k_2", "k_3"):
             rest = f'"{float(value) * 3 ** rng.uniform(-1, 1):.6g} {unit}"'

@@ -22,11 +22,19 @@ CLOSE = 1e-11
 #: Two-coordinate models whose jump values have no closed forms, and how far friction rises.
 MODELS, FAR = ("two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "damped"), 2.0
 TOLERANCES: dict[str, Any] = {
-    "theta0": (0.68, 0.72), "mu0": (0.4, 0.6), "kappa": (0.006, 0.008), "alpha": (0.006, 0.008), "sigma": (0.085, 0.115),
+    "theta0": (0.68, 0.72),
+    "mu0": (0.4, 0.6),
+    "kappa": (0.006, 0.008),
+    "alpha": (0.006, 0.008),
+    "sigma": (0.085, 0.115),
     "beta": (0.0, 0.02),
-}  # fmt: skip
+}
 #: Model, what rises, and the inclination about which there are tolerances.
-BRACKETS = (("two_springs", "mu0", 40.0), ("stribeck", "mu_s", 40.0), ("cubic_contact", "mu0", 45.0))
+BRACKETS = (
+    ("two_springs", "mu0", 40.0),
+    ("stribeck", "mu_s", 40.0),
+    ("cubic_contact", "mu0", 45.0),
+)
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
@@ -38,7 +46,10 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
 
 def values(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """Points of both families; the path goes 1 % beyond the value, or far where there is none."""
-    vary, family = ("mu0", "theta0")[number % 2], (families.random, families.near_folds)[number // 2 % 2]
+    vary, family = (
+        ("mu0", "theta0")[number % 2],
+        (families.random, families.near_folds)[number // 2 % 2],
+    )
     p = family(rng, 100)
     known = np.asarray(ss.jump_value(p, vary))
     start, far = (0.0, 1e3) if vary == "mu0" else (1e-12, 3.14159)
@@ -49,26 +60,47 @@ def values(number: int, rng: np.random.Generator) -> dict[str, Any]:
             continue
         q = ss.Parameters(**{name: float(getattr(p, name)[i]) for name in NAMES})
         jumps = [jump.value for jump in ss.quasi_static_path(q, vary, [start, end]).jumps[:1]]
-        if bool(jumps) != np.isfinite(value) or (jumps and abs(jumps[0] - value) > CLOSE * max(1.0, value)):
+        if bool(jumps) != np.isfinite(value) or (
+            jumps and abs(jumps[0] - value) > CLOSE * max(1.0, value)
+        ):
             wrong.append(f"{q!r} along {vary}: {value} for {jumps}")
-    return {"kind": f"values along {vary}", "wrong": wrong, "points": len(known), "jumping": int(np.isfinite(known).sum())}
+    return {
+        "kind": f"values along {vary}",
+        "wrong": wrong,
+        "points": len(known),
+        "jumping": int(np.isfinite(known).sum()),
+    }
 
 
 def at_once(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """Points of a model at once, and some of them one after the other by a path between all folds."""
     model, size = ss.load(MODELS[number % len(MODELS)]), 2000
-    scales = {key: model.base[key] * 2 ** rng.uniform(-1, 1, size) for key in ("kappa", "sigma", "alpha")}
+    scales = {
+        key: model.base[key] * 2 ** rng.uniform(-1, 1, size) for key in ("kappa", "sigma", "alpha")
+    }
     p = model.Parameters(theta0=rng.uniform(0.3, 1.4, size), **scales)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ss.errors.UndecidedWarning)
         known = np.asarray(ss.jump_value(p, until=FAR))
     wrong = []
     for i in range(6):
-        one = model.Parameters(**{key: float(np.broadcast_to(getattr(p, key), known.shape)[i]) for key in model.parameters})
+        one = model.Parameters(
+            **{
+                key: float(np.broadcast_to(getattr(p, key), known.shape)[i])
+                for key in model.parameters
+            }
+        )
         end = first_end(one, "mu0", (0.0, FAR))
-        if (end is None) != np.isnan(known[i]) or (end is not None and abs(end.value - known[i]) > 1e-9):
+        if (end is None) != np.isnan(known[i]) or (
+            end is not None and abs(end.value - known[i]) > 1e-9
+        ):
             wrong.append(f"{one!r}: {known[i]} for {end}")
-    return {"kind": model.name, "wrong": wrong, "points": size, "jumping": int(np.isfinite(known).sum())}
+    return {
+        "kind": model.name,
+        "wrong": wrong,
+        "points": size,
+        "jumping": int(np.isfinite(known).sum()),
+    }
 
 
 def probability(rng: np.random.Generator) -> dict[str, Any]:
@@ -79,7 +111,11 @@ def probability(rng: np.random.Generator) -> dict[str, Any]:
     share = hits / many
     found = ss.jump_probability(TOLERANCES, n=1 << 17, rng=rng, confidence=0.9999)
     far = 4 * (share * (1 - share) / many) ** 0.5
-    wrong = [] if found.low - far < share < found.high + far else [f"{found.low} to {found.high}, samples {share}"]
+    wrong = (
+        []
+        if found.low - far < share < found.high + far
+        else [f"{found.low} to {found.high}, samples {share}"]
+    )
     return {"kind": "probability", "wrong": wrong}
 
 
@@ -101,4 +137,9 @@ def bracket(number: int, rng: np.random.Generator) -> dict[str, Any]:
     few = ss.jump_probability((low, high), **asked, n=64, rng=1, replicates=2, max_boxes=8000)
     found = ss.jump_probability((low, high), **asked, n=100_000, rng=rng)
     meet = few.proved[0] <= found.high and found.low <= few.proved[1]
-    return {"kind": "bracket", "wrong": [] if meet else [f"{name}: proved {few.proved}, samples {found.low} to {found.high}"]}
+    return {
+        "kind": "bracket",
+        "wrong": []
+        if meet
+        else [f"{name}: proved {few.proved}, samples {found.low} to {found.high}"],
+    }

@@ -80,10 +80,14 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
     _finish([*command, folder / "whole.nc"])
     for k in range(count):
         path = folder / f"killed{k}.nc"
-        process = subprocess.Popen([*command, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            [*command, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
         try:
             wanted, pause = int(rng.integers(21)), rng.uniform(0.0, 0.02)
-            while process.poll() is None and (_finished_points(path) < wanted or not children(process.pid)):
+            while process.poll() is None and (
+                _finished_points(path) < wanted or not children(process.pid)
+            ):
                 time.sleep(0.001)
             time.sleep(pause)
             for victim in [process.pid] if k % 4 == 3 else children(process.pid)[:1]:
@@ -101,7 +105,9 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
             assert said.count("\n") == 1, said
             assert "worker process" in said, said
             outcomes["said so"] += 1
-            outcomes["slowest answer, ms"] = max(outcomes["slowest answer, ms"], round(1e3 * (time.perf_counter() - killed)))
+            outcomes["slowest answer, ms"] = max(
+                outcomes["slowest answer, ms"], round(1e3 * (time.perf_counter() - killed))
+            )
         else:
             outcomes["had finished"] += 1
         _finish([*command, path])

@@ -52,7 +52,13 @@ def place(tree: Path, fault: Fault) -> tuple[Path, int] | None:
         if line.strip() == fault.text
     ]
     here = [(path, number) for path, number in every if path == tree / fault.file]
-    return min(here, key=lambda one: abs(one[1] - fault.line + 1)) if here else every[0] if len(every) == 1 else None
+    return (
+        min(here, key=lambda one: abs(one[1] - fault.line + 1))
+        if here
+        else every[0]
+        if len(every) == 1
+        else None
+    )
 
 
 def noticed(tree: Path, path: Path, number: int, fault: Fault) -> bool:
@@ -63,10 +69,19 @@ def noticed(tree: Path, path: Path, number: int, fault: Fault) -> bool:
     path.write_text("".join(lines), encoding="utf-8")
     environment = os.environ | {"PYTHONPATH": str(tree), "HYPOTHESIS_PROFILE": "repeat"}
     own = f"tests/{Path(fault.file).parts[1]}"
-    for tests in os.environ.get("TESTS", f"{own} tests" if (tree / own).is_dir() else "tests").split():
+    for tests in os.environ.get(
+        "TESTS", f"{own} tests" if (tree / own).is_dir() else "tests"
+    ).split():
         command = [sys.executable, "-m", "pytest", "-x", "-m", "not validate", tests]
         try:
-            done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, timeout=PATIENCE, check=False)
+            done = subprocess.run(
+                command,
+                cwd=tree,
+                env=environment,
+                capture_output=True,
+                timeout=PATIENCE,
+                check=False,
+            )
         except subprocess.TimeoutExpired:
             return True
         if done.returncode not in (0, 5):
@@ -85,4 +100,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
             return {"kind": "gone", "wrong": []}
         if fault.judged or noticed(tree, *found, fault):
             return {"kind": "judged" if fault.judged else "noticed", "wrong": []}
-    return {"kind": "alive", "wrong": [f"{fault.file}:{fault.line}: {fault.old} -> {fault.new}: {fault.text}"]}
+    return {
+        "kind": "alive",
+        "wrong": [f"{fault.file}:{fault.line}: {fault.old} -> {fault.new}: {fault.text}"],
+    }

@@ -50,13 +50,43 @@ def pool() -> tuple[str, ...]:
     words = {*keyword.kwlist, *keyword.softkwlist, *dir(builtins)}
     includes = "".join(f"#include <{name}.h>\n" for name in HEADERS)
     for option in (["-E", "-P"], ["-E", "-dM"]):
-        words |= set(re.findall(r"[A-Za-z]\w*", subprocess.run(
-            ["cc", *option, "-x", "c", "-"], input=includes, capture_output=True, text=True, check=True).stdout))  # fmt: skip
+        words |= set(
+            re.findall(
+                r"[A-Za-z]\w*",
+                subprocess.run(
+                    ["cc", *option, "-x", "c", "-"],
+                    input=includes,
+                    capture_output=True,
+                    text=True,
+                    check=True,
+                ).stdout,
+            )
+        )
     asked = "console.log([globalThis, Math, Number, Array].flatMap(it => Object.getOwnPropertyNames(it)).join(' '))"
-    words |= set(subprocess.run([str(NODE), "-e", asked], capture_output=True, text=True, check=True).stdout.split())
+    words |= set(
+        subprocess.run(
+            [str(NODE), "-e", asked], capture_output=True, text=True, check=True
+        ).stdout.split()
+    )
     with tempfile.TemporaryDirectory() as name:
-        words |= set(octave(Path(name), "printf('%s ', [iskeyword(); __list_functions__(); __builtins__()]{:});").split())
-    words |= {"await", "class", "function", "let", "yield", "template", "namespace", "operator", "virtual", "co_await", "concept"}
+        words |= set(
+            octave(
+                Path(name), "printf('%s ', [iskeyword(); __list_functions__(); __builtins__()]{:});"
+            ).split()
+        )
+    words |= {
+        "await",
+        "class",
+        "function",
+        "let",
+        "yield",
+        "template",
+        "namespace",
+        "operator",
+        "virtual",
+        "co_await",
+        "concept",
+    }
     for path in (
         *HOME.rglob("runtime/**/*"),
         *HOME.glob("emit/*.py"),
@@ -80,7 +110,14 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
                 derivation.write_page(page, home / "model")
                 break
             except vocabulary.PageError as error:
-                at = next((at for at, name in enumerate(names) if f"'{name}'" in str(error) or f"{name} is" in str(error)), None)
+                at = next(
+                    (
+                        at
+                        for at, name in enumerate(names)
+                        if f"'{name}'" in str(error) or f"{name} is" in str(error)
+                    ),
+                    None,
+                )
                 if at is None or names[at] == safe[at]:
                     return {"kind": "wrong", "wrong": [f"{names}: {error}"]}
                 names[at], refused = safe[at], refused + 1

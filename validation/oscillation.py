@@ -20,5 +20,9 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     """One row of the table, or one proof."""
     kind, asked = ASKED[number]
     with tempfile.TemporaryDirectory() as folder:
-        wrong = oscillation_page.differences(asked, Path(folder)) if kind == "row" else oscillation_page.unproved(*asked)  # type: ignore[misc]
+        wrong = (
+            oscillation_page.differences(asked, Path(folder))
+            if kind == "row"
+            else oscillation_page.unproved(*asked)
+        )  # type: ignore[misc]
     return {"kind": kind, "wrong": wrong}

@@ -48,10 +48,20 @@ class Reference:
         number: Callable[[float], Any] = mp.mpf if exact else float
         xp: Any = mp if exact else np
         self.names: dict[str, Any] = {
-            name: getattr(xp, name) for name in ("exp", "log", "sqrt", "cos", "sin", "tanh", "atan" if exact else "arctan")
+            name: getattr(xp, name)
+            for name in ("exp", "log", "sqrt", "cos", "sin", "tanh", "atan" if exact else "arctan")
         }
-        self.names |= {"atan": self.names.pop("arctan", None) or mp.atan, "pi": xp.pi, "m": 1, "k_c": 1, "L_0": 1}
-        self.names |= {"sgn": lambda u: np.sign(np.real(u)) if not exact else mp.sign(u), "Abs": self._abs}
+        self.names |= {
+            "atan": self.names.pop("arctan", None) or mp.atan,
+            "pi": xp.pi,
+            "m": 1,
+            "k_c": 1,
+            "L_0": 1,
+        }
+        self.names |= {
+            "sgn": lambda u: np.sign(np.real(u)) if not exact else mp.sign(u),
+            "Abs": self._abs,
+        }
         self.names |= {name: number(value) for name, value in values.items()}
         self.n = len(page.coordinates)
 
@@ -71,18 +81,26 @@ class Reference:
         for place in range(self.n):
             if self.exact:
                 h = mp.mpf(10) ** (-mp.mp.dps // 3)
-                up, down = (function([part + sign * h * (i == place) for i, part in enumerate(q)]) for sign in (1, -1))
+                up, down = (
+                    function([part + sign * h * (i == place) for i, part in enumerate(q)])
+                    for sign in (1, -1)
+                )
                 found.append((up - down) / (2 * h))
             else:
                 moved = [part + 1j * _TINY * (i == place) for i, part in enumerate(q)]
                 found.append(np.imag(function(moved)) / _TINY)
         return found
 
-    def rows(self, function: Callable[[Sequence[Any]], Sequence[Any]], q: Sequence[Any], h: Any) -> list[list[Any]]:
+    def rows(
+        self, function: Callable[[Sequence[Any]], Sequence[Any]], q: Sequence[Any], h: Any
+    ) -> list[list[Any]]:
         """Derivatives of several functions by central differences: a row for each function."""
         columns = []
         for place in range(self.n):
-            up, down = (function([part + sign * h * (i == place) for i, part in enumerate(q)]) for sign in (1, -1))
+            up, down = (
+                function([part + sign * h * (i == place) for i, part in enumerate(q)])
+                for sign in (1, -1)
+            )
             columns.append([(a - b) / (2 * h) for a, b in zip(up, down, strict=True)])
         return [[column[row] for column in columns] for row in range(self.n)]
 
@@ -92,9 +110,19 @@ class Reference:
         """Of springs and potentials."""
         total = 0 * q[0]
         for k, along, length in self.page.springs:
-            total = total + self.of(k, q) * (self.of(along, q) - (self.of(length, q) if length else 0)) ** 2 / 2
+            total = (
+                total
+                + self.of(k, q)
+                * (self.of(along, q) - (self.of(length, q) if length else 0)) ** 2
+                / 2
+            )
         for k, a, b, length in self.page.lines:
-            total = total + self.of(k, q) * (self.names["sqrt"](self._square(a, b, q)) - self.of(length, q)) ** 2 / 2
+            total = (
+                total
+                + self.of(k, q)
+                * (self.names["sqrt"](self._square(a, b, q)) - self.of(length, q)) ** 2
+                / 2
+            )
         for k, a, b, rest in self.page.torsions:
             total = total + self.of(k, q) * self._turn(a, b, rest, q) ** 2 / 2
         for energy in self.page.potentials:
@@ -102,7 +130,9 @@ class Reference:
         return total
 
     def _square(self, a: Any, b: Any, q: Sequence[Any]) -> Any:
-        return (self.of(b[0], q) - self.of(a[0], q)) ** 2 + (self.of(b[1], q) - self.of(a[1], q)) ** 2
+        return (self.of(b[0], q) - self.of(a[0], q)) ** 2 + (
+            self.of(b[1], q) - self.of(a[1], q)
+        ) ** 2
 
     def _turn(self, a: Any, b: Any, rest: str, q: Sequence[Any]) -> Any:
         """The least turning of a line, by the tangent of its half."""
@@ -123,7 +153,9 @@ class Reference:
         depth = -self.gap(q)
         if self.exact:
             return self.of(self.page.contact[1], q, depth=depth) if touching else 0 * q[0]
-        return np.where(touching, self.of(self.page.contact[1], q, depth=np.where(touching, depth, 1.0)), 0.0)
+        return np.where(
+            touching, self.of(self.page.contact[1], q, depth=np.where(touching, depth, 1.0)), 0.0
+        )
 
     def forces(self, q: Sequence[Any], touching: Any, mu: Any) -> list[Any]:
         """At rest, with a friction coefficient."""
@@ -131,19 +163,33 @@ class Reference:
         for parts, places in self.page.forces:
             for part, place in zip(parts, places, strict=True):
                 along = self.slopes(lambda at, place=place: self.of(place, at), q)
-                total = [force + self.of(part, q) * slope for force, slope in zip(total, along, strict=True)]
+                total = [
+                    force + self.of(part, q) * slope
+                    for force, slope in zip(total, along, strict=True)
+                ]
         push = self.normal(q, touching)
         if self.page.contact:
-            total = [force + push * slope for force, slope in zip(total, self.slopes(self.gap, q), strict=True)]
+            total = [
+                force + push * slope
+                for force, slope in zip(total, self.slopes(self.gap, q), strict=True)
+            ]
         if self.page.friction:
-            total = [force + mu * push * slope for force, slope in zip(total, self.slide(q), strict=True)]
+            total = [
+                force + mu * push * slope for force, slope in zip(total, self.slide(q), strict=True)
+            ]
         return total
 
     def slide(self, q: Sequence[Any]) -> list[Any]:
-        return self.slopes(lambda at: self.of(self.page.friction[0], at), q) if self.page.friction else [0 * part for part in q]
+        return (
+            self.slopes(lambda at: self.of(self.page.friction[0], at), q)
+            if self.page.friction
+            else [0 * part for part in q]
+        )
 
     def friction(self, v: Any) -> Any:
-        return self.of(self.page.friction[2], [v * 0] * self.n, v=v) if self.page.friction else 0 * v
+        return (
+            self.of(self.page.friction[2], [v * 0] * self.n, v=v) if self.page.friction else 0 * v
+        )
 
     def belt(self) -> Any:
         return self.names[self.page.friction[1]] if self.page.friction else 0
@@ -153,16 +199,28 @@ class Reference:
         if not self.page.friction:
             return 0
         zero = [self.belt() * 0] * self.n
-        return self.of(self.page.friction[3], zero) if self.page.friction[3] else self.friction(self.belt())
+        return (
+            self.of(self.page.friction[3], zero)
+            if self.page.friction[3]
+            else self.friction(self.belt())
+        )
 
     def damping(self, q: Sequence[Any], touching: Any) -> list[list[Any]]:
         """C of the dampers alone."""
         C = [[0 * q[0]] * self.n for _ in range(self.n)]
-        ways = [(c, self.slopes(lambda at, along=along: self.of(along, at), q)) for c, along in self.page.dampers]
+        ways = [
+            (c, self.slopes(lambda at, along=along: self.of(along, at), q))
+            for c, along in self.page.dampers
+        ]
         for c, a, b in self.page.line_dampers:
-            ways.append((c, self.slopes(lambda at, a=a, b=b: self.names["sqrt"](self._square(a, b, at)), q)))
+            ways.append(
+                (c, self.slopes(lambda at, a=a, b=b: self.names["sqrt"](self._square(a, b, at)), q))
+            )
         for c, way in ways:
-            C = [[C[i][j] + self.of(c, q) * way[i] * way[j] for j in range(self.n)] for i in range(self.n)]
+            C = [
+                [C[i][j] + self.of(c, q) * way[i] * way[j] for j in range(self.n)]
+                for i in range(self.n)
+            ]
         return C
 
     def mass(self, q: Sequence[Any]) -> list[list[Any]]:
@@ -170,7 +228,10 @@ class Reference:
         for mass, parts in self.page.kinetic:
             for part in parts:
                 way = self.slopes(lambda at, part=part: self.of(part, at), q)
-                M = [[M[i][j] + self.of(mass, q) * way[i] * way[j] for j in range(self.n)] for i in range(self.n)]
+                M = [
+                    [M[i][j] + self.of(mass, q) * way[i] * way[j] for j in range(self.n)]
+                    for i in range(self.n)
+                ]
         return M
 
     def accelerations(self, q: Sequence[Any], v: Sequence[Any]) -> Any:
@@ -180,9 +241,15 @@ class Reference:
         pull = self.forces(q, touching, self.friction(slip))
         C, h = self.damping(q, touching), mp.mpf(10) ** (-mp.mp.dps // 4)
         changes = [
-            [[(a - b) / (2 * h) for a, b in zip(*rows, strict=True)] for rows in zip(*pair, strict=True)]
+            [
+                [(a - b) / (2 * h) for a, b in zip(*rows, strict=True)]
+                for rows in zip(*pair, strict=True)
+            ]
             for pair in (
-                [self.mass([part + sign * h * (i == place) for i, part in enumerate(q)]) for sign in (1, -1)]
+                [
+                    self.mass([part + sign * h * (i == place) for i, part in enumerate(q)])
+                    for sign in (1, -1)
+                ]
                 for place in range(self.n)
             )
         ]  # of every coordinate
@@ -202,10 +269,15 @@ class Reference:
         if self.page.friction:
             v = self.belt()
             step = mp.mpf(10) ** (-mp.mp.dps // 4) * (v if v > 0 else 1)
-            slope = (self.friction(v + step) - self.friction(v + step / 2)) / (step / 2) if v == 0 else (
-                self.friction(v + step) - self.friction(v - step)) / (2 * step)  # fmt: skip
+            slope = (
+                (self.friction(v + step) - self.friction(v + step / 2)) / (step / 2)
+                if v == 0
+                else (self.friction(v + step) - self.friction(v - step)) / (2 * step)
+            )
             s, push = self.slide(q), self.normal(q, touching)
-            C = [[C[i][j] + push * slope * s[i] * s[j] for j in range(self.n)] for i in range(self.n)]
+            C = [
+                [C[i][j] + push * slope * s[i] * s[j] for j in range(self.n)] for i in range(self.n)
+            ]
         M = mp.matrix(self.mass(q))
         n = self.n
         A = mp.zeros(2 * n)
@@ -235,13 +307,25 @@ def sets(model: Any, page: Drawn, rng: np.random.Generator) -> list[dict[str, fl
         values = {}
         for name, base in model.base.items():
             allowed = model.Parameters.ranges[name]
-            value = base * float(np.exp(rng.uniform(-0.7, 0.7))) * (rng.choice([-1, 1]) if allowed.contains(-base) else 1)
-            values[name] = 0.0 if rng.random() < 0.05 and allowed.contains(0.0) else value if allowed.contains(value) else base
+            value = (
+                base
+                * float(np.exp(rng.uniform(-0.7, 0.7)))
+                * (rng.choice([-1, 1]) if allowed.contains(-base) else 1)
+            )
+            values[name] = (
+                0.0
+                if rng.random() < 0.05 and allowed.contains(0.0)
+                else value
+                if allowed.contains(value)
+                else base
+            )
         found.append(values)
     return found
 
 
-def accelerated(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Generator) -> list[str]:
+def accelerated(
+    model: Any, page: Drawn, values: dict[str, float], rng: np.random.Generator
+) -> list[str]:
     """Where accelerations differ."""
     wrong = []
     p = model.Parameters(**values)
@@ -255,12 +339,16 @@ def accelerated(model: Any, page: Drawn, values: dict[str, float], rng: np.rando
             want = np.array(
                 [
                     float(value)
-                    for value in reference.accelerations(list(map(mp.mpf, map(float, q))), list(map(mp.mpf, map(float, v))))
+                    for value in reference.accelerations(
+                        list(map(mp.mpf, map(float, q))), list(map(mp.mpf, map(float, v)))
+                    )
                 ]
             )
             scale = 1 + np.abs(want).max()
             if not np.abs(got - want).max() <= ACCELERATION * scale:
-                wrong.append(f"accelerations at {q.tolist()}, {v.tolist()}: {got.tolist()}, not {want.tolist()}")
+                wrong.append(
+                    f"accelerations at {q.tolist()}, {v.tolist()}: {got.tolist()}, not {want.tolist()}"
+                )
     return wrong
 
 
@@ -270,7 +358,9 @@ def states(
     """What is wrong with the states of one set, and what was found."""
     found = ss.equilibria(model.Parameters(**values), contact=contact)
     count = int(found.count)
-    listed = np.array([found.coordinates[name] for name in model.coordinates], dtype=float)[:, :count].T
+    listed = np.array([found.coordinates[name] for name in model.coordinates], dtype=float)[
+        :, :count
+    ].T
     wrong: list[str] = []
     touching = contact or not page.contact
     with mp.workdps(DIGITS):
@@ -278,13 +368,23 @@ def states(
         mu = exact.at_rest()
         for state, error, growth in zip(listed, found.error, found.growth, strict=False):
             wrong += _off(exact, state, float(error), float(growth), contact, touching, mu)
-    boxes = [(np.array(box.low, dtype=float), np.array(box.high, dtype=float)) for box in found.undecided]
+    boxes = [
+        (np.array(box.low, dtype=float), np.array(box.high, dtype=float)) for box in found.undecided
+    ]
     wrong += _missed(page, values, contact, touching, listed, boxes, found, rng)
     told = {"count": count, "complete": bool(found.complete), "boxes": len(boxes)}
     return wrong, told
 
 
-def _off(exact: Reference, state: Any, error: float, growth: float, contact: bool, touching: bool, mu: Any) -> list[str]:
+def _off(
+    exact: Reference,
+    state: Any,
+    error: float,
+    growth: float,
+    contact: bool,
+    touching: bool,
+    mu: Any,
+) -> list[str]:
     """What is wrong with a listed state."""
     start = [mp.mpf(float(value)) for value in state]
     q = _solved(exact, start, touching, mu)
@@ -292,14 +392,24 @@ def _off(exact: Reference, state: Any, error: float, growth: float, contact: boo
         return [f"{state.tolist()}: the reference has no regular state there"]
     away = max(abs(a - b) / max(1, abs(a)) for a, b in zip(q, start, strict=True))
     if not away <= error * (1 + mp.mpf(10) ** -6) + mp.mpf(10) ** -16:
-        return [f"{state.tolist()} is {mp.nstr(away, 3)} from a state of the reference, its error is {error:.2g}"]
+        return [
+            f"{state.tolist()} is {mp.nstr(away, 3)} from a state of the reference, its error is {error:.2g}"
+        ]
     wrong = []
     gap = exact.gap(q)
-    if exact.page.contact and exact.page.contact[2] and ((gap > EDGE) if contact else (gap < -EDGE)):
-        wrong.append(f"{state.tolist()}, {'contact' if contact else 'lift-off'}: its gap is {mp.nstr(gap, 5)}")
+    if (
+        exact.page.contact
+        and exact.page.contact[2]
+        and ((gap > EDGE) if contact else (gap < -EDGE))
+    ):
+        wrong.append(
+            f"{state.tolist()}, {'contact' if contact else 'lift-off'}: its gap is {mp.nstr(gap, 5)}"
+        )
     roots = exact.eigenvalues(q, touching)
     want, size = float(max(map(mp.re, roots))), float(max(map(abs, roots)))
-    if not abs(growth - want) <= GROWTH * (size + abs(want)) ** 1.0 * (1 if abs(want) > 1e-4 * size else 1e2):
+    if not abs(growth - want) <= GROWTH * (size + abs(want)) ** 1.0 * (
+        1 if abs(want) > 1e-4 * size else 1e2
+    ):
         wrong.append(f"{state.tolist()}: grows by {growth}, not {want}")
     return wrong
 
@@ -318,7 +428,9 @@ def _solved(exact: Reference, q: Sequence[Any], touching: bool, mu: Any) -> list
     return None if any(mp.im(part) for part in q) else q  # complex beyond where a law is defined
 
 
-def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Generator) -> tuple[list[str], dict[str, Any]]:
+def onsets(
+    model: Any, page: Drawn, values: dict[str, float], rng: np.random.Generator
+) -> tuple[list[str], dict[str, Any]]:
     """What is wrong with the onsets along one parameter, and what was found."""
     vary = (
         "mu0"
@@ -341,8 +453,12 @@ def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Gen
             size = max(map(abs, roots), default=1)
             # Where two frequencies meet, roots move as the square root of what is rounded.
             near = CLEAR if kind == "hopf" else 1e-4
-            if not any(abs(mp.re(root)) < near * size and abs(mp.im(root)) > CLEAR * size for root in roots):
-                wrong.append(f"onset at {vary} = {value!r}, {q.tolist()} ({kind}): no pair on the axis")
+            if not any(
+                abs(mp.re(root)) < near * size and abs(mp.im(root)) > CLEAR * size for root in roots
+            ):
+                wrong.append(
+                    f"onset at {vary} = {value!r}, {q.tolist()} ({kind}): no pair on the axis"
+                )
     followed = _map_of_eigenvalues(model, page, values, vary, np.linspace(low, high, VALUES))
     crossed = 0
     for branch in followed:
@@ -350,10 +466,19 @@ def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Gen
             if grows is None or then is None or (grows - then) % 2 or grows == then:
                 continue
             crossed += 1
-            inside = (np.array(found.region[:-1, 0]) <= q).all() and (q <= np.array(found.region[:-1, 1])).all()
+            inside = (np.array(found.region[:-1, 0]) <= q).all() and (
+                q <= np.array(found.region[:-1, 1])
+            ).all()
             if found.decided and inside and not ((at >= one) & (at <= two)).any():
-                wrong.append(f"missed: a pair crosses the axis between {vary} = {one!r} and {two!r}, near {q.tolist()}")
-    return wrong, {"count": len(at), "complete": bool(found.complete), "boxes": len(found.undecided), "crossed": crossed}
+                wrong.append(
+                    f"missed: a pair crosses the axis between {vary} = {one!r} and {two!r}, near {q.tolist()}"
+                )
+    return wrong, {
+        "count": len(at),
+        "complete": bool(found.complete),
+        "boxes": len(found.undecided),
+        "crossed": crossed,
+    }
 
 
 def _map_of_eigenvalues(
@@ -361,7 +486,9 @@ def _map_of_eigenvalues(
 ) -> list[list[tuple[float, Any, int | None]]]:
     """States that are followed: the value, the place, and how many eigenvalues grow; None where that is not clear."""
     first = ss.equilibria(model.Parameters(**{**values, vary: float(along[0])}))
-    starts = np.array([first.coordinates[name] for name in model.coordinates], dtype=float)[:, : int(first.count)].T
+    starts = np.array([first.coordinates[name] for name in model.coordinates], dtype=float)[
+        :, : int(first.count)
+    ].T
     branches = []
     with mp.workdps(DIGITS):
         for start in starts:
@@ -371,14 +498,25 @@ def _map_of_eigenvalues(
                 exact = Reference(page, {**values, vary: float(value)}, exact=True)
                 before = q
                 q = _solved(exact, before or [], True, exact.at_rest())
-                far = q is None or max(abs(a - b) for a, b in zip(q, before or [], strict=True)) > mp.mpf("0.2")
+                far = q is None or max(
+                    abs(a - b) for a, b in zip(q, before or [], strict=True)
+                ) > mp.mpf("0.2")
                 if q is None or far or (page.contact and page.contact[2] and exact.gap(q) > -EDGE):
                     break
                 roots = exact.eigenvalues(q, True)
                 size = max(map(abs, roots))
-                clear = all(abs(mp.re(root)) > CLEAR * size or abs(mp.re(root)) < mp.mpf(10) ** -12 * size for root in roots)
+                clear = all(
+                    abs(mp.re(root)) > CLEAR * size or abs(mp.re(root)) < mp.mpf(10) ** -12 * size
+                    for root in roots
+                )
                 grows = sum(mp.re(root) > CLEAR * size for root in roots)
-                branch.append((float(value), np.array([float(part) for part in q]), int(grows) if clear else None))
+                branch.append(
+                    (
+                        float(value),
+                        np.array([float(part) for part in q]),
+                        int(grows) if clear else None,
+                    )
+                )
             branches.append(branch)
     return branches
 
@@ -403,7 +541,10 @@ def _missed(
     mask = np.ones(STARTS, dtype=bool) if touching else np.zeros(STARTS, dtype=bool)
 
     def forces(at: Any) -> list[Any]:
-        return [np.broadcast_to(np.real(force), mask.shape) for force in reference.forces(list(at), mask, mu)]
+        return [
+            np.broadcast_to(np.real(force), mask.shape)
+            for force in reference.forces(list(at), mask, mu)
+        ]
 
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
@@ -424,7 +565,12 @@ def _missed(
     seen: list[Any] = []
     angles = np.array([unit == "rad" for _, unit in page.coordinates])
     around = (
-        np.array([bool(entry.get("comes_around")) for entry in found.parameters.model.about["coordinates"]])
+        np.array(
+            [
+                bool(entry.get("comes_around"))
+                for entry in found.parameters.model.about["coordinates"]
+            ]
+        )
         if hasattr(found, "model")
         else angles
     )
@@ -435,18 +581,25 @@ def _missed(
             continue
         seen.append(turned)
         apart = listed - turned
-        apart = np.where(around, (apart + np.pi) % (2 * np.pi) - np.pi, apart) if len(listed) else apart
+        apart = (
+            np.where(around, (apart + np.pi) % (2 * np.pi) - np.pi, apart) if len(listed) else apart
+        )
         if len(listed) and (np.abs(apart).max(axis=1) < 1e-5 * (1 + np.abs(turned).max())).any():
             continue
         turns = turned + np.where(around, 2 * np.pi * np.arange(-1, 2)[:, None], 0.0)
-        if any(((turns >= low - 1e-6) & (turns <= high + 1e-6)).any(axis=0).all() for low, high in boxes):
+        if any(
+            ((turns >= low - 1e-6) & (turns <= high + 1e-6)).any(axis=0).all()
+            for low, high in boxes
+        ):
             continue
         inside = (turned >= region[:, 0] - 1e-9).all() and (turned <= region[:, 1] + 1e-9).all()
         if not inside and not found.complete:
             continue
         if not inside and not getattr(found, "whole", True):
             continue
-        wrong.append(f"missed {'in contact' if contact else 'in lift-off'}: {turned.tolist()} (complete {found.complete})")
+        wrong.append(
+            f"missed {'in contact' if contact else 'in lift-off'}: {turned.tolist()} (complete {found.complete})"
+        )
     return wrong[:3]
 
 
@@ -468,7 +621,12 @@ def judged(seed: int, number: int) -> dict[str, Any]:
         try:
             folder.write_page(path, Path(place) / "out")
         except PageError as error:
-            return {**out, "kind": "refused", "said": re.sub(r"line \d+", "line …", str(error)), "line": error.line}
+            return {
+                **out,
+                "kind": "refused",
+                "said": re.sub(r"line \d+", "line …", str(error)),
+                "line": error.line,
+            }
         out["derived"] = round(time.process_time() - begin, 2)
         model = ss.load(Path(place) / "out")
         wrong: list[str] = []

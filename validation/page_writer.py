@@ -11,9 +11,30 @@ import numpy as np
 Point = tuple[str, str]
 
 #: Names of coordinates: lengths, and angles.
-LENGTHS, ANGLES = ("x", "y", "u", "w", "z", "s_1", "q_2", "xi"), ("phi", "psi_1", "theta", "gamma", "p_hi")
+LENGTHS, ANGLES = (
+    ("x", "y", "u", "w", "z", "s_1", "q_2", "xi"),
+    ("phi", "psi_1", "theta", "gamma", "p_hi"),
+)
 #: Names that once were in the way of something.
-ODD = ("speed", "creep", "w0", "h", "e", "i", "one_half", "E", "S", "N", "pi_1", "x_2", "lam", "root0", "k_c2", "f", "J")
+ODD = (
+    "speed",
+    "creep",
+    "w0",
+    "h",
+    "e",
+    "i",
+    "one_half",
+    "E",
+    "S",
+    "N",
+    "pi_1",
+    "x_2",
+    "lam",
+    "root0",
+    "k_c2",
+    "f",
+    "J",
+)
 
 
 @dataclass
@@ -21,7 +42,9 @@ class Drawn:
     """A page: the parts of its statements."""
 
     coordinates: list[tuple[str, str]] = field(default_factory=list)
-    parameters: list[tuple[str, str, str, float]] = field(default_factory=list)  #: name, unit, domain, base value
+    parameters: list[tuple[str, str, str, float]] = field(
+        default_factory=list
+    )  #: name, unit, domain, base value
     kinetic: list[tuple[str, list[str]]] = field(
         default_factory=list
     )  #: a mass, and displacements whose squared rates it multiplies
@@ -52,28 +75,49 @@ class Drawn:
             f'{n} = page.parameter("{n}", "{unit}", "a quantity", "{domain}", {base})'
             for n, unit, domain, base in self.parameters
         ]
-        lines += [f'{n} = page.coordinate("{n}", "{unit}", "a coordinate")' for n, unit in self.coordinates]
-        squares = [f"{mass} * ({' + '.join(f'page.rate({part}) ** 2' for part in parts)}) / 2" for mass, parts in self.kinetic]
+        lines += [
+            f'{n} = page.coordinate("{n}", "{unit}", "a coordinate")'
+            for n, unit in self.coordinates
+        ]
+        squares = [
+            f"{mass} * ({' + '.join(f'page.rate({part}) ** 2' for part in parts)}) / 2"
+            for mass, parts in self.kinetic
+        ]
         lines += [f"page.kinetic({' + '.join(squares)})"]
-        lines += [f"page.spring({k}, along={along}" + (f", length={r})" if r else ")") for k, along, r in self.springs]
-        lines += [f"page.spring({k}, {_point(a)}, {_point(b)}, length={r})" for k, a, b, r in self.lines]
-        lines += [f"page.torsion({k}, {_point(a)}, {_point(b)}, rest={r})" for k, a, b, r in self.torsions]
+        lines += [
+            f"page.spring({k}, along={along}" + (f", length={r})" if r else ")")
+            for k, along, r in self.springs
+        ]
+        lines += [
+            f"page.spring({k}, {_point(a)}, {_point(b)}, length={r})" for k, a, b, r in self.lines
+        ]
+        lines += [
+            f"page.torsion({k}, {_point(a)}, {_point(b)}, rest={r})" for k, a, b, r in self.torsions
+        ]
         lines += [f"page.damper({c}, along={along})" for c, along in self.dampers]
         lines += [f"page.damper({c}, {_point(a)}, {_point(b)})" for c, a, b in self.line_dampers]
         lines += [f"page.potential({energy})" for energy in self.potentials]
         for parts, places in self.forces:
             lines += [
-                f"page.force({parts[0]}, along={places[0]})" if len(parts) == 1
+                f"page.force({parts[0]}, along={places[0]})"
+                if len(parts) == 1
                 else f"page.force({parts[0]}, {parts[1]}, at=({places[0]}, {places[1]}))"
-            ]  # fmt: skip
+            ]
         if self.contact:
             gap, law, unilateral = self.contact
-            lines += [f"page.contact({gap}, lambda depth: {law}" + ("" if unilateral else ", unilateral=False") + ")"]
+            lines += [
+                f"page.contact({gap}, lambda depth: {law}"
+                + ("" if unilateral else ", unilateral=False")
+                + ")"
+            ]
         if self.normal:
             lines += [f"page.normal_force({self.normal})"]
         if self.friction:
             along, belt, law, at_rest = self.friction
-            lines += [f"page.friction({along}, {belt}, lambda v: {law}" + (f", at_rest={at_rest})" if at_rest else ")")]
+            lines += [
+                f"page.friction({along}, {belt}, lambda v: {law}"
+                + (f", at_rest={at_rest})" if at_rest else ")")
+            ]
         return "\n".join(lines) + "\n"
 
 
@@ -110,7 +154,12 @@ class _Writer:
         return (
             name
             if unit == "m"
-            else self.pick(f"L_0 * sin({name})", f"L_0 * {name}", f"L_0 * (1 - cos({name}))", f"L_0*sin({name})/3")
+            else self.pick(
+                f"L_0 * sin({name})",
+                f"L_0 * {name}",
+                f"L_0 * (1 - cos({name}))",
+                f"L_0*sin({name})/3",
+            )
         )
 
     def displacement(self) -> str:
@@ -153,7 +202,9 @@ class _Writer:
         lengths, angles = iter(rng.permutation(LENGTHS)), iter(rng.permutation(ANGLES))
         for place in range(count):
             angle = self.chance(0.4 if place == 0 and count == 1 else 0.2)
-            page.coordinates.append((str(next(angles)), "rad") if angle else (str(next(lengths)), "m"))
+            page.coordinates.append(
+                (str(next(angles)), "rad") if angle else (str(next(lengths)), "m")
+            )
         self.kinetic()
         for place, (name, unit) in enumerate(page.coordinates):
             if unit == "rad":
@@ -174,12 +225,16 @@ class _Writer:
         page = self.page
         for place, (name, unit) in enumerate(page.coordinates):
             mass = (
-                "m" if place == 0 and unit == "m" else self.pick("m", "m/3", self.parameter(f"m_{place}", "kg", "> 0", 0.2, 3.0))
+                "m"
+                if place == 0 and unit == "m"
+                else self.pick("m", "m/3", self.parameter(f"m_{place}", "kg", "> 0", 0.2, 3.0))
             )
             page.kinetic.append((mass, [name if unit == "m" else f"L_0 * {name}"]))
         if self.chance(0.3):
             a, b = self.point()
-            page.kinetic.append((self.parameter("m_e", "kg", "> 0", 0.1, 1.0), [a, b] if b != "0" else [a]))
+            page.kinetic.append(
+                (self.parameter("m_e", "kg", "> 0", 0.1, 1.0), [a, b] if b != "0" else [a])
+            )
 
     def hold_angle(self, name: str, place: int) -> None:
         page = self.page
@@ -190,7 +245,14 @@ class _Writer:
                 page.potentials.append(f"{strength} * L_0**2 * ({name} - {rest})**2 / 2")
             case 1:
                 rest = self.parameter(f"rest_{place}", "rad", "(-pi, pi)", 0.1, 1.0)
-                page.torsions.append((f"{strength} * L_0**2", ("0", "0"), (f"L_0 * cos({name})", f"L_0 * sin({name})"), rest))
+                page.torsions.append(
+                    (
+                        f"{strength} * L_0**2",
+                        ("0", "0"),
+                        (f"L_0 * cos({name})", f"L_0 * sin({name})"),
+                        rest,
+                    )
+                )
             case _:
                 page.potentials.append(f"{strength} * L_0**2 * (1 - cos({name}))")
 
@@ -198,33 +260,65 @@ class _Writer:
         page = self.page
         match int(self.rng.integers(9)):
             case 0 | 1:
-                page.lines.append((self.parameter("k_l", "N/m", "> 0", 0.05, 0.8), self.point(), self.anchor(),
-                                   self.pick("L_0", "L_0", "0", "L_0/3")))  # fmt: skip
+                page.lines.append(
+                    (
+                        self.parameter("k_l", "N/m", "> 0", 0.05, 0.8),
+                        self.point(),
+                        self.anchor(),
+                        self.pick("L_0", "L_0", "0", "L_0/3"),
+                    )
+                )
             case 2:
                 page.springs.append(
-                    (self.parameter("k_s", "N/m", ">= 0", 0.05, 1.0), self.displacement(), self.pick("", "L_0*a_2"))
+                    (
+                        self.parameter("k_s", "N/m", ">= 0", 0.05, 1.0),
+                        self.displacement(),
+                        self.pick("", "L_0*a_2"),
+                    )
                 )
                 if "a_2" in page.springs[-1][2]:
-                    page.springs[-1] = (*page.springs[-1][:2], f"L_0*{self.parameter('a_2', '1', '>= 0', 0.1, 0.6)}")
+                    page.springs[-1] = (
+                        *page.springs[-1][:2],
+                        f"L_0*{self.parameter('a_2', '1', '>= 0', 0.1, 0.6)}",
+                    )
             case 3 | 4:
-                page.dampers.append((self.parameter("c_1", "N s/m", ">= 0", 0.01, 0.5), self.displacement()))
+                page.dampers.append(
+                    (self.parameter("c_1", "N s/m", ">= 0", 0.01, 0.5), self.displacement())
+                )
             case 5:
-                page.line_dampers.append((self.parameter("c_2", "N s/m", ">= 0", 0.01, 0.5), self.point(), self.anchor()))
+                page.line_dampers.append(
+                    (self.parameter("c_2", "N s/m", ">= 0", 0.01, 0.5), self.point(), self.anchor())
+                )
             case 6:
                 one = self.displacement()
-                page.potentials.append(self.pick(
-                    f"k_c * ({one})**4 / L_0**2 / 8", f"k_c * L_0**2 * (sqrt(1 + ({one})**2 / L_0**2) - 1) / 5",
-                    f"k_c * L_0**2 * log(1 + ({one})**2 / L_0**2) / 7", f"k_c * L_0**2 * exp(-({one})**2 / L_0**2) / 9",
-                ))  # fmt: skip
+                page.potentials.append(
+                    self.pick(
+                        f"k_c * ({one})**4 / L_0**2 / 8",
+                        f"k_c * L_0**2 * (sqrt(1 + ({one})**2 / L_0**2) - 1) / 5",
+                        f"k_c * L_0**2 * log(1 + ({one})**2 / L_0**2) / 7",
+                        f"k_c * L_0**2 * exp(-({one})**2 / L_0**2) / 9",
+                    )
+                )
             case 7:
-                page.springs.append((f"k_c * ({self.parameter('a_3', '1', 'real', 0.1, 0.7)})**2", self.displacement(), ""))
+                page.springs.append(
+                    (
+                        f"k_c * ({self.parameter('a_3', '1', 'real', 0.1, 0.7)})**2",
+                        self.displacement(),
+                        "",
+                    )
+                )
             case _:
                 self.load()
 
     def load(self) -> None:
         force = self.parameter("F_L", "N", "> 0", 0.01, 0.4)
         if self.chance(0.5):
-            self.page.forces.append(([f"-{force}"], [self.page.contact[0] if self.page.contact else self.displacement()]))
+            self.page.forces.append(
+                (
+                    [f"-{force}"],
+                    [self.page.contact[0] if self.page.contact else self.displacement()],
+                )
+            )
         else:
             self.page.forces.append((["0", f"-{force}"], list(self.point())))
 
@@ -238,13 +332,27 @@ class _Writer:
             )
         else:
             law = self.contact_law()
-            page.contact = self.gap(), law, self.chance(0.8) or "log" in law or "depth / L_0)" in law
+            page.contact = (
+                self.gap(),
+                law,
+                self.chance(0.8) or "log" in law or "depth / L_0)" in law,
+            )
             if self.chance(0.95):  # else nothing may press, and what rests is on the border
-                page.forces.append(([f"-{self.parameter('F_g', 'N', '> 0', 0.02, 0.3)}"], [page.contact[0]]))
+                page.forces.append(
+                    ([f"-{self.parameter('F_g', 'N', '> 0', 0.02, 0.3)}"], [page.contact[0]])
+                )
         if self.chance(0.9):
-            mu, d = self.parameter("mu0", "1", ">= 0", 0.1, 1.2), self.parameter("d", "s/m", "> 0", 2.0, 20.0)
+            mu, d = (
+                self.parameter("mu0", "1", ">= 0", 0.1, 1.2),
+                self.parameter("d", "s/m", "> 0", 2.0, 20.0),
+            )
             law, at_rest = self.friction_law(mu, d)
-            page.friction = self.slide(), self.parameter("V", "m/s", ">= 0", 0.1, 1.0), law, at_rest if self.chance(0.6) else ""
+            page.friction = (
+                self.slide(),
+                self.parameter("V", "m/s", ">= 0", 0.1, 1.0),
+                law,
+                at_rest if self.chance(0.6) else "",
+            )
 
     def gap(self) -> str:
         one, two = self.simple(), self.simple()
@@ -257,9 +365,17 @@ class _Writer:
             case 0:
                 return f"{one} - {two}" if one != two else one
             case 1:
-                return f"{one} - {self.parameter('b_2', 'm', '>= 0', 0.02, 0.3)} * sin(({two}) / L_0)" if one != two else one
+                return (
+                    f"{one} - {self.parameter('b_2', 'm', '>= 0', 0.02, 0.3)} * sin(({two}) / L_0)"
+                    if one != two
+                    else one
+                )
             case 2:
-                return f"{one} + {self.parameter('a_4', '1', 'real', 0.1, 0.6)} * {two}" if one != two else one
+                return (
+                    f"{one} + {self.parameter('a_4', '1', 'real', 0.1, 0.6)} * {two}"
+                    if one != two
+                    else one
+                )
             case 3:
                 return f"{one} + ({two})**2 / L_0 / 5" if one != two else one
             case _:
@@ -268,9 +384,14 @@ class _Writer:
     def contact_law(self) -> str:
         hard = self.parameter("k_h", "N/m", ">= 0", 0.1, 3.0)
         return self.pick(
-            "k_c * depth", "k_c * depth", f"k_c * depth + {hard} * depth**2 / L_0", "k_c * L_0 * (depth / L_0) ** (3 / 2)",
-            "k_c * depth / (1 + depth / L_0)", "k_c * L_0 * log(1 + depth / L_0)", f"k_c * L_0 * (depth/L_0 + {hard}*(depth/L_0)**3/k_c)",
-        )  # fmt: skip
+            "k_c * depth",
+            "k_c * depth",
+            f"k_c * depth + {hard} * depth**2 / L_0",
+            "k_c * L_0 * (depth / L_0) ** (3 / 2)",
+            "k_c * depth / (1 + depth / L_0)",
+            "k_c * L_0 * log(1 + depth / L_0)",
+            f"k_c * L_0 * (depth/L_0 + {hard}*(depth/L_0)**3/k_c)",
+        )
 
     def slide(self) -> str:
         one, two = self.simple(), self.simple()
@@ -285,8 +406,14 @@ class _Writer:
             (f"{mu} * (1 - exp(-{d} * Abs(v))) * sgn(v)", mu),
             (f"{mu} * tanh({d} * v)", mu),
             (f"2 / pi * {mu} * atan({d} * v)", mu),
-            (f"{mu} * ({low} + (1 - {low}) * exp(-{fall} * Abs(v))) * tanh({d} * v)", f"{mu} * {low}"),
-            (f"{mu} * ({low} + (1 - {low}) * exp(-{fall} * Abs(v))) * (1 - exp(-{d} * Abs(v))) * sgn(v)", f"{mu} * {low}"),
+            (
+                f"{mu} * ({low} + (1 - {low}) * exp(-{fall} * Abs(v))) * tanh({d} * v)",
+                f"{mu} * {low}",
+            ),
+            (
+                f"{mu} * ({low} + (1 - {low}) * exp(-{fall} * Abs(v))) * (1 - exp(-{d} * Abs(v))) * sgn(v)",
+                f"{mu} * {low}",
+            ),
             (f"{mu} * {d} * v / (1 + {d} * Abs(v))", mu),
             (f"{mu} * {d} * v / sqrt(1 + {d}**2 * v**2)", mu),
         ]
@@ -298,7 +425,11 @@ def draw(seed: int, number: int) -> Drawn:
     page = _Writer(np.random.default_rng([seed, number])).write()
     import re
 
-    body = "\n".join(line for line in page.text().splitlines() if "page.parameter(" not in line and "page.unit(" not in line)
+    body = "\n".join(
+        line
+        for line in page.text().splitlines()
+        if "page.parameter(" not in line and "page.unit(" not in line
+    )
     used = set(re.findall(r"[A-Za-z_]\w*", body))
     page.parameters = [entry for entry in page.parameters if entry[0] in used]
     return page

@@ -36,22 +36,40 @@ def base() -> ss.Cycle:
 def at(claim: Claim, **changed: float) -> Claim:
     """The claim for other parameters."""
     names = ss.Parameters.article().model.parameters
-    return claim | {"values": [changed.get(name, value) for name, value in zip(names, claim["values"], strict=True)]}
+    return claim | {
+        "values": [
+            changed.get(name, value) for name, value in zip(names, claim["values"], strict=True)
+        ]
+    }
 
 
 #: Claims of cycles that are none, each made of a true one.
 NONE: dict[str, Callable[[Claim], Claim]] = {
-    "beyond the fold over theta0, 69.842 degrees": lambda claim: at(claim, theta0=float(np.radians(69.85))),
+    "beyond the fold over theta0, 69.842 degrees": lambda claim: at(
+        claim, theta0=float(np.radians(69.85))
+    ),
     "beyond the fold over mu0, 0.0957": lambda claim: at(claim, mu0=0.0957),
     "beyond the fold over mu0, far": lambda claim: at(claim, mu0=0.05),
     "without friction": lambda claim: at(claim, mu0=0.0),
-    "half the period": lambda claim: claim | {"period": claim["period"] / 2, "crossings": claim["crossings"][: len(claim["crossings"]) // 2]},
+    "half the period": lambda claim: (
+        claim
+        | {
+            "period": claim["period"] / 2,
+            "crossings": claim["crossings"][: len(claim["crossings"]) // 2],
+        }
+    ),
     "a period that is too long": lambda claim: claim | {"period": 1.2 * claim["period"]},
-    "a state off the orbit": lambda claim: claim | {"state": [1.5 * value for value in claim["state"]]},
+    "a state off the orbit": lambda claim: (
+        claim | {"state": [1.5 * value for value in claim["state"]]}
+    ),
     "no contact with the belt": lambda claim: claim | {"crossings": []},
-    "a border that is not crossed": lambda claim: claim | {"crossings": [[t, 1 - border] for t, border in claim["crossings"]]},
-    "one crossing twice": lambda claim: claim | {"crossings": [claim["crossings"][0], *claim["crossings"]]},
-}  # fmt: skip
+    "a border that is not crossed": lambda claim: (
+        claim | {"crossings": [[t, 1 - border] for t, border in claim["crossings"]]}
+    ),
+    "one crossing twice": lambda claim: (
+        claim | {"crossings": [claim["crossings"][0], *claim["crossings"]]}
+    ),
+}
 
 
 #: Seconds that a proof may take, and what is proved or refused.
@@ -74,14 +92,20 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
         if not proved.proved:
             continue
         decimals = {key: interval(decimal) for key, decimal in proved.decimals().items()}
-        numbers = {**{f"state_{i + 1}": value for i, value in enumerate(proved.state)}, "period": proved.period}
+        numbers = {
+            **{f"state_{i + 1}": value for i, value in enumerate(proved.state)},
+            "period": proved.period,
+        }
         radius = Fraction(proved.error)
         for key, value in ((key, exactly(value)) for key, value in numbers.items() if value):
             if not (decimals[key][0] <= value - radius and value + radius <= decimals[key][1]):
                 wrong.append(f"{name} to {digits} digits: {key} does not hold the ball")
         told.append(decimals)
-    wrong += [f"{name}: {key} of two proofs do not meet" for key in set(told[0] if told else ()).intersection(*told)
-              if max(one[key][0] for one in told) > min(one[key][1] for one in told)]  # fmt: skip
+    wrong += [
+        f"{name}: {key} of two proofs do not meet"
+        for key in set(told[0] if told else ()).intersection(*told)
+        if max(one[key][0] for one in told) > min(one[key][1] for one in told)
+    ]
     return {"kind": kind, "wrong": wrong, "proved": len(told)}
 
 

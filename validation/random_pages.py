@@ -16,4 +16,8 @@ CASES = 20
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One page; a page that is refused by its line is no contradiction."""
     found = page_mechanics.judged(int(rng.integers(1 << 30)), number)
-    return {"kind": found["kind"], "wrong": [f"{text}" for text in found.get("wrong", ())], "coordinates": found["n"]}
+    return {
+        "kind": found["kind"],
+        "wrong": [f"{text}" for text in found.get("wrong", ())],
+        "coordinates": found["n"],
+    }

@@ -19,7 +19,10 @@ CASES = 300
 #: A proposition → what follows from it; both with their truth values.
 IMPLIES: dict[tuple[str, bool], list[tuple[str, bool]]] = {
     ("it has jumped", True): [("it jumps at the largest friction", True)],
-    ("it jumps at the largest friction", True): [("it jumps at full slip", True), ("a brake within the tolerances jumps", True)],
+    ("it jumps at the largest friction", True): [
+        ("it jumps at full slip", True),
+        ("a brake within the tolerances jumps", True),
+    ],
     ("it jumps at full slip", True): [("there is a jump", True)],
     ("there is a jump", False): [("it jumps at full slip", False)],
     ("it jumps at full slip", False): [("it jumps at the largest friction", False)],
@@ -29,11 +32,18 @@ IMPLIES: dict[tuple[str, bool], list[tuple[str, bool]]] = {
     ("there is an amplitude", True): [("there is an oscillation", True)],
 }
 JUMPED, LARGEST, FULL, EXISTS, SOME = (
-    "it has jumped", "it jumps at the largest friction", "it jumps at full slip", "there is a jump",
+    "it has jumped",
+    "it jumps at the largest friction",
+    "it jumps at full slip",
+    "there is a jump",
     "a brake within the tolerances jumps",
-)  # fmt: skip
+)
 SETTLES, UP_TO_DAMPING = "its state settles", "its state is up to the damping"
-LIVES, AMPLITUDE, LIFTS = "there is an oscillation", "there is an amplitude", "it lifts off in the oscillation"
+LIVES, AMPLITUDE, LIFTS = (
+    "there is an oscillation",
+    "there is an amplitude",
+    "it lifts off in the oscillation",
+)
 #: A sentence anywhere → propositions.
 SENTENCES: list[tuple[str, list[tuple[str, bool]]]] = [
     (r"^It sprags: ", [(LARGEST, True)]),
@@ -60,9 +70,24 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     ("Jump", "tolerances to the nearest jump", "(?!0, it)", [(JUMPED, False)]),
     ("State", "the state it jumped to", "", [(JUMPED, True)]),
     ("State", "the reference state", "", [(JUMPED, False)]),
-    ("State", "the (state it jumped to|reference state)", "stable; ", [(SETTLES, True), (UP_TO_DAMPING, False)]),
-    ("State", "the (state it jumped to|reference state)", "stable, practically neutral", [(UP_TO_DAMPING, True)]),
-    ("State", "the (state it jumped to|reference state)", "stable, but with", [(SETTLES, False), (UP_TO_DAMPING, False)]),
+    (
+        "State",
+        "the (state it jumped to|reference state)",
+        "stable; ",
+        [(SETTLES, True), (UP_TO_DAMPING, False)],
+    ),
+    (
+        "State",
+        "the (state it jumped to|reference state)",
+        "stable, practically neutral",
+        [(UP_TO_DAMPING, True)],
+    ),
+    (
+        "State",
+        "the (state it jumped to|reference state)",
+        "stable, but with",
+        [(SETTLES, False), (UP_TO_DAMPING, False)],
+    ),
     ("Warnings", "", "the followed state lies", [(JUMPED, False)]),
     ("Warnings", "", "the belt is so slow", [("friction falls short", True)]),
     ("Warnings", "", ".*no oscillation is looked for", [(LIVES, False)]),
@@ -135,11 +160,19 @@ def contradictions(text: str) -> list[str]:
         for name in said.keys() & also.keys():
             if said[name] != also[name]:
                 found.append(f"{name}: {one!r} / {other!r}")
-    jumps = [float(value) for value in re.findall(rf"jumps at a friction of {NUMBER}|jump at this angle\s+at friction {NUMBER}", text)
-             for value in value if value]  # fmt: skip
+    jumps = [
+        float(value)
+        for value in re.findall(
+            rf"jumps at a friction of {NUMBER}|jump at this angle\s+at friction {NUMBER}", text
+        )
+        for value in value
+        if value
+    ]
     if jumps and max(jumps) > 1.002 * min(jumps):
         found.append(f"frictions of the jump {jumps}")
-    if above := re.search(rf"friction of {NUMBER}, {NUMBER} % above the largest that you have, {NUMBER}", text):
+    if above := re.search(
+        rf"friction of {NUMBER}, {NUMBER} % above the largest that you have, {NUMBER}", text
+    ):
         jump, percent, largest = map(float, above.groups())
         if abs(100 * (jump / largest - 1) - percent) > 0.5 + 0.006 * (100 + percent):
             found.append(f"margins {above[0]}")
@@ -149,10 +182,14 @@ def contradictions(text: str) -> list[str]:
         and max(jumps) < float(low[1]) * 0.998
     ):
         found.append(f"a jump at {jumps} below the lowest fold {low[0]}")
-    if peak := re.search(rf"from x = {NUMBER} mm to {NUMBER} mm\n.*\n  range of x\s+{NUMBER} mm to {NUMBER} mm", text):
+    if peak := re.search(
+        rf"from x = {NUMBER} mm to {NUMBER} mm\n.*\n  range of x\s+{NUMBER} mm to {NUMBER} mm", text
+    ):
         before, after, least, most = map(float, peak.groups())
         if not (
-            least <= most and min(after, before) >= least - 0.1 * abs(after - before) and max(after, before) <= most * 1.5 + 1
+            least <= most
+            and min(after, before) >= least - 0.1 * abs(after - before)
+            and max(after, before) <= most * 1.5 + 1
         ):
             found.append(f"peaks {peak[0]}")
     if aim := re.search(rf"each of them keeps +the jump at {NUMBER}", text):
@@ -170,22 +207,35 @@ def brake(seed: int, i: int) -> ss.Study:
     rng = np.random.default_rng([seed, i])
     k_c, L_0 = 10 ** rng.uniform(5, 7), 10 ** rng.uniform(-2, -0.7)
     values: dict[str, Any] = {
-        "m": 10 ** rng.uniform(-1.5, 1), "k_c": k_c, "L_0": L_0, "k": k_c * 10 ** rng.uniform(-2, -0.4),
-        "k_x": k_c * 10 ** rng.uniform(-3, -1), "k_y": rng.choice([0.0, k_c * 10 ** rng.uniform(-3, -1)]),
-        "F_L": k_c * L_0 * 10 ** rng.uniform(-3, -1.5), "theta0": math.radians(rng.uniform(15, 125)), "mu0": rng.uniform(0.05, 0.9),
-    }  # fmt: skip
+        "m": 10 ** rng.uniform(-1.5, 1),
+        "k_c": k_c,
+        "L_0": L_0,
+        "k": k_c * 10 ** rng.uniform(-2, -0.4),
+        "k_x": k_c * 10 ** rng.uniform(-3, -1),
+        "k_y": rng.choice([0.0, k_c * 10 ** rng.uniform(-3, -1)]),
+        "F_L": k_c * L_0 * 10 ** rng.uniform(-3, -1.5),
+        "theta0": math.radians(rng.uniform(15, 125)),
+        "mu0": rng.uniform(0.05, 0.9),
+    }
     if rng.random() < 0.85:
         time = math.sqrt(values["m"] / k_c)
-        values |= {"V": L_0 / time * 10 ** rng.uniform(-2, 0.5), "d": time / L_0 * 10 ** rng.uniform(0, 1.5)}
+        values |= {
+            "V": L_0 / time * 10 ** rng.uniform(-2, 0.5),
+            "d": time / L_0 * 10 ** rng.uniform(0, 1.5),
+        }
     if rng.random() < 0.5:  # near the jump, where sentences are hard to get right
         jump = float(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))
         if math.isfinite(jump) and jump < 2:
             values["mu0"] = jump * rng.uniform(0.85, 1.15)
-    names = rng.choice(["k", "k_x", "k_c", "F_L", "L_0", "mu0", "theta0"], rng.integers(0, 4), replace=False)
+    names = rng.choice(
+        ["k", "k_x", "k_c", "F_L", "L_0", "mu0", "theta0"], rng.integers(0, 4), replace=False
+    )
     off = {}
     for name in names.tolist():
         size = rng.choice([0.5, 2.0, 6.0])
-        off[name] = "1 deg" if name == "theta0" else f"{'sd ' if rng.random() < 0.3 else ''}{size:g} %"
+        off[name] = (
+            "1 deg" if name == "theta0" else f"{'sd ' if rng.random() < 0.3 else ''}{size:g} %"
+        )
     return ss.Study(ss.PhysicalParameters(**values), tolerance=off)
 
 
@@ -193,7 +243,11 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One report, which is asked for an oscillation now and then; or, of every sixth brake, its changes."""
     if number % 6 == 5:
         return changed(number, rng)
-    text = brake(1, number).report(n=256, oscillation=number % 4 == 0, redesign=number % 25 == 0).text()
+    text = (
+        brake(1, number)
+        .report(n=256, oscillation=number % 4 == 0, redesign=number % 25 == 0)
+        .text()
+    )
     found = statements(text)
     wrong = [f"brake {number}: {one}" for one in contradictions(text)]
     return {"kind": "statements", "wrong": wrong, "pairs": len(found) * (len(found) - 1) // 2}
@@ -203,7 +257,10 @@ def changed(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """The changes of one brake: how many within their tolerances jump, of all corners and samples."""
     study = brake(1, number)
     names = ["k", "k_x", "k_c", "F_L", "L_0"]
-    off = {name: f"{rng.choice([2, 5]):g} %" for name in rng.choice(names, rng.integers(1, 6), replace=False).tolist()}
+    off = {
+        name: f"{rng.choice([2, 5]):g} %"
+        for name in rng.choice(names, rng.integers(1, 6), replace=False).tolist()
+    }
     study = ss.Study(study.values, tolerance=off | {"theta0": "0.5 deg"})
     jump = float(ss.jump_value(study.dimensionless))
     if not jump < 2:
@@ -213,6 +270,8 @@ def changed(number: int, rng: np.random.Generator) -> dict[str, Any]:
         new = study.at_full_slip().changed(one.after)
         size = len(varied(new))
         corners = np.array(list(itertools.product((0.0, 1.0), repeat=size)))
-        if any((jumping(new, shares) == 1).any() for shares in (corners, rng.random((100_000, size)))):
+        if any(
+            (jumping(new, shares) == 1).any() for shares in (corners, rng.random((100_000, size)))
+        ):
             wrong.append(f"brake {number}, changed to {one.after}: one within its tolerances jumps")
     return {"kind": "changes", "wrong": wrong, "changes": len(found)}

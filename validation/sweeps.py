@@ -24,10 +24,15 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
                 outcomes = machine_attacks.attack_disks(rng, 4)
             else:
                 attack, count = {
-                    "journals": (sweep_attacks.attack_journals, 100), "files": (sweep_attacks.attack_files, 200),
+                    "journals": (sweep_attacks.attack_journals, 100),
+                    "files": (sweep_attacks.attack_files, 200),
                     "workers": (machine_attacks.attack_workers, 4),
-                }[kind]  # fmt: skip
+                }[kind]
                 outcomes = attack(rng, Path(name), count)
         except PermissionError as error:
             return {"kind": f"{kind}: {error}", "wrong": []}
-    return {"kind": kind, "wrong": [], **{f"{kind} {key}": value for key, value in outcomes.items()}}
+    return {
+        "kind": kind,
+        "wrong": [],
+        **{f"{kind} {key}": value for key, value in outcomes.items()},
+    }

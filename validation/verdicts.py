@@ -35,18 +35,39 @@ def drawn(number: int) -> tuple[tuple[float, ...], list[float]]:
     """Parameters and start of a motion."""
     rng = np.random.default_rng([83, number])
     if number >= RANDOM:
-        steep = (rng.uniform(0.70, 0.78), 0.5, 0.007, 0.007, 0.1, 0.0, 0.25, rng.uniform(17.0, 23.0))
+        steep = (
+            rng.uniform(0.70, 0.78),
+            0.5,
+            0.007,
+            0.007,
+            0.1,
+            0.0,
+            0.25,
+            rng.uniform(17.0, 23.0),
+        )
         base = (rng.uniform(0.77, 1.3), 0.5, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
         return tuple(float(value) for value in (base if number % 2 else steep)), [0.0] * 4
     values = (
-        rng.uniform(0.2, 2.9), rng.uniform(0.05, 1.0), 0.007 * 10 ** rng.uniform(-0.5, 0.5),
-        0.007 * 10 ** rng.uniform(-0.5, 0.5), 0.1 * 10 ** rng.uniform(-0.4, 0.4), 0.0, rng.uniform(0.05, 0.6), rng.uniform(2.0, 15.0),
-    )  # fmt: skip
-    start = [0.0] * 4 if rng.random() < 0.3 else rng.uniform([-0.5, -0.5, -0.3, -0.3], [3.0, 3.0, 0.3, 0.3]).tolist()
+        rng.uniform(0.2, 2.9),
+        rng.uniform(0.05, 1.0),
+        0.007 * 10 ** rng.uniform(-0.5, 0.5),
+        0.007 * 10 ** rng.uniform(-0.5, 0.5),
+        0.1 * 10 ** rng.uniform(-0.4, 0.4),
+        0.0,
+        rng.uniform(0.05, 0.6),
+        rng.uniform(2.0, 15.0),
+    )
+    start = (
+        [0.0] * 4
+        if rng.random() < 0.3
+        else rng.uniform([-0.5, -0.5, -0.3, -0.3], [3.0, 3.0, 0.3, 0.3]).tolist()
+    )
     return tuple(float(value) for value in values), start
 
 
-def parting(values: tuple[float, ...], state: Any, stretches: int = 12, span: float = 100.0) -> float:
+def parting(
+    values: tuple[float, ...], state: Any, stretches: int = 12, span: float = 100.0
+) -> float:
     """The rate at which motions 1e-8 apart part, over some stretches."""
     total, other = 0.0, np.array(state) + np.array([1e-8, 0.0, 0.0, 0.0])
     for _ in range(stretches):
@@ -59,7 +80,9 @@ def parting(values: tuple[float, ...], state: Any, stretches: int = 12, span: fl
     return total / (stretches * span)
 
 
-def reach_of(values: tuple[float, ...], state: Any, place: Any, pieces: int = 200, span: float = 2.0) -> tuple[float, Any]:
+def reach_of(
+    values: tuple[float, ...], state: Any, place: Any, pieces: int = 200, span: float = 2.0
+) -> tuple[float, Any]:
     """How far a motion comes from a place in a while, and where it then is."""
     off = 0.0
     for _ in range(pieces):
@@ -81,14 +104,22 @@ def holds(values: tuple[float, ...], found: ss.Fate) -> tuple[bool, str]:
         end, _ = carried(values, state, told.period, 1e-13)
         closed = float(np.abs(end - state).max())
         kicks = 1e-6 * np.eye(4)
-        ahead, behind = ([carried(values, state + sign * kick, told.period, 1e-12)[0] for kick in kicks] for sign in (1, -1))
+        ahead, behind = (
+            [carried(values, state + sign * kick, told.period, 1e-12)[0] for kick in kicks]
+            for sign in (1, -1)
+        )
         multipliers = np.linalg.eigvals((np.array(ahead) - np.array(behind)).T / 2e-6)
         others = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1))))
         largest = float(np.abs(others).max())
-        return closed < 1e-6 and largest < 1 + 1e-3, f"closes to {closed:.1g}; largest multiplier by differences {largest:.6f}"
+        return (
+            closed < 1e-6 and largest < 1 + 1e-3,
+            f"closes to {closed:.1g}; largest multiplier by differences {largest:.6f}",
+        )
     if found.kind == "chaotic":
         rate = parting(values, found.end)
-        return 0.4 < rate / found.exponents[0] < 2.5, f"parts at {rate:.3g}, exponent {found.exponents[0]:.3g}"
+        return 0.4 < rate / found.exponents[
+            0
+        ] < 2.5, f"parts at {rate:.3g}, exponent {found.exponents[0]:.3g}"
     if found.kind == "lift-off":
         crossed = carried(values, found.end, 200.0)[1]
         return crossed == 0, f"{crossed} crossings of y = 0"
@@ -100,7 +131,10 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     values, start = drawn(number)
     found = ss.fate(ss.Parameters(*values), start=start, t_end=T_END if number < RANDOM else LONGER)
     right, how = holds(values, found)
-    line: dict[str, Any] = {"kind": found.kind, "wrong": [] if right else [f"{found.kind}, {found.why}: {how}"]}
+    line: dict[str, Any] = {
+        "kind": found.kind,
+        "wrong": [] if right else [f"{found.kind}, {found.why}: {how}"],
+    }
     if found.kind == "cycle":
         told = ss.lyapunov(ss.Parameters(*values), start=found.outcome.cycle, t_end=4000.0)
         held = np.abs(told.exponents - found.exponents) <= told.error + 1e-9

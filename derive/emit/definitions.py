@@ -48,7 +48,11 @@ class Definition:
     @cached_property
     def read(self) -> frozenset[str]:
         """Names that its expressions have."""
-        return frozenset(word for text in (*dict(self.statements).values(), *self.leaves) for word in re.findall(r"\w+", text))
+        return frozenset(
+            word
+            for text in (*dict(self.statements).values(), *self.leaves)
+            for word in re.findall(r"\w+", text)
+        )
 
     def spelled(self, of: Callable[[str], str]) -> Definition:
         """The function with all names and expressions spelled anew."""
@@ -56,7 +60,13 @@ class Definition:
         def each(part: Any) -> Any:
             return tuple(map(each, part)) if isinstance(part, tuple) else of(part)
 
-        return replace(self, **{name: each(getattr(self, name)) for name in ("arguments", "further", "statements", "results")})
+        return replace(
+            self,
+            **{
+                name: each(getattr(self, name))
+                for name in ("arguments", "further", "statements", "results")
+            },
+        )
 
     def tree(self, spelled: Mapping[str, str]) -> ast.Module:
         """Its statements and its return statement, with other names for some."""
@@ -103,27 +113,48 @@ def definition(text: str) -> Definition:
     *assigned, last = node.body[1:]
     assert isinstance(last, ast.Return)
     assert last.value is not None
-    statements = [(ast.unparse(it.targets[0]), _plain(text, it.value)) for it in assigned if isinstance(it, ast.Assign)]
+    statements = [
+        (ast.unparse(it.targets[0]), _plain(text, it.value))
+        for it in assigned
+        if isinstance(it, ast.Assign)
+    ]
     return Definition(
-        node.name, said[1], said[2], said[3] or "", int(said[4]), tuple(names[:count]), tuple(names[count:]),
-        tuple((name, value) for name, value in statements if name != "_one"), _results(text, last.value),
-    )  # fmt: skip
+        node.name,
+        said[1],
+        said[2],
+        said[3] or "",
+        int(said[4]),
+        tuple(names[:count]),
+        tuple(names[count:]),
+        tuple((name, value) for name, value in statements if name != "_one"),
+        _results(text, last.value),
+    )
 
 
 def _results(text: str, node: ast.expr) -> Results:
-    return tuple(_results(text, item) for item in node.elts) if isinstance(node, ast.Tuple) else _plain(text, node)
+    return (
+        tuple(_results(text, item) for item in node.elts)
+        if isinstance(node, ast.Tuple)
+        else _plain(text, node)
+    )
 
 
 def _plain(text: str, node: ast.expr) -> str:
     """An expression on one line, fractions as divisions of whole numbers: a 1 of the arguments' type is for Python only."""
     one_line = " ".join((ast.get_source_segment(text, node) or "").split())
     one_line = re.sub(r"\(?(-?\d+)\*_one/(\d+)\)?", r"(\1/\2)", one_line)
-    return re.sub(r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?", lambda found: f"({Fraction(float(found[0]))})", one_line)
+    return re.sub(
+        r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?",
+        lambda found: f"({Fraction(float(found[0]))})",
+        one_line,
+    )
 
 
 def ported(expression: str, functions: Mapping[str, str]) -> str:
     """An expression with another language's names of functions."""
-    return re.sub(r"xp\.(\w+)|\b(abs)(?=\()", lambda found: functions[found[1] or found[2]], expression)
+    return re.sub(
+        r"xp\.(\w+)|\b(abs)(?=\()", lambda found: functions[found[1] or found[2]], expression
+    )
 
 
 def symbols(functions: Iterable[Definition]) -> dict[str, None]:

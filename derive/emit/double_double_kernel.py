@@ -16,7 +16,13 @@ from .language import FLAG, REAL, KernelError, Source, parse
 from .routines import items, places
 
 WIDE = "Wide"
-_ROUTINES = {"maximum": "dd_larger", "minimum": "dd_smaller", "absolute": "dd_absolute", "sqrt": "dd_sqrt", "where": "dd_where"}
+_ROUTINES = {
+    "maximum": "dd_larger",
+    "minimum": "dd_smaller",
+    "absolute": "dd_absolute",
+    "sqrt": "dd_sqrt",
+    "where": "dd_where",
+}
 _OPERATIONS = {ast.Add: "dd_add", ast.Mult: "dd_multiply", ast.Div: "dd_divide"}
 #: An expression and its kind.
 Typed = tuple[ast.expr, str]
@@ -104,10 +110,15 @@ class _Program:
             self.write(name, function.summary, given, function.tree(SPELLED).body)
         return f"wide_{name}", self.functions[name][1]
 
-    def write(self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]) -> None:
+    def write(
+        self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]
+    ) -> None:
         """Write a function of double-doubles; what explains its statements stands in the plain one."""
         writer = _Writer(self, dict(given))
-        written = "\n".join(ast.unparse(ast.fix_missing_locations(writer.statement(statement))) for statement in body)
+        written = "\n".join(
+            ast.unparse(ast.fix_missing_locations(writer.statement(statement)))
+            for statement in body
+        )
         arguments = ", ".join(f"{argument}: {kind}" for argument, kind in given.items())
         self.functions[name] = tuple(given.values()), writer.returned
         head = f'def wide_{name}({arguments}) -> {writer.returned}:\n    """{summary}"""\n'
@@ -139,7 +150,9 @@ class _Writer:
             case ast.Return(value=ast.expr() as value):
                 result, self.returned = self.expression(value)
                 return ast.Return(result)
-        raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+        raise KernelError(
+            f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language"
+        )
 
     def assigned(self, name: str, value: ast.expr, kind: str) -> ast.expr:
         known = self.kinds.setdefault(name, kind)
@@ -163,7 +176,9 @@ class _Writer:
                 return node, self.kinds.get(name, REAL)
             case ast.Attribute(value=value, attr=attribute):
                 of, kind = self.expression(value)
-                return ast.Attribute(of, attribute, ast.Load()), self.program.fields[kind][attribute]
+                return ast.Attribute(of, attribute, ast.Load()), self.program.fields[kind][
+                    attribute
+                ]
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 value, kind = self.expression(operand)
                 return self.negative(value, kind), kind
@@ -200,21 +215,29 @@ class _Writer:
             return _call(name, self.wide(*left), self.wide(*right)), WIDE
         (one, _), (other, kind) = (left, right) if kind == WIDE else (right, left)
         if kind != WIDE:
-            name = "dd_scaled" if isinstance(op, ast.Mult) and _power_of_two(other) else f"{name}_double"
+            name = (
+                "dd_scaled"
+                if isinstance(op, ast.Mult) and _power_of_two(other)
+                else f"{name}_double"
+            )
         return _call(name, one, other), WIDE
 
     def compared(self, left: Typed, op: ast.cmpop, right: Typed) -> ast.expr:
         (one, kind), (other, other_kind) = left, right
         if WIDE not in (kind, other_kind):
             return ast.Compare(one, [op], [other])
-        if isinstance(other, ast.Constant) and other.value == 0.0:  # the leading part has the sign of the whole
+        if (
+            isinstance(other, ast.Constant) and other.value == 0.0
+        ):  # the leading part has the sign of the whole
             return ast.Compare(self.leading(one), [op], [other])
         match op:
             case ast.Lt():
                 return _call("dd_less", self.wide(*left), self.wide(*right))
             case ast.Gt():
                 return _call("dd_less", self.wide(*right), self.wide(*left))
-        raise KernelError(f"{ast.unparse(one)} and {ast.unparse(other)} are not compared as double-doubles")
+        raise KernelError(
+            f"{ast.unparse(one)} and {ast.unparse(other)} are not compared as double-doubles"
+        )
 
     def called(self, name: str, typed: list[Typed]) -> Typed:
         kinds = tuple(kind for _, kind in typed)
@@ -230,7 +253,9 @@ class _Writer:
             return _call(function, *values), returned
         if not wide:
             return _call(name, *values), kinds[1] if name == "where" else REAL
-        function, returned = (_ROUTINES[name], WIDE) if name in _ROUTINES else self.program.algebra_call(name)
+        function, returned = (
+            (_ROUTINES[name], WIDE) if name in _ROUTINES else self.program.algebra_call(name)
+        )
         return _call(function, *(self.wide(*it) for it in typed)), returned
 
 

@@ -11,21 +11,34 @@ _ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
 #: Binding strength of what is printed, to place brackets by.
 _CHOICE, _OR, _AND, _COMPARE, SUM, _PRODUCT, _UNARY, _ATOM = range(8)
-_STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: SUM, ast.Sub: SUM, ast.Mult: _PRODUCT, ast.Div: _PRODUCT}
+_STRENGTH = {
+    ast.BitOr: _OR,
+    ast.BitAnd: _AND,
+    ast.Add: SUM,
+    ast.Sub: SUM,
+    ast.Mult: _PRODUCT,
+    ast.Div: _PRODUCT,
+}
 
 
 @dataclass(frozen=True)
 class Syntax:
     """What each language writes in its own way."""
 
-    primitives: Mapping[str, str]  #: names of the functions that stand for the language's primitives but ``where``
-    logic: Mapping[type[ast.operator] | type[ast.unaryop], str]  #: the signs for ``&``, ``|`` and ``~``
+    primitives: Mapping[
+        str, str
+    ]  #: names of the functions that stand for the language's primitives but ``where``
+    logic: Mapping[
+        type[ast.operator] | type[ast.unaryop], str
+    ]  #: the signs for ``&``, ``|`` and ``~``
     algebra: Callable[[str], str]  #: how a generated function is called
     routine: Callable[[str], str] = str  #: how a function of the kernel is called
     signs: Mapping[str, str] = field(
         default_factory=dict
     )  #: for + − * / and comparisons, where they differ, as ``.*`` for arrays
-    ternary: bool = True  #: whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names
+    ternary: bool = (
+        True  #: whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names
+    )
 
 
 @dataclass(frozen=True)
@@ -60,20 +73,34 @@ class Expressions:
                 return self._binary(left, op, right)
             case ast.Compare(left=left, ops=[op], comparators=[right]):
                 sign = _COMPARISONS[type(op)]
-                return f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} {self.print(right, SUM)}", _COMPARE
-            case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if self.syntax.ternary:
-                return f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}", _CHOICE
-            case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(self.source.routines.get(name)):
+                return (
+                    f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} {self.print(right, SUM)}",
+                    _COMPARE,
+                )
+            case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if (
+                self.syntax.ternary
+            ):
+                return (
+                    f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}",
+                    _CHOICE,
+                )
+            case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(
+                self.source.routines.get(name)
+            ):
                 return self._expression(argument)
             case ast.Call(func=ast.Name(id=name), args=args):
                 return f"{self.called(name)}({self.listed(args)})", _ATOM
-        raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+        raise KernelError(
+            f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language"
+        )
 
     def called(self, name: str) -> str:
         """What a primitive, a routine or generated algebra is called by."""
         if name in self.syntax.primitives:
             return self.syntax.primitives[name]
-        return self.syntax.routine(name) if name in self.source.routines else self.syntax.algebra(name)
+        return (
+            self.syntax.routine(name) if name in self.source.routines else self.syntax.algebra(name)
+        )
 
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strength = _STRENGTH[type(op)]
@@ -83,7 +110,10 @@ class Expressions:
             sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
             return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
         sign = _ARITHMETIC[type(op)]
-        return f"{self.print(left, strength)} {self.syntax.signs.get(sign, sign)} {self.print(right, strength + 1)}", strength
+        return (
+            f"{self.print(left, strength)} {self.syntax.signs.get(sign, sign)} {self.print(right, strength + 1)}",
+            strength,
+        )
 
 
 def hands_back(routine: Routine | None) -> bool:
@@ -103,7 +133,11 @@ def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
         needed.add(routine.name)
         called = source.routines.keys() & set(Kinds(source).calls(routine)) - needed
         further += [source.routines[name] for name in sorted(called)]
-    return [routine for name, routine in source.routines.items() if name in needed and not hands_back(routine)]
+    return [
+        routine
+        for name, routine in source.routines.items()
+        if name in needed and not hands_back(routine)
+    ]
 
 
 def number(value: float) -> str:

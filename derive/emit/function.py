@@ -31,7 +31,14 @@ class Function:
         return (*self.arguments, *self.further)
 
 
-def of_page(name: str, summary: str, taken: Symbols, results: Results, returns: str, shorthands: Names | None = None) -> Function:
+def of_page(
+    name: str,
+    summary: str,
+    taken: Symbols,
+    results: Results,
+    returns: str,
+    shorthands: Names | None = None,
+) -> Function:
     """One of a model's own functions, which follow from its page."""
     return Function(name, summary, "the page", taken, results, returns, shorthands or {})
 
@@ -43,7 +50,9 @@ def renamed(function: Function, spelled: Callable[[str], str]) -> Function:
         if isinstance(part, tuple):
             return tuple(map(of, part))
         whole = sp.sympify(part)
-        return whole.xreplace({it: sp.Symbol(spelled(it.name), **it.assumptions0) for it in whole.free_symbols})
+        return whole.xreplace(
+            {it: sp.Symbol(spelled(it.name), **it.assumptions0) for it in whole.free_symbols}
+        )
 
     return replace(
         function,

@@ -103,7 +103,11 @@ def read(path: Path, *further: Path) -> Source:
 def definitions(text: str) -> str:
     """A text from its first constant, record or function on: without imports."""
     lines = text.splitlines()
-    first = next(node for node in ast.parse(text).body if _is_constant(node) or isinstance(node, ast.ClassDef | ast.FunctionDef))
+    first = next(
+        node
+        for node in ast.parse(text).body
+        if _is_constant(node) or isinstance(node, ast.ClassDef | ast.FunctionDef)
+    )
     return "\n".join(lines[first.lineno - 1 - len(_comment_above(first, lines)) :]) + "\n"
 
 
@@ -124,12 +128,20 @@ def parse(text: str) -> Source:
         if _is_constant(node):
             constants.append(_constant(node, lines))
         elif isinstance(node, ast.ClassDef):
-            fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
+            fields = [
+                (item.target.id, item.annotation.id)
+                for item in node.body
+                if isinstance(item, ast.AnnAssign)
+            ]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
             records[node.name] = Record(node.name, ast.get_docstring(node) or "", tuple(fields))
         elif isinstance(node, ast.FunctionDef):
-            arguments = tuple((argument.arg, _kind(argument.annotation, node)) for argument in node.args.args)
+            arguments = tuple(
+                (argument.arg, _kind(argument.annotation, node)) for argument in node.args.args
+            )
             returned, said = _kind(node.returns, node), ast.get_docstring(node) or ""
-            routines[node.name] = Routine(node.name, said, arguments, returned, tuple(node.body[1:]))
+            routines[node.name] = Routine(
+                node.name, said, arguments, returned, tuple(node.body[1:])
+            )
     return Source(text, tuple(constants), records, routines)
 
 
@@ -151,7 +163,9 @@ def _comment_above(node: ast.stmt, lines: list[str]) -> list[str]:
 
 def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
     if not isinstance(annotation, ast.Name):
-        raise KernelError(f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record")  # type: ignore[attr-defined]  # statements and arguments have lines
+        raise KernelError(
+            f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record"
+        )  # type: ignore[attr-defined]  # statements and arguments have lines
     return annotation.id
 
 
@@ -185,7 +199,9 @@ class Kinds:
                 if name in self.source.records:
                     return name
                 return self.source.routines[name].returns if name in self.source.routines else REAL
-        raise KernelError(f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language")
+        raise KernelError(
+            f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language"
+        )
 
     def calls(self, routine: Routine) -> Iterator[str]:
         """Names of all functions that a routine calls."""

@@ -44,19 +44,27 @@ class Printer:
             case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
                 return self.unpacking(target, value, indent)
             case ast.For(body=body):
-                inside = "".join(self._explained(statement, indent + self.step) for statement in body)
+                inside = "".join(
+                    self._explained(statement, indent + self.step) for statement in body
+                )
                 return f"{indent}{self.begin.format(passes(node))}\n{inside}{indent}{self.end}\n"
-            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=values)) if name in self.source.records:
+            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=values)) if (
+                name in self.source.records
+            ):
                 return self.record(name, values, indent)
             case ast.Return(value=ast.Tuple(elts=values)):
                 return self.several(values, indent)
             case ast.Return(value=ast.expr() as value):
                 return self.line(self.gives.format(self.expressions.print(value)), indent)
-        raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+        raise KernelError(
+            f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language"
+        )
 
     def fields(self, name: str, values: list[ast.expr]) -> Iterator[tuple[str, str]]:
         """The fields of a record, each with what it is made of."""
-        return zip(dict(self.source.records[name].fields), map(self.expressions.print, values), strict=True)
+        return zip(
+            dict(self.source.records[name].fields), map(self.expressions.print, values), strict=True
+        )
 
     #: What a target writes for a statement that may be too long for a line, for a comment, for an assignment, for results of generated
     #: algebra that are given names, and for what is returned: a record or several results.
@@ -85,4 +93,8 @@ def places(target: ast.expr) -> Iterator[str]:
 
 def items(node: ast.expr) -> list[ast.expr]:
     """What a nested tuple holds, in order."""
-    return [leaf for item in node.elts for leaf in items(item)] if isinstance(node, ast.Tuple) else [node]
+    return (
+        [leaf for item in node.elts for leaf in items(item)]
+        if isinstance(node, ast.Tuple)
+        else [node]
+    )

@@ -25,7 +25,11 @@ class Body:
         """Names for minus another, which turn a sign where they stand; not those of which a power is taken."""
         wholes = (*dict(self.assignments).values(), *flat(self.results))
         bases = {power.base for whole in wholes for power in whole.atoms(sp.Pow)}
-        return {symbol: value for symbol, value in self.assignments if (-value).is_Symbol and symbol not in bases}
+        return {
+            symbol: value
+            for symbol, value in self.assignments
+            if (-value).is_Symbol and symbol not in bases
+        }
 
     @cached_property
     def _computed(self) -> list[sp.Expr]:
@@ -68,7 +72,9 @@ def straight_line(function: Function) -> Body:
     free = (symbol for symbol in sp.numbered_symbols("w") if str(symbol) not in powers.taken)
     temporaries, reduced = sp.cse(everything, symbols=free)
     # Of exp(x) and exp(2 x) sharing makes powers again.
-    again = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)})
+    again = _Powers(
+        {str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)}
+    )
     temporaries = [(symbol, again.rest(expression)) for symbol, expression in temporaries]
     reduced = [again.rest(expression) for expression in reduced]
     count, extra = len(expressions), len(definitions)
@@ -78,31 +84,46 @@ def straight_line(function: Function) -> Body:
     available.update(again.definitions)
     outputs = reduced[count + extra :]
     # What sharing has named has two names if it is the base of a power, too, and its powers are named after the wrong one.
-    second = {symbol: available.pop(symbol) for symbol in definitions if available[symbol].is_Symbol}
+    second = {
+        symbol: available.pop(symbol) for symbol in definitions if available[symbol].is_Symbol
+    }
     for symbol in definitions:
         base, _, exponent = str(symbol).rpartition("_")
         if (of := sp.Symbol(base, real=True)) in second:
             second[symbol] = sp.Symbol(powers.free(f"{second[of]}_{exponent}"), real=True)
-    available = {second.get(symbol, symbol): expression.xreplace(second) for symbol, expression in available.items()}
+    available = {
+        second.get(symbol, symbol): expression.xreplace(second)
+        for symbol, expression in available.items()
+    }
     outputs = [sp.sympify(expression).xreplace(second) for expression in outputs]
 
     ordered: Names = {}
     for root in [*(symbol for symbol, _ in named), *outputs]:
         _place(root, available, ordered)
     of_powers = {second.get(symbol, symbol) for symbol in definitions} | again.definitions.keys()
-    whole = {it for it in of_powers & ordered.keys() if ordered[it].is_Mul or (ordered[it].is_Pow and ordered[it].exp == 2)}
+    whole = {
+        it
+        for it in of_powers & ordered.keys()
+        if ordered[it].is_Mul or (ordered[it].is_Pow and ordered[it].exp == 2)
+    }
     return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), frozenset(whole))
 
 
 def _needed(leaves: Row, function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
     """The shorthands that the results use; each comes after the shorthands that it uses itself."""
     ordered: Names = {}
-    shorthands = {symbol: value for symbol, value in function.shorthands.items() if symbol not in function.accepted}
+    shorthands = {
+        symbol: value
+        for symbol, value in function.shorthands.items()
+        if symbol not in function.accepted
+    }
     for leaf in leaves:
         _place(leaf, shorthands, ordered)
     for expression in (*leaves, *ordered.values()):
         for symbol in expression.free_symbols - {*function.accepted, *ordered}:
-            raise ArithmeticError(f"{function.name}: {symbol} is neither an argument nor a shorthand")
+            raise ArithmeticError(
+                f"{function.name}: {symbol} is neither an argument nor a shorthand"
+            )
     return list(ordered.items())
 
 
@@ -119,7 +140,8 @@ class _Powers:
 
     def replace(self, expression: sp.Expr) -> sp.Expr:
         return sp.sympify(expression).replace(
-            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and abs(node.exp.p) > 1, self._named
+            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and abs(node.exp.p) > 1,
+            self._named,
         )
 
     def rest(self, expression: sp.Expr) -> sp.Expr:
@@ -129,7 +151,11 @@ class _Powers:
         return self.replace(expression)
 
     def _named(self, node: sp.Pow) -> sp.Expr:
-        power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._root_power(node.base, abs(node.exp))
+        power = (
+            self._power(node.base, abs(int(node.exp)))
+            if node.exp.is_Integer
+            else self._root_power(node.base, abs(node.exp))
+        )
         return power if node.exp > 0 else 1 / power
 
     def _root_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:

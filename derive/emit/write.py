@@ -27,7 +27,10 @@ def sealed(files: dict[str, str]) -> dict[str, str]:
     """The files with the SHA-256 over all their names and texts in place of :data:`DIGEST`: it changes with what is emitted only."""
     whole = "".join(f"{name}\0{text}\0" for name, text in sorted(files.items()))
     digest = hashlib.sha256(whole.encode()).hexdigest()
-    return {name: text.replace(DIGEST, digest).replace(DIGEST[:16], digest[:16]) for name, text in files.items()}
+    return {
+        name: text.replace(DIGEST, digest).replace(DIGEST[:16], digest[:16])
+        for name, text in files.items()
+    }
 
 
 def as_json(value: Any) -> str:
@@ -40,7 +43,10 @@ def _json(value: Any, indent: int) -> str:
     if indent + len(line) <= _WIDTH or not value or not isinstance(value, dict | list | tuple):
         return line
     if isinstance(value, dict):
-        entries = [f"{json.dumps(key, ensure_ascii=False)}: {_json(item, indent + 1)}" for key, item in value.items()]
+        entries = [
+            f"{json.dumps(key, ensure_ascii=False)}: {_json(item, indent + 1)}"
+            for key, item in value.items()
+        ]
     else:
         entries = [_item(item, indent + 1) for item in value]
     opening, closing = "{}" if isinstance(value, dict) else "[]"
@@ -76,9 +82,13 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
         raise FileExistsError(f"{target} is a file; name a folder to write")
     new = not target.exists() or not any(target.iterdir())
     if not new and not (target / mark).is_file():
-        raise FileExistsError(f"{target} holds other files and no {mark}; name an empty folder, or one written before")
+        raise FileExistsError(
+            f"{target} holds other files and no {mark}; name an empty folder, or one written before"
+        )
     before = set() if new else _listed(target / mark)
-    foreign = sorted(name for name in files if name not in before and os.path.lexists(target / name))
+    foreign = sorted(
+        name for name in files if name not in before and os.path.lexists(target / name)
+    )
     if foreign:
         raise FileExistsError(
             f"{', '.join(str(target / name) for name in foreign)}: written by something else; move it, or name another folder"
@@ -91,7 +101,12 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
             path = fresh / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
-        _exchange(sorted(files, key=lambda name: name == mark), sorted(before - files.keys()), fresh, target)
+        _exchange(
+            sorted(files, key=lambda name: name == mark),
+            sorted(before - files.keys()),
+            fresh,
+            target,
+        )
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
         with suppress(OSError):
@@ -128,12 +143,21 @@ def _listed(mark: Path) -> set[str]:
         raise FileExistsError(
             f"{mark} is damaged ({error}), and so it is not known what was written; name another folder"
         ) from error
-    return {name for name in names | {mark.name} if (mark.parent / name).resolve().is_relative_to(mark.parent)}
+    return {
+        name
+        for name in names | {mark.name}
+        if (mark.parent / name).resolve().is_relative_to(mark.parent)
+    }
 
 
 def _remove_left(target: Path) -> None:
     """Remove what a killed process left: its number is in the name."""
     for path in target.glob(f"{_LEFT}*"):
         number = path.name.removeprefix(_LEFT).partition("-")[0]
-        if number.isdigit() and os.name == "posix" and not Path(f"/proc/{number}").exists() and Path("/proc/self").exists():
+        if (
+            number.isdigit()
+            and os.name == "posix"
+            and not Path(f"/proc/{number}").exists()
+            and Path("/proc/self").exists()
+        ):
             shutil.rmtree(path, ignore_errors=True)

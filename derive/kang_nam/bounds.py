@@ -42,7 +42,9 @@ class Counted:
 
     def __add__(self, other: Any) -> Counted:
         other = counted(other)
-        return Counted(self.size + other.size, max(self.count, other.count) + 1, self.cancels or other.cancels)
+        return Counted(
+            self.size + other.size, max(self.count, other.count) + 1, self.cancels or other.cancels
+        )
 
     __radd__ = __add__
 
@@ -57,7 +59,11 @@ class Counted:
     def __mul__(self, other: Any) -> Counted:
         other = counted(other)
         rounded = 0 if _is_power_of_two(self) or _is_power_of_two(other) else 1
-        return Counted(self.size * other.size, self.count + other.count + rounded, self.cancels or other.cancels)
+        return Counted(
+            self.size * other.size,
+            self.count + other.count + rounded,
+            self.cancels or other.cancels,
+        )
 
     __rmul__ = __mul__
 
@@ -98,13 +104,23 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
         return known[expression]
     if expression.is_Rational:
         # p/q in a product is printed as a product and a quotient, of which only the quotient may round, and not by a power of 2.
-        return Counted(abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1)
-    parts = [_follow(part, known) for part in expression.args if not (expression.is_Pow and part.is_Number)]
+        return Counted(
+            abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1
+        )
+    parts = [
+        _follow(part, known)
+        for part in expression.args
+        if not (expression.is_Pow and part.is_Number)
+    ]
     if expression.is_Add:
         # Printed in some order: each term meets at most all of the additions.
         signs = {part.could_extract_minus_sign() for part in expression.args}
         cancels = len(signs) > 1 or any(part.cancels for part in parts)
-        return Counted(sp.Add(*(part.size for part in parts)), max(part.count for part in parts) + len(parts) - 1, cancels)
+        return Counted(
+            sp.Add(*(part.size for part in parts)),
+            max(part.count for part in parts) + len(parts) - 1,
+            cancels,
+        )
     if expression.is_Mul:
         rounding = [part for part in parts if not _is_power_of_two(part)]
         return Counted(
@@ -148,13 +164,17 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     here = (c, s, *line)
     (value,), (slope,) = follow(known["f"], here), follow(known["f_slope"], here)
     e1 = follow(known["t_quartic"], line)[1]
-    L, x, y = follow(known["state"], (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]))
+    L, x, y = follow(
+        known["state"],
+        (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]),
+    )
 
     # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a rounding.
     omega = sp.Rational(_ROUNDINGS_IN_UNCERTAINTY)
     vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
-        known["stiffness"], (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar)))
+        known["stiffness"],
+        (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar))),
     )
     trace, _, flutter = follow(known["invariants"], stiffness)
     found = {
@@ -163,7 +183,9 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
         "COUNT_E1": e1.count,
         "COUNT_F": value.count,
         "COUNT_SLOPE": slope.count,
-        "COUNT_STATE": max(L.count, y.count, sp.Rational(x.count, 2)),  # x once with L, and once with itself
+        "COUNT_STATE": max(
+            L.count, y.count, sp.Rational(x.count, 2)
+        ),  # x once with L, and once with itself
         "COUNT_K": max(trace.count, flutter.count) / omega,
     }
     rounded = {name: float(math.ceil(number) + 1) for name, number in found.items()}
@@ -180,7 +202,11 @@ def _covers(size: sp.Expr, wanted: sp.Expr) -> None:
 def _same_sizes(coefficients: tuple[Counted, ...], emitted: tuple[Counted, ...]) -> None:
     a, b, d, m = coefficients
     if b.cancels or m.cancels:
-        raise ArithmeticError("b and m are taken for sums of terms of one sign, which are their own size")
+        raise ArithmeticError(
+            "b and m are taken for sums of terms of one sign, which are their own size"
+        )
     for wanted, given in zip((a, d), emitted, strict=True):
         if sp.expand(wanted.size - given.size) != 0:
-            raise ArithmeticError(f"f_magnitudes gives {given.size} where the terms add up to {wanted.size}")
+            raise ArithmeticError(
+                f"f_magnitudes gives {given.size} where the terms add up to {wanted.size}"
+            )

@@ -19,10 +19,14 @@ third = sp.expand(unit_circles.rotate_derivative(curvature))
 @cache
 def surface() -> sp.Expr:
     """M(θ, θ₀) = μ₀ n̄ on the equilibrium surface: f is linear in M."""
-    f, surface = elimination.f_in_parameters(), surface_in_coefficients().subs(elimination.f_coefficients())
+    f, surface = (
+        elimination.f_in_parameters(),
+        surface_in_coefficients().subs(elimination.f_coefficients()),
+    )
     (friction,) = sp.solve(f, nm.M)
     unit_circles.require(
-        not sp.diff(f, nm.M).has(nm.M) and sp.simplify(friction - surface) == 0, "f, linear in M, and the surface"
+        not sp.diff(f, nm.M).has(nm.M) and sp.simplify(friction - surface) == 0,
+        "f, linear in M, and the surface",
     )
     return surface
 
@@ -55,7 +59,8 @@ def fold_relations() -> Names:
         nm.fd: -nm.fa * nm.c**3 + nm.fm * nm.s * (1 + nm.c**2),
     }
     unit_circles.require(
-        all(unit_circles.equal(solution[symbol], value) for symbol, value in arranged.items()), "b and d on a fold"
+        all(unit_circles.equal(solution[symbol], value) for symbol, value in arranged.items()),
+        "b and d on a fold",
     )
     return arranged
 
@@ -86,7 +91,10 @@ def fold_quartic() -> tuple[Row, Names]:
     s0, c0 = fold_angles()
     line, parabola = sp.symbols("u:2"), sp.symbols("g:3")
     sine, cosine = (unit_circles.polynomial(names, nm.M) for names in (line, parabola))
-    values = (*unit_circles.ascending(s0, nm.M), *unit_circles.ascending(sp.cancel(c0.subs(nm.s0, sine)), nm.M))
+    values = (
+        *unit_circles.ascending(s0, nm.M),
+        *unit_circles.ascending(sp.cancel(c0.subs(nm.s0, sine)), nm.M),
+    )
     coefficients = unit_circles.ascending(sp.expand(sine**2 + cosine**2 - 1), nm.M)
     return coefficients, dict(zip((*line, *parabola), map(sp.factor_terms, values), strict=True))
 
@@ -119,9 +127,14 @@ def fold_conic() -> Row:
         -nm.p * nm.B * nm.sigma,
         -nm.q * nm.alpha * nm.sigma * nm.s**2 * nm.c,
     )
-    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in fold_residuals())
+    (u1, w1), (u2, w2) = (
+        (relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in fold_residuals()
+    )
     gap = u1 * w2 - u2 * w1 - unit_circles.polynomial(conic[:3], nm.s0) - conic[3] * nm.c0
-    unit_circles.require(equal(gap.subs(elimination.f_coefficients()), sp.S.Zero), "the conic of folds at a direction")
+    unit_circles.require(
+        equal(gap.subs(elimination.f_coefficients()), sp.S.Zero),
+        "the conic of folds at a direction",
+    )
     return conic
 
 
@@ -154,7 +167,9 @@ def fold_sextic() -> Row:
     With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any value of v gives the same.
     """
     change = f_form.subs(CHANGE)
-    condition = unit_circles.reduce_circles(sp.expand(slope * change - f_form * unit_circles.rotate_derivative(change)))
+    condition = unit_circles.reduce_circles(
+        sp.expand(slope * change - f_form * unit_circles.rotate_derivative(change))
+    )
     return unit_circles.in_half_angle(condition, 3)
 
 
@@ -162,7 +177,10 @@ def fold_cubics() -> tuple[Row, Row]:
     """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the fold through t at friction M."""
     s0, c0 = fold_angles()
     values = nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)
-    sine, cosine = (tuple(map(sp.factor_terms, unit_circles.in_half_angle(sp.cancel(value), 3))) for value in values)
+    sine, cosine = (
+        tuple(map(sp.factor_terms, unit_circles.in_half_angle(sp.cancel(value), 3)))
+        for value in values
+    )
     return sine, cosine
 
 
@@ -184,7 +202,11 @@ def cusp_angles() -> Pair:
     """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ with the factor 3 s² − 2 kept together."""
     s, S = nm.s, 3 * nm.s**2 - 2
     sine = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
-    G = 3 * nm.kappa * nm.p * nm.q * s * S - 4 * nm.B * nm.p * nm.sigma * (1 - s**2) + 3 * nm.sigma * nm.alpha * nm.q * s**4
+    G = (
+        3 * nm.kappa * nm.p * nm.q * s * S
+        - 4 * nm.B * nm.p * nm.sigma * (1 - s**2)
+        + 3 * nm.sigma * nm.alpha * nm.q * s**4
+    )
     ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
     on_cusp = {nm.M: cusp_friction().subs(elimination.f_coefficients()) / nm.sigma, nm.s0: sine}
     derived = (value.subs(on_cusp) for value in fold_angles())
@@ -201,7 +223,9 @@ def cusp_polynomial() -> Row:
     """
     s0, ratio = cusp_angles()
     scale = nm.B * nm.p * nm.alpha * nm.q * (3 * nm.s**2 - 2) ** 2
-    condition = sp.cancel(scale * s0) ** 2 + (1 - nm.s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
+    condition = (
+        sp.cancel(scale * s0) ** 2 + (1 - nm.s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
+    )
     return unit_circles.ascending(sp.expand(condition.subs(POLES)), nm.s)
 
 
@@ -212,8 +236,12 @@ def cusp_cubic() -> Row:
     The numerator of cos θ₀ in :func:`cusp_angles`, which must vanish with α, over B − α.
     """
     _, ratio = cusp_angles()
-    numerator = sp.cancel(ratio * nm.B * nm.alpha * nm.p * nm.q * (3 * nm.s**2 - 2) ** 2 / (nm.B - nm.alpha))
-    return unit_circles.ascending(sp.expand(numerator.subs(POLES).subs(nm.alpha, 0) / nm.sigma), nm.s)
+    numerator = sp.cancel(
+        ratio * nm.B * nm.alpha * nm.p * nm.q * (3 * nm.s**2 - 2) ** 2 / (nm.B - nm.alpha)
+    )
+    return unit_circles.ascending(
+        sp.expand(numerator.subs(POLES).subs(nm.alpha, 0) / nm.sigma), nm.s
+    )
 
 
 def identities() -> dict[str, bool]:
@@ -235,5 +263,7 @@ def identities() -> dict[str, bool]:
         "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset of flutter is a fold": (
             stability.trace_identity()
         ),
-        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": unit_circles.equal(f.subs(mirror, simultaneous=True), -f),
+        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": unit_circles.equal(
+            f.subs(mirror, simultaneous=True), -f
+        ),
     }

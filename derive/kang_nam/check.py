@@ -45,7 +45,11 @@ class Row:
 
     def recorded(self) -> dict[str, str]:
         """As the ledger has it: without what is empty, and without a derived form that is the printed one."""
-        return {name: text for name, text in asdict(self).items() if text and (name, text) != ("derived", self.printed)}
+        return {
+            name: text
+            for name, text in asdict(self).items()
+            if text and (name, text) != ("derived", self.printed)
+        }
 
 
 @dataclass(frozen=True)
@@ -99,8 +103,14 @@ def check(entry: Printed, derived: Derived) -> Row:
         if not all(gap == 0 or approximation.vanishes(gap) for gap in gaps):
             return _failed(base, f"the difference does not vanish for {approximation.limit}")
         if not _is_derived(approximation.expression, derived):
-            return _failed(base, "the exact form given for this approximation is not the derived one")
-        return Row(status="approximation", limit=approximation.limit, **base | {"derived": approximation.latex})
+            return _failed(
+                base, "the exact form given for this approximation is not the derived one"
+            )
+        return Row(
+            status="approximation",
+            limit=approximation.limit,
+            **base | {"derived": approximation.latex},
+        )
     if differs:
         return _failed(base, "printed and derived differ, and nothing explains it")
     base["derived"] = entry.latex
@@ -113,7 +123,9 @@ def _failed(base: dict[str, str], note: str) -> Row:
     return Row(status=FAILED, **base | {"note": note})
 
 
-def _misprint(id: str, components: Components, derived: Derived, differs: bool, base: dict[str, str]) -> Row:
+def _misprint(
+    id: str, components: Components, derived: Derived, differs: bool, base: dict[str, str]
+) -> Row:
     correction = explanations.CORRECTIONS[id]
     if not differs:
         return _failed(base, "explained as a misprint, but the difference is zero")
@@ -127,7 +139,12 @@ def _misprint(id: str, components: Components, derived: Derived, differs: bool, 
         if not holds:
             return _failed(base, f"the second derivation disagrees: {evidence}")
         consequence = correction.consequence(Point())
-    said = {"cause": correction.cause, "evidence": evidence, "consequence": consequence, "derived": correction.latex}
+    said = {
+        "cause": correction.cause,
+        "evidence": evidence,
+        "consequence": consequence,
+        "derived": correction.latex,
+    }
     return Row(status="misprint", **base | said)
 
 
@@ -164,7 +181,13 @@ def _latex(components: Components) -> str:
 
 def derived_forms() -> dict[str, Derived]:
     """The derivation's counterpart of every printed statement, by id."""
-    return {**_motion_forms(), **_scale_forms(), **_balance_forms(), **_quartic_forms(), **_stability_forms()}
+    return {
+        **_motion_forms(),
+        **_scale_forms(),
+        **_balance_forms(),
+        **_quartic_forms(),
+        **_stability_forms(),
+    }
 
 
 def _motion_forms() -> dict[str, Derived]:
@@ -201,7 +224,10 @@ def _scale_forms() -> dict[str, Derived]:
     forms = {
         "def-tau": Derived(1 / scales["time"], mechanics.scales),
         "def-prime": Derived(sp.S.One, mechanics.scales),
-        **{f"def-{name}": Derived(1 / scales["length"], mechanics.scales) for name in ("x", "y", "L")},
+        **{
+            f"def-{name}": Derived(1 / scales["length"], mechanics.scales)
+            for name in ("x", "y", "L")
+        },
     }
     for symbol in (nm.sigma, nm.alpha, nm.beta, nm.kappa, nm.n):
         dimensional, scale = groups[symbol]
@@ -221,9 +247,17 @@ def _balance_forms() -> dict[str, Derived]:
         "eq-13": Derived(at_rest[1], mechanics.motion),
         "eq-14": Derived(along, equilibrium.balance),
         "eq-15": Derived(across, equilibrium.balance),
-        "eq-16": Derived((along, across), equilibrium.matrix_form, about=(D.subs(contact), b.subs(contact))),
-        "eq-17": Derived(tuple(D.subs(contact)), equilibrium.matrix_form, about=(equilibrium.matrix_A().subs(contact),)),
-        "eq-18": Derived(tuple(equilibrium.matrix_A().subs(contact)), equilibrium.matrix_A, terms=(friction,)),
+        "eq-16": Derived(
+            (along, across), equilibrium.matrix_form, about=(D.subs(contact), b.subs(contact))
+        ),
+        "eq-17": Derived(
+            tuple(D.subs(contact)),
+            equilibrium.matrix_form,
+            about=(equilibrium.matrix_A().subs(contact),),
+        ),
+        "eq-18": Derived(
+            tuple(equilibrium.matrix_A().subs(contact)), equilibrium.matrix_A, terms=(friction,)
+        ),
         "eq-19": Derived(tuple(b.subs(contact)), equilibrium.matrix_form, terms=(friction,)),
         "eq-22": Derived(lifted, equilibrium.matrix_form, about=(D.subs(liftoff), b.subs(liftoff))),
         "eq-24": Derived(tuple(D.subs(liftoff)), equilibrium.matrix_form),
@@ -246,8 +280,12 @@ def _quartic_forms() -> dict[str, Derived]:
     ):
         matrix, vector = D.subs(case), b.subs(case)
         coefficients = tuple(value.subs(case) for value in quartic)
-        forms[f"eq-{equation[0]}"] = Derived(elimination.unit_norm(*any_pair), elimination.unit_norm, any_pair)
-        forms[f"eq-{equation[1]}"] = Derived(elimination.cleared(matrix, vector), elimination.quartic_in_L, coefficients)
+        forms[f"eq-{equation[0]}"] = Derived(
+            elimination.unit_norm(*any_pair), elimination.unit_norm, any_pair
+        )
+        forms[f"eq-{equation[1]}"] = Derived(
+            elimination.cleared(matrix, vector), elimination.quartic_in_L, coefficients
+        )
         shorthand = elimination.quartic_in_L_shorthand()
         in_names = {
             nm.b1: vector_names[0],
@@ -260,7 +298,9 @@ def _quartic_forms() -> dict[str, Derived]:
             if not unit_circles.equal(arranged.subs(right_sides), full):
                 raise ArithmeticError(f"{id}: the quartic in shorthand is not the quartic")
             forms[id] = Derived(arranged, elimination.quartic_in_L_shorthand, terms=(right_sides,))
-        for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):
+        for id, value in zip(
+            ("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True
+        ):
             forms[id] = Derived(value, equilibrium.matrix_form)
     return forms
 
@@ -271,7 +311,11 @@ def _stability_forms() -> dict[str, Derived]:
     law = mechanics.contact_law()
     slopes = tuple(-sp.diff(value, nm.y) for value, _ in law.args)
     return {
-        "eq-27": Derived(stability.characteristic(K, C).subs(stability.lam, article.lam), stability.characteristic, (K,)),
+        "eq-27": Derived(
+            stability.characteristic(K, C).subs(stability.lam, article.lam),
+            stability.characteristic,
+            (K,),
+        ),
         "eq-28": Derived(tuple(K), stability.stiffness),
         "eq-29": Derived(slopes, mechanics.contact_law),
     }

@@ -61,7 +61,9 @@ def state() -> Names:
     shorthand = (nm.sigma * nm.s + nm.B * nm.s0 + nm.kappa) / (nm.q * nm.s)
     unit_circles.require(sp.simplify(length - spell_out(shorthand)) == 0, "L(θ) from F_y = 0")
     y = (nm.sigma * (nm.s0 - nm.s) - nm.kappa) / nm.q
-    unit_circles.require(sp.simplify(spell_out(y - (nm.s0 - shorthand * nm.s))) == 0, "y(θ) = s₀ − L s")
+    unit_circles.require(
+        sp.simplify(spell_out(y - (nm.s0 - shorthand * nm.s))) == 0, "y(θ) = s₀ − L s"
+    )
     return {nm.L: shorthand, nm.y: y, nm.x: nm.c0 - nm.L * nm.c}
 
 
@@ -75,7 +77,9 @@ def f_coefficients() -> Names:
     along, _ = equilibrium.balance()
     f = sp.expand(sp.simplify(spell_out(nm.q * nm.s * along.subs(nm.L, state()[nm.L]))))
     derived = sp.Poly(f, nm.c, nm.s).as_dict()
-    unit_circles.require(set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²")
+    unit_circles.require(
+        set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²"
+    )
     arranged = {
         nm.fa: nm.sigma * (nm.B - nm.alpha),
         nm.fb: -nm.p * (nm.B * nm.s0 + nm.kappa),
@@ -84,7 +88,11 @@ def f_coefficients() -> Names:
     }
     for powers, value in {(1, 1): nm.fa, (1, 0): nm.fb, (0, 1): nm.fd, (0, 2): -nm.fm}.items():
         # n̄² = n̄ for n̄ in {0, 1}.
-        gap = sp.rem(sp.expand(derived.get(powers, 0) - spell_out(value.subs(arranged))), nm.nbar**2 - nm.nbar, nm.nbar)
+        gap = sp.rem(
+            sp.expand(derived.get(powers, 0) - spell_out(value.subs(arranged))),
+            nm.nbar**2 - nm.nbar,
+            nm.nbar,
+        )
         unit_circles.require(gap == 0, f"coefficient of c^{powers[0]} s^{powers[1]} in f")
     return arranged
 
@@ -112,7 +120,10 @@ def resolvent_cubic() -> Row:
     conic = f_form + ell * (nm.c**2 + nm.s**2 - 1)
     homogeneous = sp.Symbol("h")
     form = sp.expand(
-        sp.cancel(homogeneous**2 * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True))
+        sp.cancel(
+            homogeneous**2
+            * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True)
+        )
     )
     determinant = sp.hessian(form, (nm.c, nm.s, homogeneous)).det()
     *lower, leading = unit_circles.ascending(sp.expand(determinant), ell)
@@ -139,13 +150,19 @@ def identities() -> dict[str, bool]:
     false_root = spell_out(length.subs(shared).subs(f_coefficients()))
     return {
         "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
-        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": equilibrium.equal(published, factored),
+        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": equilibrium.equal(
+            published, factored
+        ),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(
             false_root - sp.solve(equilibrium.matrix_form()[0][0, 0], nm.L)[0]
         )
         == 0,
-        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb))
+        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(
+            f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb)
+        )
         == 0,
-        "the resolvent cubic has the discriminant of the t-quartic": sp.expand(in_t.discriminant() - 4096 * cubic.discriminant())
+        "the resolvent cubic has the discriminant of the t-quartic": sp.expand(
+            in_t.discriminant() - 4096 * cubic.discriminant()
+        )
         == 0,
     }

@@ -11,8 +11,15 @@ from .catalogue import modules
 
 def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
     """The text of every file, by its path below ``generated/``, those of the ``models`` among them."""
-    parts, solver, named, header = modules(), library.kernel(), mechanics.quantities(), write.header()
-    counts = bounds.counts(solver, {function.name: function for module in parts for function in module.functions})
+    parts, solver, named, header = (
+        modules(),
+        library.kernel(),
+        mechanics.quantities(),
+        write.header(),
+    )
+    counts = bounds.counts(
+        solver, {function.name: function for module in parts for function in module.functions}
+    )
     parameters = tuple(map(str, (nm.theta0, *nm.PARAMETERS)))
     base = {str(symbol): float(value) for symbol, value in article.BASE.items()}
     files = {

@@ -67,7 +67,9 @@ def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
     D = forces.jacobian(direction)
     b = -forces.subs({nm.c: 0, nm.s: 0})
     if sp.expand(forces - (D * direction - b)) != sp.zeros(2, 1):
-        raise ArithmeticError("the balance of forces is not linear in cos θ and sin θ: (16) has no D and b")
+        raise ArithmeticError(
+            "the balance of forces is not linear in cos θ and sin θ: (16) has no D and b"
+        )
     return D, b
 
 

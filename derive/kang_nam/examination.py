@@ -62,7 +62,10 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     b_size = absolute(rough(line.b))
     m_size = rough(line.m)
     f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size)
-    value = absolute(rough(f(at.cosine, at.sine, line.a, line.b, line.d, line.m))) + COUNT_F * u * f_size
+    value = (
+        absolute(rough(f(at.cosine, at.sine, line.a, line.b, line.d, line.m)))
+        + COUNT_F * u * f_size
+    )
     slope = rough(f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m))
     slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * m_size * s_size) * c_size
     steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
@@ -73,7 +76,9 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
     radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
 
-    wide_L, wide_x, wide_y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
+    wide_L, wide_x, wide_y = state(
+        at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar
+    )
     L = rough(wide_L)
     x = rough(wide_x)
     y = rough(wide_y)
@@ -97,7 +102,11 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
     side = 1.0 - 2.0 * nbar  # the sign of y, by n̄
     reach = 2.1 * off / sigma  # sin θ and sin θ* differ by less where y may be 0
-    monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < rough(at.sine))
+    monotone = (
+        (2.0 * reach * bend < steepness * c_size)
+        & (4.0 * reach < c_size * c_size)
+        & (reach < rough(at.sine))
+    )
     ordered = monotone & (absolute(y) <= y_error)
     member = (L > L_error) & ((side * y > y_error) | (ordered & (side * slope < 0.0)))
     outsider = (L < -L_error) | (side * y < -y_error) | (ordered & (side * slope > 0.0))
@@ -113,7 +122,9 @@ def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Poi
     The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and of
     sin θ and L over themselves.
     """
-    (K11, K12), (K21, K22) = stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar)
+    (K11, K12), (K21, K22) = stiffness(
+        at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar
+    )
     wide_trace, determinant, wide_flutter = invariants(K11, K12, K21, K22)
     trace = rough(wide_trace)
     flutter = rough(wide_flutter)
@@ -136,4 +147,6 @@ def apart(low: Real, low_radius: Real, high: Real, high_radius: Real) -> Flag:
     """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
     low_square = rough(low) * rough(low)
     high_square = rough(high) * rough(high)
-    return 2.0 * rough(high - low) > (low_radius + high_radius) * (1.0 + maximum(low_square, high_square))
+    return 2.0 * rough(high - low) > (low_radius + high_radius) * (
+        1.0 + maximum(low_square, high_square)
+    )

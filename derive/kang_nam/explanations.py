@@ -68,16 +68,16 @@ def _length_consequence(point: Point) -> str:
     length = free_body.spring_length(point, x, y)
     theta = mpmath.arg(free_body.anchor(point) - mpmath.mpc(x, y))
     printed = mpmath.sqrt((mpmath.cos(theta) - x) ** 2 + (mpmath.sin(theta) - y) ** 2)
-    return (
-        f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} where L = {show(length)}"
-    )
+    return f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} where L = {show(length)}"
 
 
 def _preload_evidence() -> tuple[bool, str]:
     point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
     x, y, one = mpf(2) / 7, -mpf(1) / 9, mpf(1)
     gap = abs(free_body.forces(point, x, y, one)[1] - free_body.energy_slope_y(point, x, y, one))
-    return gap < mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
+    return gap < mpf(
+        10
+    ) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
 
 
 def _preload_consequence(point: Point) -> str:
@@ -95,7 +95,10 @@ def _force_scale_evidence() -> tuple[bool, str]:
     contact_stiffness = units.force / units.length
     dimensions = {
         name: dimsys_SI.get_dimensional_dependencies(units.force / scale)
-        for name, scale in (("printed", contact_stiffness), ("right", contact_stiffness * units.length))
+        for name, scale in (
+            ("printed", contact_stiffness),
+            ("right", contact_stiffness * units.length),
+        )
     }
     holds = dimensions["right"] == {} and dimensions["printed"] == {units.length: 1}
     return holds, "dimensional analysis: N/k_c is a length, N/(k_c L_o) a number"
@@ -114,10 +117,14 @@ def _force_scale_consequence(point: Point) -> str:
 def _liftoff_polynomial(point: Point, constant: str) -> list[mpf]:
     """Lift-off coefficients d₄ … d₀ written out from A6–A9, with the constant term of either reading."""
     theta0 = point.number("theta0")
-    alpha, sigma, beta, kappa, mu0 = (point.number(name) for name in ("alpha", "sigma", "beta", "kappa", "mu0"))
+    alpha, sigma, beta, kappa, mu0 = (
+        point.number(name) for name in ("alpha", "sigma", "beta", "kappa", "mu0")
+    )
     c0, s0 = mpmath.cos(theta0), mpmath.sin(theta0)
     p, q, b3, b4 = alpha + sigma, beta + sigma, -alpha * c0, -beta * s0 - kappa
-    first, second = (b3, b4) if constant == "right" else (-alpha * c0 - mu0 * s0, -(beta + 1) * s0 - kappa)
+    first, second = (
+        (b3, b4) if constant == "right" else (-alpha * c0 - mu0 * s0, -(beta + 1) * s0 - kappa)
+    )
     return [
         -((p * q) ** 2),
         2 * sigma * p * q * (p + q),
@@ -129,9 +136,13 @@ def _liftoff_polynomial(point: Point, constant: str) -> list[mpf]:
 
 def _constant_evidence() -> tuple[bool, str]:
     point = Point()
-    lengths = [free_body.spring_length(point, x, y) for x, y in free_body.equilibria(point, contact=0)]
+    lengths = [
+        free_body.spring_length(point, x, y) for x, y in free_body.equilibria(point, contact=0)
+    ]
     residuals = {
-        reading: max(abs(mpmath.polyval(_liftoff_polynomial(point, reading), length)) for length in lengths)
+        reading: max(
+            abs(mpmath.polyval(_liftoff_polynomial(point, reading), length)) for length in lengths
+        )
         for reading in ("right", "printed")
     }
     return (
@@ -208,7 +219,11 @@ def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
     """Whether an expression tends to 0 as V → ∞, and as d → ∞ with V > 0."""
     d, V = sp.symbols("d V", positive=True)
     plain = difference.subs({nm.creep: d, nm.V: V})
-    return plain.has(V) and sp.limit(sp.expand(plain), V, sp.oo) == 0 and sp.limit(sp.expand(plain), d, sp.oo) == 0
+    return (
+        plain.has(V)
+        and sp.limit(sp.expand(plain), V, sp.oo) == 0
+        and sp.limit(sp.expand(plain), d, sp.oo) == 0
+    )
 
 
 def _friction_slope() -> sp.Expr:
@@ -218,8 +233,12 @@ def _friction_slope() -> sp.Expr:
 
 APPROXIMATIONS: dict[str, Approximation] = {
     "eq-12": Approximation(
-        latex=r"F_x = \frac{\sigma}{L}(1-L)(\cos\theta_o - x) + \alpha x - " + nm.latex(mechanics.steady_friction()) + " n = 0",
-        expression=nm.sigma / nm.L * (1 - nm.L) * (nm.c0 - nm.x) + nm.alpha * nm.x - mechanics.steady_friction() * nm.n,
+        latex=r"F_x = \frac{\sigma}{L}(1-L)(\cos\theta_o - x) + \alpha x - "
+        + nm.latex(mechanics.steady_friction())
+        + " n = 0",
+        expression=nm.sigma / nm.L * (1 - nm.L) * (nm.c0 - nm.x)
+        + nm.alpha * nm.x
+        - mechanics.steady_friction() * nm.n,
         limit="d V → ∞ on a belt that runs forward, V > 0: at steady sliding (10) gives μ = μ_o (1 − exp(−d |V|)), not μ_o. From here on μ_o stands for the "
         "friction at steady sliding, which makes every later row exact",
         vanishes=_vanishes_at_full_slip,
@@ -230,7 +249,9 @@ APPROXIMATIONS: dict[str, Approximation] = {
         + r" & 0 \\ 0 & 0 \end{bmatrix} + \mathbf{K}) = 0",
         # n = −n̄ y at the equilibrium.
         expression=lambda K: (
-            article.lam**2 * sp.eye(2) + article.lam * sp.diag(-nm.nbar * nm.y * _friction_slope(), 0) + K
+            article.lam**2 * sp.eye(2)
+            + article.lam * sp.diag(-nm.nbar * nm.y * _friction_slope(), 0)
+            + K
         ).det(),
         limit="d V → ∞, V > 0: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, from ∂μ/∂x'",
         vanishes=_vanishes_at_full_slip,

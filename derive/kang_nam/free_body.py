@@ -43,9 +43,13 @@ def anchor(point: Point, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
     return arithmetic.expj(point.number("theta0", arithmetic))
 
 
-def forces(point: Point, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp) -> tuple[mpf, mpf]:
+def forces(
+    point: Point, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp
+) -> tuple[mpf, mpf]:
     """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact stiffness over k_c."""
-    sigma, alpha, mu0, beta, kappa = (point.number(name, arithmetic) for name in ("sigma", "alpha", "mu0", "beta", "kappa"))
+    sigma, alpha, mu0, beta, kappa = (
+        point.number(name, arithmetic) for name in ("sigma", "alpha", "mu0", "beta", "kappa")
+    )
     spring = anchor(point, arithmetic) - arithmetic.mpc(x, y)
     pull = sigma * (abs(spring) - 1) * spring / abs(spring)
     push = -contact * y
@@ -73,7 +77,9 @@ def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpf, mpf
 
     def root(arithmetic: Any, start: tuple[Any, Any], **options: Any) -> Any:
         stiffness = arithmetic.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
-        return arithmetic.findroot(lambda x, y: forces(point, x, y, stiffness, arithmetic), start, **options)
+        return arithmetic.findroot(
+            lambda x, y: forces(point, x, y, stiffness, arithmetic), start, **options
+        )
 
     found: list[tuple[mpf, mpf]] = []
     for start in _STARTS:
@@ -82,13 +88,17 @@ def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpf, mpf
             rough = root(mpmath.fp, (position.real, position.imag), maxsteps=30)
         except (ValueError, ZeroDivisionError):
             continue
-        if (rough[1] < 0) == (contact > 0) and all(abs(rough[0] - x) + abs(rough[1] - y) > 1e-7 for x, y in found):
+        if (rough[1] < 0) == (contact > 0) and all(
+            abs(rough[0] - x) + abs(rough[1] - y) > 1e-7 for x, y in found
+        ):
             found.append(tuple(root(mpmath.mp, tuple(map(mpf, rough)))))
     return sorted(found)
 
 
 #: Spring vectors to start from: directions all around, two lengths.
-_STARTS = [cmath.rect(length, (2 * step + 1) * cmath.pi / 8) for length in (1, 0.5) for step in range(8)]
+_STARTS = [
+    cmath.rect(length, (2 * step + 1) * cmath.pi / 8) for length in (1, 0.5) for step in range(8)
+]
 
 
 def spring_length(point: Point, x: mpf, y: mpf) -> mpf:

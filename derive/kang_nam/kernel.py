@@ -181,26 +181,52 @@ def tame(parameter: Real) -> Flag:
 
 def moderate(point: Point) -> Flag:
     """Whether double-double arithmetic is as good as its bounds say at this point."""
-    across = (rough(point.sin0) > SMALLEST_WIDE) & tame(rough(point.sigma)) & tame(rough(point.beta)) & tame(pressed(point))
+    across = (
+        (rough(point.sin0) > SMALLEST_WIDE)
+        & tame(rough(point.sigma))
+        & tame(rough(point.beta))
+        & tame(pressed(point))
+    )
     return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (rough(point.kappa) > 0.0)
 
 
 def balance(point: Point) -> Balance:
     """f of the point: coefficients and sizes over the largest coefficient."""
-    a, b, d, m = f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar)
+    a, b, d, m = f_coefficients(
+        point.cos0,
+        point.sin0,
+        point.mu0,
+        point.kappa,
+        point.alpha,
+        point.sigma,
+        point.beta,
+        point.nbar,
+    )
     a_size, d_size = f_magnitudes(
-        rough(point.cos0), rough(point.sin0), rough(point.mu0), rough(point.kappa), rough(point.alpha), rough(point.sigma),
-        rough(point.beta), rough(point.nbar),
-    )  # fmt: skip
+        rough(point.cos0),
+        rough(point.sin0),
+        rough(point.mu0),
+        rough(point.kappa),
+        rough(point.alpha),
+        rough(point.sigma),
+        rough(point.beta),
+        rough(point.nbar),
+    )
     # m = μ₀ σ n̄ is not negative.
-    scale = maximum(maximum(absolute(rough(a)), absolute(rough(b))), maximum(absolute(rough(d)), rough(m)))
+    scale = maximum(
+        maximum(absolute(rough(a)), absolute(rough(b))), maximum(absolute(rough(d)), rough(m))
+    )
     over = 1.0 / scale
     return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
 
 
 def representable(line: Balance) -> Flag:
     """Whether double precision can carry the quartic of this balance."""
-    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (rough(line.b) <= -SMALLEST_RATIO)
+    return (
+        (line.scale > SMALLEST_SCALE)
+        & (line.scale < LARGEST_SCALE)
+        & (rough(line.b) <= -SMALLEST_RATIO)
+    )
 
 
 # ---------------------------------------------------------------------------------------------- the number of roots
@@ -217,7 +243,9 @@ def depressed_size(a_size: Real, b_size: Real, d_size: Real, m_size: Real) -> De
     r1_size = 0.25 * (a_size * a_size + b_size * b_size + d_size * d_size)
     r0_size = 0.25 * b_size * (a_size * d_size + m_size * b_size)
     mean = m_size / 3.0
-    return Depressed((r1_size + m_size * mean) / 3.0, 0.5 * (r0_size + mean * (r1_size + 2.0 * mean * mean)))
+    return Depressed(
+        (r1_size + m_size * mean) / 3.0, 0.5 * (r0_size + mean * (r1_size + 2.0 * mean * mean))
+    )
 
 
 def cubic(a: Real, b: Real, d: Real, m: Real) -> Cubic:
@@ -416,4 +444,11 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     inner = maximum(a1, b1)
     outer = minimum(a2, b2)
     count = where(contact, 1.0, 2.0) + where(more, 2.0, 0.0)
-    return Guesses(minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2), count, spared | real)
+    return Guesses(
+        minimum(a1, b1),
+        minimum(inner, outer),
+        maximum(inner, outer),
+        maximum(a2, b2),
+        count,
+        spared | real,
+    )

@@ -56,11 +56,16 @@ def markdown(ledger: Ledger, header: str) -> str:
         "",
         "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + \\sigma$, $q = B + \\sigma$.",
         "",
-        "Outcome: " + ", ".join(f"{count} {status}" for status, count in summary(ledger.rows).items()) + ".",
+        "Outcome: "
+        + ", ".join(f"{count} {status}" for status, count in summary(ledger.rows).items())
+        + ".",
         "",
         "| row | where | status | derived by |",
         "|---|---|---|---|",
-        *(f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | `{row.derived_by}` |" for row in ledger.rows),
+        *(
+            f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | `{row.derived_by}` |"
+            for row in ledger.rows
+        ),
         "",
         "## Rows that differ from the print",
         "",
@@ -72,7 +77,12 @@ def markdown(ledger: Ledger, header: str) -> str:
     for row in ledger.rows:
         if row.status in _AS_PRINTED:
             lines += _section(row)
-    lines += ["## Identities", "", *(f"- {_mark(holds)} {claim}" for claim, holds in ledger.identities.items()), ""]
+    lines += [
+        "## Identities",
+        "",
+        *(f"- {_mark(holds)} {claim}" for claim, holds in ledger.identities.items()),
+        "",
+    ]
     lines += [
         "## One or three",
         "",
@@ -80,7 +90,10 @@ def markdown(ledger: Ledger, header: str) -> str:
         "with multiplicity, and of three different ones the middle one is divergent. With s = sin θ and s* = s₀ − κ/σ, each "
         "step decided by exact algebra:",
         "",
-        *(f"{number}. {_mark(step.holds)} {step.claim}" for number, step in enumerate(ledger.theorem, 1)),
+        *(
+            f"{number}. {_mark(step.holds)} {step.claim}"
+            for number, step in enumerate(ledger.theorem, 1)
+        ),
         "",
         "## The lowest fold",
         "",
@@ -88,7 +101,10 @@ def markdown(ledger: Ledger, header: str) -> str:
         "the cusps with 0 < θ₀ < π/2 and μ₀ ≥ 0; the points with 0 < θ₀ < π/2, μ₀ > 0 and f″ < 0 at which the curve of folds turns back, "
         "f = f′ = f_θ₀ = 0; the folds at θ₀ = 0 with μ₀ > 0 and f″ < 0. Where there is none of these it never ends:",
         "",
-        *(f"{number}. {_mark(step.holds)} {step.claim}" for number, step in enumerate(ledger.lowest_fold, 1)),
+        *(
+            f"{number}. {_mark(step.holds)} {step.claim}"
+            for number, step in enumerate(ledger.lowest_fold, 1)
+        ),
         "",
     ]
     return "\n".join(lines)
@@ -96,7 +112,10 @@ def markdown(ledger: Ledger, header: str) -> str:
 
 def side_by_side(printed: str, derived: str) -> list[str]:
     """Two forms, one above the other, as Markdown."""
-    rows = [rf"&\text{{{name}:}} && {latex}" for name, latex in (("printed", printed), ("derived", derived))]
+    rows = [
+        rf"&\text{{{name}:}} && {latex}"
+        for name, latex in (("printed", printed), ("derived", derived))
+    ]
     return ["```math", r"\begin{aligned}", rows[0] + r" \\", rows[1], r"\end{aligned}", "```"]
 
 
@@ -108,7 +127,14 @@ def _section(row: Row) -> list[str]:
     if row.status in _AS_PRINTED:
         lines = [f"### {row.id}", "", f"```math\n{row.printed}\n```", ""]
     else:
-        lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**.", "", *side_by_side(row.printed, row.derived), ""]
+        lines = [
+            f"### {row.id}",
+            "",
+            f"{row.where}: **{row.status}**.",
+            "",
+            *side_by_side(row.printed, row.derived),
+            "",
+        ]
         lines += ["Printed less derived:", "", f"```math\n{row.difference}\n```", ""]
     for title, text in (
         ("Note", row.note),

@@ -12,24 +12,49 @@ from ..emit.quantities import Interval, Quantity, written
 
 #: Algebra that a library in another language offers to its callers.
 PUBLIC = (
-    "contact_quartic", "liftoff_quartic", "f_coefficients", "f", "f_slope", "f_curvature",
-    "t_quartic", "resolvent", "state", "residuals", "stiffness", "invariants", "damping", "characteristic",
-    "spring_length", "friction", "rhs", "regime_rhs", "regime_jacobian", "energy",
-)  # fmt: skip
+    "contact_quartic",
+    "liftoff_quartic",
+    "f_coefficients",
+    "f",
+    "f_slope",
+    "f_curvature",
+    "t_quartic",
+    "resolvent",
+    "state",
+    "residuals",
+    "stiffness",
+    "invariants",
+    "damping",
+    "characteristic",
+    "spring_length",
+    "friction",
+    "rhs",
+    "regime_rhs",
+    "regime_jacobian",
+    "energy",
+)
 
 #: The functions of the page that the library has, and the equations that are in them.
 OF_PAGE = {
-    "rhs": "(8)–(11)", "regime_rhs": "(8)–(10)", "regime_jacobian": "(8)–(10)", "regime_by_parameters": "(8)–(10)",
-    "energy": "(1), (2)", "friction_force": "(8)",
-}  # fmt: skip
+    "rhs": "(8)–(11)",
+    "regime_rhs": "(8)–(10)",
+    "regime_jacobian": "(8)–(10)",
+    "regime_by_parameters": "(8)–(10)",
+    "energy": "(1), (2)",
+    "friction_force": "(8)",
+}
 #: Those that take no more than they read; the others take all that a motion is given.
 _SHORT = ("energy", "friction_force")
 
 #: What solvers call on double-double numbers: functions of the kernel with the kinds of their arguments.
 WIDELY = (
-    ("balance", ("Point",)), ("moderate", ("Point",)), ("representable", ("Balance",)), ("guesses", ("Point", "Balance", "Real")),
-    ("at_root", ("Wide", "Point", "Balance", "Real")), ("apart", ("Wide", "Real", "Wide", "Real")),
-)  # fmt: skip
+    ("balance", ("Point",)),
+    ("moderate", ("Point",)),
+    ("representable", ("Balance",)),
+    ("guesses", ("Point", "Balance", "Real")),
+    ("at_root", ("Wide", "Point", "Balance", "Real")),
+    ("apart", ("Wide", "Real", "Wide", "Real")),
+)
 
 #: What spragsym/kang_nam/quartic/_compiled.c calls of the kernel besides.
 ASKED = ("one_or_three",)
@@ -55,14 +80,21 @@ def material(generated: Callable[[str], str]) -> targets.Material:
     """What every target prints."""
     package, table = generated("__init__.py"), _run(generated("quantities.py"))
     names = re.findall(r"^- :mod:`(\w+)`", package, re.MULTILINE)
-    parts = [definitions.of_module(generated(f"{name}.py")) for name in names if name not in _NO_ALGEBRA]
+    parts = [
+        definitions.of_module(generated(f"{name}.py")) for name in names if name not in _NO_ALGEBRA
+    ]
     modules = (*parts, _of_page(generated("models/kang_nam/algebra.py")))
     solver, arithmetic = kernel(), double_doubles()
     functions = {function.name: function for module in modules for function in module}
     return targets.Material(
         modules=modules,
         kernel=solver,
-        counts={name: float(value) for name, value in re.findall(r"^(COUNT_\w+) = (.+)$", generated("kernel.py"), re.MULTILINE)},
+        counts={
+            name: float(value)
+            for name, value in re.findall(
+                r"^(COUNT_\w+) = (.+)$", generated("kernel.py"), re.MULTILINE
+            )
+        },
         quantities={
             name: Quantity(name, article, meaning, unit, written(Interval(*ends)))
             for name, (article, meaning, unit, *ends) in table["QUANTITIES"].items()
@@ -74,7 +106,11 @@ def material(generated: Callable[[str], str]) -> targets.Material:
         header=package.split("\n\n")[2].partition("\n")[0],
         summary=SUMMARY,
         runtime={
-            folder.name: {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir()) if path.is_file()}
+            folder.name: {
+                path.name: path.read_text(encoding="utf-8")
+                for path in sorted(folder.iterdir())
+                if path.is_file()
+            }
             for folder in sorted((_HERE / "runtime").iterdir())
         },
         asked=ASKED,
@@ -101,7 +137,9 @@ def _of_page(text: str) -> tuple[Definition, ...]:
 
 def _library_form(function: Definition, equations: str) -> Definition:
     form = function.spelled(_spelled)
-    statements = tuple((name, value) for name, value in form.statements if not name.startswith("near"))
+    statements = tuple(
+        (name, value) for name, value in form.statements if not name.startswith("near")
+    )
     arguments = tuple(name for name in form.arguments if not name.startswith("near"))
     if function.name in _SHORT:
         arguments = tuple(name for name in arguments if name in form.read)

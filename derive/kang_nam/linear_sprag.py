@@ -18,7 +18,10 @@ def balance() -> sp.Matrix:
     stretch = nm.x * nm.c0 + nm.y * nm.s0
     energy = nm.sigma * stretch**2 / 2
     page = mechanics.of_page()
-    along, across = (mechanics.in_article(page, row).subs({nm.mu: nm.mu0, nm.nbar: 1}) for row in page.residuals_apart)
+    along, across = (
+        mechanics.in_article(page, row).subs({nm.mu: nm.mu0, nm.nbar: 1})
+        for row in page.residuals_apart
+    )
     return sp.Matrix([along + sp.diff(energy, nm.x), across + sp.diff(energy, nm.y)])
 
 
@@ -39,7 +42,9 @@ def equilibrium() -> Pair:
 def pole_friction() -> sp.Expr:
     """μ₀ at which the displacement is infinite, as a function of T = tan θ₀."""
     determinant = stiffness().det()
-    on_tangent = sp.cancel(determinant.subs(nm.s0, nm.T * nm.c0) / nm.c0**2).subs(nm.c0, 1 / sp.sqrt(1 + nm.T**2))
+    on_tangent = sp.cancel(determinant.subs(nm.s0, nm.T * nm.c0) / nm.c0**2).subs(
+        nm.c0, 1 / sp.sqrt(1 + nm.T**2)
+    )
     (friction,) = sp.solve(sp.expand(sp.simplify(on_tangent)), nm.mu0)
     return sp.collect(sp.cancel(friction), nm.T)
 
@@ -67,6 +72,7 @@ def identities() -> dict[str, bool]:
     return {
         "its stiffness is K at x = y = 0": all(unit_circles.equal(entry, 0) for entry in gap),
         "its displacement solves K (x, y) = (0, −κ)": all(
-            unit_circles.equal(entry, 0) for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
+            unit_circles.equal(entry, 0)
+            for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
         ),
     }

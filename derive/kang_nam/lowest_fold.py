@@ -46,7 +46,11 @@ def quadratics_in_parts() -> tuple[Row, Row]:
     """:func:`turning_quadratics` in terms of the parts."""
     middle = nm.sigma * nm.p * nm.B - threshold * lean - nm.q * nm.s * square * weight
     slope = nm.sigma * lean, middle, -nm.p * nm.B * threshold
-    return slope, (constant**2 - square * weight**2, 2 * constant * along, along**2 + square * weight**2)
+    return slope, (
+        constant**2 - square * weight**2,
+        2 * constant * along,
+        along**2 + square * weight**2,
+    )
 
 
 @cache
@@ -55,14 +59,22 @@ def turning_quadratics() -> tuple[Row, Row]:
 
     The first is f_θ₀ with the friction of a fold and cos θ₀ of :func:`turning_line`, the second sin² θ₀ + cos² θ₀ = 1 with it.
     """
-    slope, circle = (tuple(value.subs(PARTS).subs(PARTS) for value in row) for row in quadratics_in_parts())
+    slope, circle = (
+        tuple(value.subs(PARTS).subs(PARTS) for value in row) for row in quadratics_in_parts()
+    )
     w, l0, l1 = turning_line()
     (friction,) = sp.solve(catastrophe.fold_residuals()[0], nm.M)
-    derived = by_inclination(elimination.f_in_parameters()).subs(nm.M, friction).subs(nm.c0, (l0 + l1 * nm.s0) / (w * nm.c))
+    derived = (
+        by_inclination(elimination.f_in_parameters())
+        .subs(nm.M, friction)
+        .subs(nm.c0, (l0 + l1 * nm.s0) / (w * nm.c))
+    )
     arranged = unit_circles.polynomial(slope, nm.s0) * nm.alpha / (w * nm.c**2)
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
     gap = sp.numer(sp.together((derived - arranged).subs(elimination.f_coefficients()).subs(POLES)))
-    unit_circles.require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
+    unit_circles.require(
+        sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold"
+    )
     return slope, circle
 
 
@@ -79,7 +91,10 @@ def turning_polynomial() -> Row:
     The resultant of :func:`turning_quadratics` is −κ (s² − 1) w² times it. Contact only, and α > 0.
     """
     spelled = {nm.fa: elimination.f_coefficients()[nm.fa]}
-    one, two = (tuple(sp.expand(value.subs(spelled).subs(POLES)) for value in row) for row in turning_quadratics())
+    one, two = (
+        tuple(sp.expand(value.subs(spelled).subs(POLES)) for value in row)
+        for row in turning_quadratics()
+    )
     outer, upper, lower = map(sp.expand, minors(one, two))
     factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * PARTS[weight].subs(POLES) ** 2), nm.s)
     quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), nm.s), factor)
@@ -96,9 +111,13 @@ def identities() -> dict[str, bool]:
     root = -outer / upper
     values = (unit_circles.polynomial(row, root) for row in (one, two))
     return {
-        "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree 9": len(turning_polynomial()) == 10,
+        "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree 9": len(
+            turning_polynomial()
+        )
+        == 10,
         "two quadratics whose resultant is 0 have the common root that turning_sine names": all(
-            sp.cancel(value * upper**2 - row[2] * resultant) == 0 for value, row in zip(values, (one, two), strict=True)
+            sp.cancel(value * upper**2 - row[2] * resultant) == 0
+            for value, row in zip(values, (one, two), strict=True)
         ),
     }
 
@@ -121,13 +140,16 @@ def _start() -> tuple[Step, ...]:
     lift = kappa - (beta + 1) * (nm.s - s0)
     return (
         *theorem.smallest_without_friction(),
-        Step("without friction α x = σ (L − 1) cos θ", sp.expand(at_rest - (nm.alpha * (nm.c0 - L * nm.c) + nm.sigma * (1 - L) * nm.c)) == 0),
+        Step(
+            "without friction α x = σ (L − 1) cos θ",
+            sp.expand(at_rest - (nm.alpha * (nm.c0 - L * nm.c) + nm.sigma * (1 - L) * nm.c)) == 0,
+        ),
         Step(
             "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence L cos θ < cos θ₀ and x > 0, against α x < 0, so "
             "that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = 1, sin θ > sin θ₀): the one state with cos θ > 0 is the one of small deformation",
             sp.expand(stretch - lift) == 0,
         ),
-    )  # fmt: skip
+    )
 
 
 def _inclined_backward() -> tuple[Step, ...]:
@@ -136,7 +158,9 @@ def _inclined_backward() -> tuple[Step, ...]:
     a, rise, friction = sp.symbols("a rise friction", nonnegative=True)
     lean, sine, push = sp.symbols("lean sine push", positive=True)  # −cos θ, sin θ and −M q y
     in_friction = {nm.fm: nm.M * nm.sigma}
-    pull = relations[nm.fd] - elimination.f_coefficients()[nm.fd].subs(nm.c0, 0)  # q α cos θ₀ on a fold
+    pull = relations[nm.fd] - elimination.f_coefficients()[nm.fd].subs(
+        nm.c0, 0
+    )  # q α cos θ₀ on a fold
     parts = -nm.fa * nm.c**3 + nm.fm * nm.s * nm.c**2, -nm.M * nm.q * elimination.state()[nm.y]
     turned = parts[0].subs({nm.fa: a, nm.c: -lean, nm.s: sine, nm.fm: friction}) + push
     upright = in_contact(nm.fa * nm.s + nm.fb).subs({s0: 1, nm.s: sine})
@@ -155,11 +179,16 @@ def _inclined_backward() -> tuple[Step, ...]:
         Step(
             "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference state has cos θ ≤ 0, friction moves "
             "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
-            sp.expand((f - nm.c * (nm.fa * nm.s + nm.fb)).subs(elimination.f_coefficients()).subs({nm.M: 0, nm.c0: 0})) == 0
+            sp.expand(
+                (f - nm.c * (nm.fa * nm.s + nm.fb))
+                .subs(elimination.f_coefficients())
+                .subs({nm.M: 0, nm.c0: 0})
+            )
+            == 0
             and sp.expand(upright + bound + sigma * (beta + 1) * (1 - sine)) == 0
             and manifestly_positive(bound + sigma * (beta + 1) * rise),
         ),
-    )  # fmt: skip
+    )
 
 
 def _follow() -> tuple[Step, ...]:
@@ -181,7 +210,8 @@ def _follow() -> tuple[Step, ...]:
             "along the folds of f″ ≠ 0 dμ₀/dθ₀ = −f_θ₀/f_μ₀: the least friction of those with f″ < 0 is that of a cusp (f″ = 0), of a turn "
             "(f_θ₀ = 0), or at an end of the angles, θ₀ = 0: f ≠ 0 keeps folds away from sin θ = 0 and y = 0, the steps above from "
             "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, which is simple, and has f″ > 0",
-            sp.expand(elimination.f_form.subs(nm.s, 0) - nm.fb * nm.c) == 0 and bool(_inclined_backward()),
+            sp.expand(elimination.f_form.subs(nm.s, 0) - nm.fb * nm.c) == 0
+            and bool(_inclined_backward()),
         ),
         Step(
             "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on a fold with μ₀ > 0: the least is at a cusp or at "
@@ -189,4 +219,4 @@ def _follow() -> tuple[Step, ...]:
             sp.expand((turning_line()[0] - nm.kappa * nm.sigma).subs(POLES).subs(nm.alpha, 0)) == 0
             and all(value.subs(nm.alpha, 0) == 0 for value in turning_line()[1:]),
         ),
-    )  # fmt: skip
+    )

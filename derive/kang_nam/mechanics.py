@@ -50,7 +50,10 @@ def _require(model: Mechanics) -> None:
     becomes = {datum.becomes for datum in model.page.parameters}
     published = {str(symbol) for symbol in PUBLISHED}
     places, here = {"x", "y"}, {str(symbol) for symbol in model.coordinates}
-    for what, missing in (("parameter that becomes", published - becomes), ("coordinate", places - here)):
+    for what, missing in (
+        ("parameter that becomes", published - becomes),
+        ("coordinate", places - here),
+    ):
         if missing:
             raise ArithmeticError(
                 f"the article's page has no {what} {', '.join(sorted(missing))}, which its closed forms are about"
@@ -63,7 +66,9 @@ def _require(model: Mechanics) -> None:
     for datum in model.page.parameters:
         entry = nm.quantities().get(datum.becomes)
         if entry is not None and datum.becomes not in published:
-            raise ArithmeticError(f"{datum.becomes} is {entry.meaning} in the article; give this parameter another name")
+            raise ArithmeticError(
+                f"{datum.becomes} is {entry.meaning} in the article; give this parameter another name"
+            )
 
 
 @cache
@@ -95,7 +100,10 @@ def quantities() -> dict[str, Quantity]:
     found = {**nm.quantities()}
     for it in page().parameters:
         symbol = symbol_of(it)
-        found.setdefault(str(symbol), Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain))
+        found.setdefault(
+            str(symbol),
+            Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain),
+        )
     for it in page().parameters:
         symbol = _measured(it)
         found.setdefault(str(symbol), Quantity(symbol, it.latex, it.meaning, it.unit, it.domain))
@@ -106,11 +114,17 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
     """An expression of the general way in the article's symbols: in x, y, and L for the length of the inclined spring."""
     names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
     scaled = {number(datum): symbol_of(datum) for datum in page().parameters}
-    names |= scaled if model is of_page() else {datum.symbol: _measured(datum) for datum in page().parameters}
+    names |= (
+        scaled
+        if model is of_page()
+        else {datum.symbol: _measured(datum) for datum in page().parameters}
+    )
     known = {
-        *(unit.symbol for unit in page().units), *model.coordinates, *model.rates,
+        *(unit.symbol for unit in page().units),
+        *model.coordinates,
+        *model.rates,
         *(part for angle in model.angles for part in (angle.c, angle.s)),
-    }  # fmt: skip
+    }
     names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in known}
     directions: dict[sp.Basic, sp.Expr] = {}
     for line in model.lines:
@@ -148,7 +162,12 @@ def replace_length(expression: sp.Expr) -> sp.Expr:
     square = sp.expand(spring_length() ** 2)
 
     def is_length(node: sp.Basic) -> bool:
-        return isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q == 2 and sp.expand(node.base - square) == 0
+        return (
+            isinstance(node, sp.Pow)
+            and node.exp.is_Rational
+            and node.exp.q == 2
+            and sp.expand(node.base - square) == 0
+        )
 
     return expression.replace(is_length, lambda node: nm.L ** (2 * node.exp))
 
@@ -166,7 +185,9 @@ class Motion(NamedTuple):
 def _motion(model: Mechanics, contact: sp.Symbol) -> Motion:
     general = General(model)
     accelerations = dict(zip(general.named, (AX, AY), strict=True))
-    along, across = (sp.expand(in_article(model, row.subs(accelerations))) for row in general.balance(contact))
+    along, across = (
+        sp.expand(in_article(model, row.subs(accelerations))) for row in general.balance(contact)
+    )
     return Motion(along, across)
 
 
@@ -186,7 +207,10 @@ def motion() -> Motion:
 def scales() -> dict[str, sp.Expr]:
     """Scales of length, time and force of the text after (9): the products of the units of measure with these dimensions."""
     named = {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}
-    return {name: in_article(_with_units(), physical_checks.scale(page(), dimension)) for name, dimension in named.items()}
+    return {
+        name: in_article(_with_units(), physical_checks.scale(page(), dimension))
+        for name, dimension in named.items()
+    }
 
 
 @cache
@@ -205,7 +229,9 @@ def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
 def _contact(model: Mechanics) -> sp.Expr:
     """The contact's force below the gap, and above it."""
     assert model.gap is not None
-    pushing, gap = (in_article(model, part) for part in (model.law.subs(DEPTH, -model.gap), model.gap))
+    pushing, gap = (
+        in_article(model, part) for part in (model.law.subs(DEPTH, -model.gap), model.gap)
+    )
     return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if model.unilateral else pushing, True))
 
 

@@ -13,7 +13,9 @@ from ..emit.quantities import Quantity
 _QUANTITIES: dict[sp.Symbol, Quantity] = {}
 
 
-def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real", scale: str = "") -> sp.Symbol:
+def _define(
+    code: str, article: str, meaning: str, unit: str = "1", domain: str = "real", scale: str = ""
+) -> sp.Symbol:
     # Positive is all that SymPy must know to simplify the square root in the spring length. A proof that relies on other signs
     # states them itself.
     symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
@@ -21,7 +23,13 @@ def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str 
 
 
 def _scaled(
-    code: str, article: str, measured: str, scale: str, remark: str = "", domain: str = "real", meaning: str = ""
+    code: str,
+    article: str,
+    measured: str,
+    scale: str,
+    remark: str = "",
+    domain: str = "real",
+    meaning: str = "",
 ) -> sp.Symbol:
     """A quantity over its scale; the remark says more about its values."""
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
@@ -37,7 +45,9 @@ def _local(code: str, meaning: str) -> sp.Symbol:
 
 def _enter(entry: Quantity) -> sp.Symbol:
     if any(str(entry.symbol) == str(other) for other in _QUANTITIES):
-        raise ValueError(f"{entry.symbol} stands in the nomenclature twice; give the second quantity another name")
+        raise ValueError(
+            f"{entry.symbol} stands in the nomenclature twice; give the second quantity another name"
+        )
     _QUANTITIES[entry.symbol] = entry
     return entry.symbol
 
@@ -65,7 +75,9 @@ alpha = _define("alpha", r"\alpha", "stiffness ratio k_x / k_c", domain=">= 0")
 sigma = _define("sigma", r"\sigma", "stiffness ratio k / k_c", domain="> 0")
 beta = _define("beta", r"\beta", "stiffness ratio k_y / k_c", domain=">= 0")
 V = _scaled("V", "V", "belt speed", "L_0 sqrt(k_c/m)")
-creep = _scaled("d", "d", "steepness of the friction law in creep", "1/(L_0 sqrt(k_c/m))", domain="> 0")
+creep = _scaled(
+    "d", "d", "steepness of the friction law in creep", "1/(L_0 sqrt(k_c/m))", domain="> 0"
+)
 nbar = _define("nbar", r"\overline{n}", "1 in contact, 0 in lift-off", domain="{0, 1}")
 
 # State.
@@ -97,12 +109,18 @@ fd = _define("d_f", "d", "coefficient of sin θ in f")
 fm = _define("m_f", "m", "coefficient of −sin² θ in f")
 
 # Arguments of emitted functions that stand for no quantity of the article.
-side = _local("side", "sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead")
+side = _local(
+    "side", "sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead"
+)
 T = _define("T", "T", "tan θ₀", domain="> 0")
 C11 = _local("C11", "damping ∂F_x/∂x'")
-fa_v, fb_v, fd_v, fm_v = (_local(f"{name}_v", f"derivative of {name} of f by the parameter that varies") for name in "abdm")
+fa_v, fb_v, fd_v, fm_v = (
+    _local(f"{name}_v", f"derivative of {name} of f by the parameter that varies")
+    for name in "abdm"
+)
 K11, K12, K21, K22 = (
-    _local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix") for place in ("11", "12", "21", "22")
+    _local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix")
+    for place in ("11", "12", "21", "22")
 )
 
 PARAMETERS = (mu0, kappa, alpha, sigma, beta)
@@ -118,6 +136,7 @@ def latex(expression: object) -> str:
     """LaTeX in the article's notation."""
     names = {symbol: entry.article for symbol, entry in _QUANTITIES.items()}
     spelled = sp.sympify(expression).subs(
-        {c: sp.cos(theta), s: sp.sin(theta), c0: sp.cos(theta0), s0: sp.sin(theta0)}, simultaneous=True
+        {c: sp.cos(theta), s: sp.sin(theta), c0: sp.cos(theta0), s0: sp.sin(theta0)},
+        simultaneous=True,
     )
     return str(sp.latex(spelled, symbol_names=names))

@@ -24,10 +24,16 @@ ADDED = {
 
 def identities() -> dict[str, bool]:
     """Each claim, and whether it holds."""
-    found = {"the general way gives K (28) and the damping about steady sliding": _linearization(_page("kang_nam"))}
+    found = {
+        "the general way gives K (28) and the damping about steady sliding": _linearization(
+            _page("kang_nam")
+        )
+    }
     for name, added in ADDED.items():
         zero = " = ".join([*added, "0"])
-        found[f"with {zero} the page {name} is the page kang_nam: balance, linearization and motion"] = _reduces(name, added)
+        found[
+            f"with {zero} the page {name} is the page kang_nam: balance, linearization and motion"
+        ] = _reduces(name, added)
     return found
 
 
@@ -42,13 +48,20 @@ def _polar(expression: sp.Expr) -> sp.Expr:
 
 def _equal(model: Mechanics, general: Row, special: Row) -> bool:
     pairs = zip(general, special, strict=True)
-    return all(unit_circles.equal(_polar(mechanics.in_article(model, ours)), _polar(theirs)) for ours, theirs in pairs)
+    return all(
+        unit_circles.equal(_polar(mechanics.in_article(model, ours)), _polar(theirs))
+        for ours, theirs in pairs
+    )
 
 
 def _linearization(model: Mechanics) -> bool:
-    K = tuple(entry.subs(MU, laws.friction_at_rest(model)) for entry in flat(statics.jacobian(model)))
+    K = tuple(
+        entry.subs(MU, laws.friction_at_rest(model)) for entry in flat(statics.jacobian(model))
+    )
     damped = tuple(linearization.damping(model))
-    return _equal(model, K, tuple(stability.stiffness())) and _equal(model, damped, tuple(stability.damping()))
+    return _equal(model, K, tuple(stability.stiffness())) and _equal(
+        model, damped, tuple(stability.damping())
+    )
 
 
 def _reduces(name: str, added: tuple[str, ...]) -> bool:
@@ -64,4 +77,7 @@ def _reduces(name: str, added: tuple[str, ...]) -> bool:
         (Motion(model).stored, Motion(article).stored),
     ]
     unit = tuple((line.c, line.s) for line in article.lines)
-    return all(sp.expand(algebra.difference(ours.subs(without), theirs, unit)) == 0 for ours, theirs in pairs)
+    return all(
+        sp.expand(algebra.difference(ours.subs(without), theirs, unit)) == 0
+        for ours, theirs in pairs
+    )

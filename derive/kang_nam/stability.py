@@ -15,9 +15,15 @@ def _gradient(expression: sp.Expr) -> Pair:
     """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
     length = mechanics.spring_length()
     polar = equilibrium.displacement()
-    slopes = {coordinate: mechanics.replace_length(sp.diff(length, coordinate)).subs(polar) for coordinate in polar}
+    slopes = {
+        coordinate: mechanics.replace_length(sp.diff(length, coordinate)).subs(polar)
+        for coordinate in polar
+    }
     return tuple(
-        sp.expand(sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, nm.L).subs(polar) * slope)
+        sp.expand(
+            sp.diff(expression, coordinate).subs(polar)
+            + sp.diff(expression, nm.L).subs(polar) * slope
+        )
         for coordinate, slope in slopes.items()
     )
 
@@ -31,7 +37,9 @@ def stiffness() -> sp.Matrix:
 @cache
 def damping() -> sp.Matrix:
     """∂(F_x, F_y)/∂(x', y') at steady sliding: the term that (27) leaves out, in y, μ₀, d and V."""
-    forces = sp.Matrix(mechanics.motion()).subs({nm.mu: mechanics.smooth_friction(sp.S.One), nm.n: mechanics.contact_family()})
+    forces = sp.Matrix(mechanics.motion()).subs(
+        {nm.mu: mechanics.smooth_friction(sp.S.One), nm.n: mechanics.contact_family()}
+    )
     return sp.simplify(forces.jacobian([nm.vx, nm.vy]).subs(mechanics.AT_REST))
 
 
@@ -67,11 +75,15 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         friction * preload - nm.sigma * nm.c,
         nm.p * nm.c - friction * nm.sigma * nm.s,
     )
-    sine, cosine = ((constant + slope * nm.L).subs(equilibrium.POLES) for constant, slope in (lines[:2], lines[2:]))
+    sine, cosine = (
+        (constant + slope * nm.L).subs(equilibrium.POLES)
+        for constant, slope in (lines[:2], lines[2:])
+    )
     gaps = [in_contact(force).subs(nm.s0, sine) for force in equilibrium.balance()]
     gaps[0] -= nm.alpha * nm.c0 - cosine
     unit_circles.require(
-        all(unit_circles.equal(gap, 0) for gap in gaps), "the balance at a direction, linear in the spring length"
+        all(unit_circles.equal(gap, 0) for gap in gaps),
+        "the balance at a direction, linear in the spring length",
     )
     return lines
 
@@ -87,7 +99,9 @@ def flutter_quadratic() -> Row:
         2 * nm.sigma * (difference * (nm.c**2 - nm.s**2) + 2 * nm.M * nm.s * nm.c),
         difference**2,
     )
-    unit_circles.require(all(map(unit_circles.equal, arranged, coefficients)), "the discriminant of (27)")
+    unit_circles.require(
+        all(map(unit_circles.equal, arranged, coefficients)), "the discriminant of (27)"
+    )
     return arranged
 
 
@@ -104,7 +118,9 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     g1 = 2 * (u2 * w2 + nm.alpha**2 * u1 * w1)
     g2 = w2**2 + nm.alpha**2 * w1**2
     X, Y, Z = e0 * g2 - e2 * g0, e2 * g1 - e1 * g2, e1 * g0 - e0 * g1
-    resultant = sp.resultant(*(unit_circles.polynomial(one, nm.L) for one in (QUADRATIC, (g0, g1, g2))), nm.L)
+    resultant = sp.resultant(
+        *(unit_circles.polynomial(one, nm.L) for one in (QUADRATIC, (g0, g1, g2))), nm.L
+    )
     unit_circles.require(sp.expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
     return X, Y, Z
 
@@ -116,7 +132,10 @@ def flutter_without_alpha() -> sp.Expr:
     e0, e1, e2 = QUADRATIC
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2
     X, Y, Z = flutter_elimination()
-    unit_circles.require(sp.expand((X**2 - Y * Z).subs(nm.alpha, 0) - condition**2) == 0, "the resultant at α = 0, a square")
+    unit_circles.require(
+        sp.expand((X**2 - Y * Z).subs(nm.alpha, 0) - condition**2) == 0,
+        "the resultant at α = 0, a square",
+    )
     return condition
 
 
@@ -132,7 +151,9 @@ def flutter_crossing() -> tuple[Pair, Names]:
     By the implicit function theorem and Cramer's rule, in the derivatives of the balances along and across the belt and of the
     discriminant by θ, L and θ₀. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
     """
-    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols("a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L")
+    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols(
+        "a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L"
+    )
     e0, e1, e2 = flutter_quadratic()
     names = {
         a_t: nm.s * (nm.p * nm.L - nm.sigma) - nm.M * nm.L * nm.c,
@@ -141,19 +162,29 @@ def flutter_crossing() -> tuple[Pair, Names]:
         b_t: -nm.c * (nm.q * nm.L - nm.sigma),
         b_l: -nm.q * nm.s,
         b_0: nm.B * nm.c0,
-        d_t: 4 * nm.sigma * nm.L * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
+        d_t: 4
+        * nm.sigma
+        * nm.L
+        * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
         d_l: e1 + 2 * e2 * nm.L,
     }
     changes = [
         change
         for form in (*map(in_contact, equilibrium.balance()), e0 + e1 * nm.L + e2 * nm.L**2)
-        for change in (unit_circles.rotate_derivative(form), sp.diff(form, nm.L), unit_circles.by_inclination(form))
+        for change in (
+            unit_circles.rotate_derivative(form),
+            sp.diff(form, nm.L),
+            unit_circles.by_inclination(form),
+        )
     ]
     unit_circles.require(
         all(map(equilibrium.equal, names.values(), changes)),
         "the derivatives at an onset",
     )
-    return (d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0), b_t * a_l - a_t * b_l), names
+    return (
+        d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0),
+        b_t * a_l - a_t * b_l,
+    ), names
 
 
 @cache
@@ -161,9 +192,9 @@ def flutter_friction() -> sp.Expr:
     """M at which an equilibrium with spring length L in direction θ is an onset: the discriminant is linear in M."""
     e0, e1, e2 = flutter_quadratic()
     (friction,) = sp.solve(unit_circles.polynomial((e0, e1, e2), nm.L), nm.M)
-    arranged = -(e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2) / (
-        4 * nm.sigma * nm.s * nm.c * nm.L
-    )
+    arranged = -(
+        e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2
+    ) / (4 * nm.sigma * nm.s * nm.c * nm.L)
     unit_circles.require(unit_circles.equal(friction, arranged), "the friction at an onset")
     return arranged
 
@@ -181,12 +212,20 @@ def flutter_cubic() -> Row:
     cosine = sp.expand(condition).coeff(nm.c0, 1)
     rest = sp.expand(cosine * nm.c0 - condition)
     length = elimination.state()[nm.L]
-    return tuple(value for part in (cosine, rest) for value in unit_circles.ascending(sp.expand(part.subs(nm.L, length)), nm.s0))
+    return tuple(
+        value
+        for part in (cosine, rest)
+        for value in unit_circles.ascending(sp.expand(part.subs(nm.L, length)), nm.s0)
+    )
 
 
 def in_contact(force: sp.Expr) -> sp.Expr:
     """A balance in contact, with B for β + 1 and M for μ₀."""
-    return force.subs(nm.mu0 * nm.nbar, nm.M).subs(equilibrium.CONTACT).subs({nm.mu0: nm.M, nm.beta: nm.B - 1})
+    return (
+        force.subs(nm.mu0 * nm.nbar, nm.M)
+        .subs(equilibrium.CONTACT)
+        .subs({nm.mu0: nm.M, nm.beta: nm.B - 1})
+    )
 
 
 def in_shorthand(K: sp.Matrix) -> sp.Matrix:

@@ -77,7 +77,12 @@ def _quartic() -> tuple[Step, ...]:
             sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
             and quartic[2] == -4 * nm.fm
             and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction))
-            and all(_changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)),
+            and all(
+                _changes((-1, e1, e2, e3, 1)) == 1
+                for e1 in (-1, 0)
+                for e2 in (-1, 0)
+                for e3 in (-1, 0, 1)
+            ),
         ),
         Step(
             "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",
@@ -87,7 +92,9 @@ def _quartic() -> tuple[Step, ...]:
             "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
             manifestly_positive(in_contact(across.subs(nm.s, 0))),
         ),
-        Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
+        Step(
+            "t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0
+        ),
     )
 
 
@@ -102,7 +109,8 @@ def _threshold_below_zero() -> tuple[Step, ...]:
     return (
         Step(
             "s > 0 gives L > 0",
-            manifestly_positive(numerator.subs(nm.s, s)) and manifestly_positive(denominator.subs(nm.s, s)),
+            manifestly_positive(numerator.subs(nm.s, s))
+            and manifestly_positive(denominator.subs(nm.s, s)),
         ),
         Step(
             "s > 0 ≥ s* gives y < 0",
@@ -120,7 +128,9 @@ def _threshold_above_zero() -> tuple[Step, ...]:
     """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
     stretch, surplus = sp.symbols("stretch surplus", positive=True)
     level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
-    numerator, denominator = (part.subs(nm.s, threshold).subs(ON_ARC) for part in _length_fraction())
+    numerator, denominator = (
+        part.subs(nm.s, threshold).subs(ON_ARC) for part in _length_fraction()
+    )
 
     along, _ = equilibrium.balance()
     P = nm.sigma - nm.p * nm.L
@@ -130,7 +140,10 @@ def _threshold_above_zero() -> tuple[Step, ...]:
             "at the ends L = s₀/s*, which exceeds 1",
             sp.simplify(numerator / denominator - (threshold + excess) / threshold) == 0,
         ),
-        Step("there F_x = P cos θ + α cos θ₀ with P = σ − p L, whatever the friction", sp.expand(at_end) == 0),
+        Step(
+            "there F_x = P cos θ + α cos θ₀ with P = σ − p L, whatever the friction",
+            sp.expand(at_end) == 0,
+        ),
         Step(
             "−P > α, since −P − α = p (L − 1)",
             manifestly_positive(in_contact(-P).subs(nm.L, 1 + stretch) - alpha),
@@ -138,7 +151,10 @@ def _threshold_above_zero() -> tuple[Step, ...]:
         Step(
             "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − s*²: F_x has the sign of "
             "−cos θ at either end, so that there is an odd number of roots between, all with t > 0 and L > 0: one or three",
-            manifestly_positive((alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - alpha**2 * level),
+            manifestly_positive(
+                (alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2)
+                - alpha**2 * level
+            ),
         ),
     )
 
@@ -152,7 +168,9 @@ def _middle() -> tuple[Step, ...]:
     at_end = in_contact(f).subs(nm.s, threshold).subs(ON_ARC)
     equation = sp.Poly(stability.characteristic(K, sp.zeros(2, 2)), stability.lam)
     # Of three different roots that count three at most, all multiplicities that there can be.
-    multiplicities = [counts for counts in itertools.product(range(1, 4), repeat=3) if sum(counts) <= 3]
+    multiplicities = [
+        counts for counts in itertools.product(range(1, 4), repeat=3) if sum(counts) <= 3
+    ]
     return (
         Step("L det K = f′ at every equilibrium", catastrophe.slope_identity()),
         Step(
@@ -189,27 +207,40 @@ def smallest_without_friction() -> tuple[Step, ...]:
     """
     f = elimination.f_form.subs(nm.fm, 0)
     cosine, sine, cosine0 = sp.symbols("c s c_0", positive=True)
-    at_rest = equilibrium.spell_out(elimination.f_form.subs(elimination.f_coefficients())).subs(POSITIVE).subs(nm.mu0, 0)
+    at_rest = (
+        equilibrium.spell_out(elimination.f_form.subs(elimination.f_coefficients()))
+        .subs(POSITIVE)
+        .subs(nm.mu0, 0)
+    )
     ratio = unit_circles.rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
     slope = ratio.subs(elimination.f_coefficients()).subs(nm.M, 0)
     slope = sp.expand(
-        equilibrium.spell_out(slope).subs(POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0}) * (cosine * sine) ** 2
+        equilibrium.spell_out(slope).subs(POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0})
+        * (cosine * sine) ** 2
     )
     x = elimination.state()[nm.x].subs(nm.c, -cosine)
     length = sp.together(in_contact(elimination.state()[nm.L]).subs(nm.s, sine))
     return (
-        Step("f = s c (a + b/s + d/c) at μ₀ = 0", sp.simplify(f - nm.s * nm.c * (nm.fa + nm.fb / nm.s + nm.fd / nm.c)) == 0),
+        Step(
+            "f = s c (a + b/s + d/c) at μ₀ = 0",
+            sp.simplify(f - nm.s * nm.c * (nm.fa + nm.fb / nm.s + nm.fd / nm.c)) == 0,
+        ),
         Step(
             "the bracket rises with θ where sin θ, cos θ > 0: times s² c² its slope is a polynomial with positive coefficients",
             manifestly_positive(slope),
         ),
         Step(
             "at cos θ = 0 f is q α cos θ₀ sin θ, and x is cos θ₀",
-            sp.expand(at_rest.subs({nm.c: 0, nm.s: 1}) - equilibrium.spell_out(nm.q).subs(POSITIVE) * alpha * nm.c0) == 0
+            sp.expand(
+                at_rest.subs({nm.c: 0, nm.s: 1})
+                - equilibrium.spell_out(nm.q).subs(POSITIVE) * alpha * nm.c0
+            )
+            == 0
             and elimination.state()[nm.x].subs(nm.c, 0) == nm.c0,
         ),
         Step(
             "where cos θ < 0, x exceeds cos θ₀ by L |cos θ|, and L > 0",
-            sp.expand(x - nm.c0 - nm.L * cosine) == 0 and all(manifestly_positive(part) for part in sp.fraction(length)),
+            sp.expand(x - nm.c0 - nm.L * cosine) == 0
+            and all(manifestly_positive(part) for part in sp.fraction(length)),
         ),
     )

@@ -76,7 +76,9 @@ class _Compared:
     def pairs(self) -> Iterator[tuple[str, int, int]]:
         """Indices of a matrix, and the numbers of the coordinates that they mean."""
         numbers = [(str(place), self.row(name)) for place, name in enumerate(("x", "y"), 1)]
-        return ((i + j, row, column) for (i, row), (j, column) in itertools.product(numbers, repeat=2))
+        return (
+            (i + j, row, column) for (i, row), (j, column) in itertools.product(numbers, repeat=2)
+        )
 
     @cached_property
     def line(self) -> Line:
@@ -88,7 +90,11 @@ class _Compared:
     def named(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the page in the symbols of the nomenclature, where it has them."""
         entries = nm.quantities()
-        names = {symbol: entries[str(symbol)].symbol for symbol in expression.free_symbols if str(symbol) in entries}
+        names = {
+            symbol: entries[str(symbol)].symbol
+            for symbol in expression.free_symbols
+            if str(symbol) in entries
+        }
         special = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
         if self.model.lines:
             special |= {self.line.c: nm.c, self.line.s: nm.s, self.line.l: nm.L}
@@ -102,7 +108,9 @@ class _Compared:
     def gap(self, ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:
         """Model less article in these; 0 if equal."""
         circles = (*nm.UNIT_CIRCLES, *((line.c, line.s) for line in self.model.lines[1:]))
-        left, right = (self.polar(side.subs(self.always)) for side in (self.named(ours), sp.sympify(theirs)))
+        left, right = (
+            self.polar(side.subs(self.always)) for side in (self.named(ours), sp.sympify(theirs))
+        )
         found = algebra.difference(left, right, circles)
         return sp.S.Zero if found == 0 else sp.factor_terms(sp.expand(found))
 
@@ -116,7 +124,10 @@ class _Compared:
 
     def geometry(self, row: int) -> Gaps:
         """L cos θ or L sin θ."""
-        name, ours, theirs = (("cos", self.line.dx, nm.c0 - nm.x), ("sin", self.line.dy, nm.s0 - nm.y))[row]
+        name, ours, theirs = (
+            ("cos", self.line.dx, nm.c0 - nm.x),
+            ("sin", self.line.dy, nm.s0 - nm.y),
+        )[row]
         return {f"L {name} θ": sp.expand(self.named(ours) - theirs)}
 
     def rest(self) -> Gaps:
@@ -129,7 +140,9 @@ class _Compared:
         # Any law of contact and friction: both stand as n and μ, and are rows of their own.
         theirs = sp.solve(equations[row], (mechanics.AX, mechanics.AY)[row])[0]
         general, place = Motion(self.model), self.row("xy"[row])
-        ours = sp.expand(general.named[place] - general.balance(nm.n)[place] / self.model.mass[place, place])
+        ours = sp.expand(
+            general.named[place] - general.balance(nm.n)[place] / self.model.mass[place, place]
+        )
         return {"xy"[row] + "″": self.gap(ours, theirs)}
 
     def contact(self) -> Gaps:
@@ -138,7 +151,11 @@ class _Compared:
         if it.gap is None:
             raise NoMeaning("the normal force is given: there is no contact law")
         lift = sp.S.Zero if it.unilateral else it.law
-        return {"n(δ)": sp.expand(it.law - DEPTH), "n in lift-off": sp.expand(lift), "gap": sp.expand(self.named(it.gap) - nm.y)}
+        return {
+            "n(δ)": sp.expand(it.law - DEPTH),
+            "n in lift-off": sp.expand(lift),
+            "gap": sp.expand(self.named(it.gap) - nm.y),
+        }
 
     def friction(self) -> Gaps:
         """μ at the sliding speed."""
@@ -154,7 +171,11 @@ class _Compared:
     def balance(self, row: int, pushing: int) -> Gaps:
         """F_x or F_y."""
         theirs = equilibrium.balance_cartesian()[row].subs(nm.nbar, pushing)
-        return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(self.at_rest(row, pushing), theirs)}
+        return {
+            ("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(
+                self.at_rest(row, pushing), theirs
+            )
+        }
 
     def linear(self, pushing: int) -> Gaps:
         """That the balance is linear in cos θ and sin θ, without which there are no D and b."""
@@ -164,19 +185,31 @@ class _Compared:
         if len(it.coordinates) != 2:
             raise NoMeaning(f"the balance has {len(it.coordinates)} unknowns: there are no D and b")
         if len(it.lines) != 1:
-            raise NoMeaning(f"there are {len(it.lines)} inclined springs: the balance is not linear in one direction")
+            raise NoMeaning(
+                f"there are {len(it.lines)} inclined springs: the balance is not linear in one direction"
+            )
         for row in (0, 1):
             ours = self.polar(self.at_rest(row, pushing))
-            if ours.has(*it.turned) or any(sp.diff(ours, one, other) != 0 for one in (nm.c, nm.s) for other in (nm.c, nm.s)):
-                raise NoMeaning("the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L")
+            if ours.has(*it.turned) or any(
+                sp.diff(ours, one, other) != 0 for one in (nm.c, nm.s) for other in (nm.c, nm.s)
+            ):
+                raise NoMeaning(
+                    "the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L"
+                )
         return {}
 
     def matrix(self, pushing: int) -> Gaps:
         """D: the part of the balance that is linear in cos θ and sin θ."""
         self.linear(pushing)
         D = equilibrium.matrix_form()[0].subs(nm.nbar, pushing)
-        ours = sp.Matrix([self.polar(self.at_rest(row, pushing)) for row in (0, 1)]).jacobian([nm.c, nm.s])
-        return {f"D_{i + 1}{j + 1}": sp.factor_terms(sp.expand(ours[i, j] - D[i, j])) for i in (0, 1) for j in (0, 1)}
+        ours = sp.Matrix([self.polar(self.at_rest(row, pushing)) for row in (0, 1)]).jacobian(
+            [nm.c, nm.s]
+        )
+        return {
+            f"D_{i + 1}{j + 1}": sp.factor_terms(sp.expand(ours[i, j] - D[i, j]))
+            for i in (0, 1)
+            for j in (0, 1)
+        }
 
     def side(self, row: int, pushing: int) -> Gaps:
         """A component of the right side."""
@@ -184,7 +217,11 @@ class _Compared:
         theirs = equilibrium.matrix_form()[1].subs(nm.nbar, pushing)[row]
         ours = -self.polar(self.at_rest(row, pushing)).subs({nm.c: 0, nm.s: 0})
         same = algebra.difference(ours, theirs, nm.UNIT_CIRCLES) == 0
-        return {f"b_{row + 1 if pushing else row + 3}": sp.S.Zero if same else sp.simplify(ours - theirs)}
+        return {
+            f"b_{row + 1 if pushing else row + 3}": sp.S.Zero
+            if same
+            else sp.simplify(ours - theirs)
+        }
 
     def stiffness(self) -> Gaps:
         """K."""
@@ -203,7 +240,9 @@ class _Compared:
     def alone(self) -> Gaps:
         """That there are no unknowns besides x and y."""
         if len(self.model.coordinates) != 2:
-            raise NoMeaning(f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order")
+            raise NoMeaning(
+                f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order"
+            )
         return {}
 
     def group(self, name: str) -> Gaps:
@@ -231,16 +270,24 @@ class _Compared:
 
 def _quotient_gap(ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:
     """What ours is where it is not theirs, symbols taken by their names; else 0."""
-    by_name = {it: sp.Symbol(str(it), positive=True) for it in ours.free_symbols | theirs.free_symbols}
+    by_name = {
+        it: sp.Symbol(str(it), positive=True) for it in ours.free_symbols | theirs.free_symbols
+    }
     return sp.S.Zero if sp.simplify(ours.subs(by_name) / theirs.subs(by_name)) == 1 else ours
 
 
 def _law_gap(gap: sp.Expr) -> sp.Expr:
     """The difference of two laws, 0 if equal. Simplifying one of tanh takes minutes: what numbers tell from 0 is left as it stands."""
     others = sorted(gap.free_symbols - {nm.side}, key=str)
-    place = {nm.side: 1} | {symbol: sp.Rational(1, 2) + sp.Rational(i, 7) for i, symbol in enumerate(others)}
+    place = {nm.side: 1} | {
+        symbol: sp.Rational(1, 2) + sp.Rational(i, 7) for i, symbol in enumerate(others)
+    }
     value = gap.subs(place).evalf(30)
-    return sp.factor_terms(gap) if value.is_comparable and abs(value) > sp.Rational(1, 10**20) else sp.simplify(gap)
+    return (
+        sp.factor_terms(gap)
+        if value.is_comparable and abs(value) > sp.Rational(1, 10**20)
+        else sp.simplify(gap)
+    )
 
 
 _Aspect = Callable[[_Compared], Gaps]
@@ -256,17 +303,47 @@ _B1, _B2, _B3, _B4 = (methodcaller("side", row, pushing) for pushing in (1, 0) f
 
 #: Row → what it rests on.
 RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
-    "eq-1": (_ALONG,), "eq-2": (_ACROSS,), "eq-3": (_C.rest,), "eq-4": (_GEOMETRY_X,), "eq-5": (_GEOMETRY_Y,),
-    "eq-6": (_GEOMETRY_X, _GEOMETRY_Y), "eq-7": (_C.contact,), "eq-8": (_ALONG,), "eq-9": (_ACROSS,), "eq-10": (_C.friction,),
-    "eq-11": (_C.contact,), "eq-12": (_ALONG, _C.steady), "eq-13": (_ACROSS,), "eq-14": (_BALANCE_X, _C.steady),
-    "eq-15": (_BALANCE_Y,), "eq-16": (_LINEAR,), "eq-17": (_MATRIX,), "eq-18": (_MATRIX,), "eq-19": (_B1, _B2),
-    "eq-20": (_LINEAR,), "eq-21": (_MATRIX,), "eq-22": (_LINEAR_LIFTED,), "eq-23": (_LINEAR_LIFTED,),
-    "eq-24": (_MATRIX_LIFTED,), "eq-25": (_B3, _B4), "eq-26": (_MATRIX_LIFTED,),
-    "eq-27": (_C.alone, _C.damping), "eq-28": (_C.stiffness,), "eq-29": (_C.contact,),
-    "def-tau": (methodcaller("scale", "time"),), "def-prime": (), "def-n": (methodcaller("scale", "force"),),
+    "eq-1": (_ALONG,),
+    "eq-2": (_ACROSS,),
+    "eq-3": (_C.rest,),
+    "eq-4": (_GEOMETRY_X,),
+    "eq-5": (_GEOMETRY_Y,),
+    "eq-6": (_GEOMETRY_X, _GEOMETRY_Y),
+    "eq-7": (_C.contact,),
+    "eq-8": (_ALONG,),
+    "eq-9": (_ACROSS,),
+    "eq-10": (_C.friction,),
+    "eq-11": (_C.contact,),
+    "eq-12": (_ALONG, _C.steady),
+    "eq-13": (_ACROSS,),
+    "eq-14": (_BALANCE_X, _C.steady),
+    "eq-15": (_BALANCE_Y,),
+    "eq-16": (_LINEAR,),
+    "eq-17": (_MATRIX,),
+    "eq-18": (_MATRIX,),
+    "eq-19": (_B1, _B2),
+    "eq-20": (_LINEAR,),
+    "eq-21": (_MATRIX,),
+    "eq-22": (_LINEAR_LIFTED,),
+    "eq-23": (_LINEAR_LIFTED,),
+    "eq-24": (_MATRIX_LIFTED,),
+    "eq-25": (_B3, _B4),
+    "eq-26": (_MATRIX_LIFTED,),
+    "eq-27": (_C.alone, _C.damping),
+    "eq-28": (_C.stiffness,),
+    "eq-29": (_C.contact,),
+    "def-tau": (methodcaller("scale", "time"),),
+    "def-prime": (),
+    "def-n": (methodcaller("scale", "force"),),
     **{f"def-{name}": (methodcaller("length_of", name),) for name in ("x", "y", "L")},
-    **{f"def-{name}": (methodcaller("group", name),) for name in ("sigma", "alpha", "beta", "kappa")},
+    **{
+        f"def-{name}": (methodcaller("group", name),)
+        for name in ("sigma", "alpha", "beta", "kappa")
+    },
     **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), (_MATRIX,)),
     **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), (_MATRIX_LIFTED,)),
-    "A10": (_B1,), "A11": (_B2,), "A12": (_B3,), "A13": (_B4,),
-}  # fmt: skip
+    "A10": (_B1,),
+    "A11": (_B2,),
+    "A12": (_B3,),
+    "A13": (_B4,),
+}

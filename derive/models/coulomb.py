@@ -22,19 +22,29 @@ is the limit d → ∞ of the article's law.
 
 from ..model import Page, cos, sgn, sin
 
-page = Page("The article's model with dry friction, which holds the mass until its static coefficient is used up.")
+page = Page(
+    "The article's model with dry friction, which holds the mass until its static coefficient is used up."
+)
 
 m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
 L_0 = page.unit("L_0", "m", "undeformed length of the inclined spring", latex="L_o")
 
-theta0 = page.parameter("theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o")
+theta0 = page.parameter(
+    "theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o"
+)
 mu0 = page.parameter("mu0", "1", "static friction coefficient", ">= 0", 0.5, latex=r"\mu_o")
 ratio = page.parameter("ratio", "1", "kinetic over static friction coefficient", "[0, 1]", 1.0)
-F_L = page.parameter("F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa")
-k_x = page.parameter("k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha")
+F_L = page.parameter(
+    "F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa"
+)
+k_x = page.parameter(
+    "k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha"
+)
 k = page.parameter("k", "N/m", "stiffness of the inclined spring", "> 0", 0.1, becomes="sigma")
-k_y = page.parameter("k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta")
+k_y = page.parameter(
+    "k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta"
+)
 V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
 
 x = page.coordinate("x", "m", "displacement along the belt")

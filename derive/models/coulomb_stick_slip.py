@@ -21,7 +21,9 @@ and x reaches from μ_k − A to μ_k + A with A² = Δ² + V².
 
 from ..model import Page, sgn
 
-page = Page("One mass, one spring and dry friction: stick-slip whose period and amplitude have closed forms.")
+page = Page(
+    "One mass, one spring and dry friction: stick-slip whose period and amplitude have closed forms."
+)
 
 m = page.unit("m", "kg", "mass")
 k = page.unit("k", "N/m", "stiffness of the spring")

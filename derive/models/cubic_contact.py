@@ -26,12 +26,20 @@ m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness at first touch")
 L_0 = page.unit("L_0", "m", "undeformed length of the inclined spring", latex="L_o")
 
-theta0 = page.parameter("theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o")
+theta0 = page.parameter(
+    "theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o"
+)
 mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.5, latex=r"\mu_o")
-F_L = page.parameter("F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa")
-k_x = page.parameter("k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha")
+F_L = page.parameter(
+    "F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa"
+)
+k_x = page.parameter(
+    "k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha"
+)
 k = page.parameter("k", "N/m", "stiffness of the inclined spring", "> 0", 0.1, becomes="sigma")
-k_y = page.parameter("k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta")
+k_y = page.parameter(
+    "k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta"
+)
 k_3 = page.parameter("k_3", "N/m^3", "hardening of the contact", ">= 0", 100.0, becomes="gamma")
 V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
 d = page.parameter("d", "s/m", "steepness of the friction law in creep", "> 0", 10.0)

@@ -36,9 +36,13 @@ k_c = page.unit("k_c", "N/m", "contact stiffness")
 F_L = page.unit("F_L", "N", "preload that presses the mass on the belt")
 
 mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.3, latex=r"\mu_o")
-k_x = page.parameter("k_x", "N/m", "stiffness to ground along the belt", ">= 0", 1.3, becomes="alpha")
+k_x = page.parameter(
+    "k_x", "N/m", "stiffness to ground along the belt", ">= 0", 1.3, becomes="alpha"
+)
 k = page.parameter("k", "N/m", "stiffness of the spring under 45°", "> 0", 0.5, becomes="sigma")
-k_y = page.parameter("k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta")
+k_y = page.parameter(
+    "k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta"
+)
 V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
 d = page.parameter("d", "s/m", "steepness of the friction law in creep", "> 0", 10.0)
 

@@ -31,18 +31,26 @@ stiffness is that of k_c and k_w in a row, k_c k_w/(k_c + k_w). What moves does 
 
 from ..model import Abs, Page, cos, exp, sgn, sin
 
-page = Page("A brake pad with its piston on a disc that gives way, leaned on by an inclined spring.")
+page = Page(
+    "A brake pad with its piston on a disc that gives way, leaned on by an inclined spring."
+)
 
 m = page.unit("m", "kg", "mass of the pad")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
 L_0 = page.unit("L_0", "m", "undeformed length of the inclined spring", latex="L_o")
 
-theta0 = page.parameter("theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o")
+theta0 = page.parameter(
+    "theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o"
+)
 mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.5, latex=r"\mu_o")
 F_L = page.parameter("F_L", "N", "force on the piston", "> 0", 0.007, becomes="kappa")
-k_x = page.parameter("k_x", "N/m", "stiffness that holds the pad along the disc", "> 0", 0.007, becomes="alpha")
+k_x = page.parameter(
+    "k_x", "N/m", "stiffness that holds the pad along the disc", "> 0", 0.007, becomes="alpha"
+)
 k = page.parameter("k", "N/m", "stiffness of the inclined spring", "> 0", 0.1, becomes="sigma")
-k_p = page.parameter("k_p", "N/m", "stiffness between piston and pad", "> 0", 0.5, becomes="sigma_p")
+k_p = page.parameter(
+    "k_p", "N/m", "stiffness between piston and pad", "> 0", 0.5, becomes="sigma_p"
+)
 k_w = page.parameter("k_w", "N/m", "stiffness of the disc", "> 0", 4.0, becomes="sigma_w")
 m_z = page.parameter("m_z", "kg", "mass of the piston", "> 0", 0.5, becomes="nu_z")
 m_w = page.parameter("m_w", "kg", "mass of the disc", "> 0", 5.0, becomes="nu_w")
@@ -55,7 +63,14 @@ y = page.coordinate("y", "m", "displacement of the pad across the disc")
 w = page.coordinate("w", "m", "displacement of the disc, negative away from the pad")
 z = page.coordinate("z", "m", "displacement of the piston, negative towards the pad")
 
-page.kinetic((m * (page.rate(x) ** 2 + page.rate(y) ** 2) + m_w * page.rate(w) ** 2 + m_z * page.rate(z) ** 2) / 2)
+page.kinetic(
+    (
+        m * (page.rate(x) ** 2 + page.rate(y) ** 2)
+        + m_w * page.rate(w) ** 2
+        + m_z * page.rate(z) ** 2
+    )
+    / 2
+)
 page.spring(k_x, along=x)
 page.spring(k, (x, y), (L_0 * cos(theta0), L_0 * sin(theta0)), length=L_0)
 page.spring(k_p, along=z - y)

@@ -35,15 +35,25 @@ m = page.unit("m", "kg", "mass of the rod")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
 l = page.unit("l", "m", "length of the rod")
 
-theta0 = page.parameter("theta0", "rad", "angle of the rod to the wall's normal at touch", "(0, pi/2)", latex=r"\theta_o")
+theta0 = page.parameter(
+    "theta0",
+    "rad",
+    "angle of the rod to the wall's normal at touch",
+    "(0, pi/2)",
+    latex=r"\theta_o",
+)
 mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.4, latex=r"\mu_o")
 k_t = page.parameter("k_t", "N m", "stiffness of the torsion spring", "> 0", 0.01, becomes="kappa")
-psi = page.parameter("psi", "rad", "turn by which the torsion spring presses the rod on the wall", "(0, pi)", 0.1)
+psi = page.parameter(
+    "psi", "rad", "turn by which the torsion spring presses the rod on the wall", "(0, pi)", 0.1
+)
 c_t = page.parameter("c_t", "N m s", "damping of the pivot", ">= 0", 0.01, becomes="zeta")
 V = page.parameter("V", "m/s", "speed of the wall", ">= 0", 0.5)
 d = page.parameter("d", "s/m", "steepness of the friction law in creep", "> 0", 10.0)
 
-phi = page.coordinate("phi", "rad", "angle of the rod to the wall's normal, against the motion", latex=r"\varphi")
+phi = page.coordinate(
+    "phi", "rad", "angle of the rod to the wall's normal, against the motion", latex=r"\varphi"
+)
 
 page.kinetic(m * l**2 / 3 * page.rate(phi) ** 2 / 2)
 page.torsion(k_t, (-l * sin(phi), 0), (0, l * cos(phi)), rest=pi / 2 - theta0 + psi)

@@ -26,7 +26,9 @@ Lengths are measured in N_0/k, time in √(m/k).
 
 from ..model import Page
 
-page = Page("One mass, one spring, and a falling friction law: stick-slip, with its Hopf point in closed form.")
+page = Page(
+    "One mass, one spring, and a falling friction law: stick-slip, with its Hopf point in closed form."
+)
 
 m = page.unit("m", "kg", "mass")
 k = page.unit("k", "N/m", "stiffness of the spring")

@@ -25,11 +25,19 @@ m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
 L_0 = page.unit("L_0", "m", "undeformed length of the inclined spring", latex="L_o")
 
-theta0 = page.parameter("theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o")
-F_L = page.parameter("F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa")
-k_x = page.parameter("k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha")
+theta0 = page.parameter(
+    "theta0", "rad", "inclination of the undeformed spring", "(0, pi)", latex=r"\theta_o"
+)
+F_L = page.parameter(
+    "F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa"
+)
+k_x = page.parameter(
+    "k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha"
+)
 k = page.parameter("k", "N/m", "stiffness of the inclined spring", "> 0", 0.1, becomes="sigma")
-k_y = page.parameter("k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta")
+k_y = page.parameter(
+    "k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta"
+)
 mu_s = page.parameter("mu_s", "1", "friction coefficient towards which creep rises", ">= 0", 0.6)
 mu_k = page.parameter("mu_k", "1", "friction coefficient of fast sliding", ">= 0", 0.4)
 v_s = page.parameter("v_s", "m/s", "speed over which friction falls", "> 0", 0.5)
@@ -45,4 +53,6 @@ page.spring(k_y, along=y)
 page.spring(k, (x, y), (L_0 * cos(theta0), L_0 * sin(theta0)), length=L_0)
 page.force(0, -F_L, at=(x, y))
 page.contact(y, lambda depth: k_c * depth)
-page.friction(x, V, lambda v: (mu_k + (mu_s - mu_k) * exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v))
+page.friction(
+    x, V, lambda v: (mu_k + (mu_s - mu_k) * exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)
+)

@@ -26,15 +26,31 @@ m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
 L_0 = page.unit("L_0", "m", "undeformed length of the first inclined spring", latex="L_o")
 
-theta0 = page.parameter("theta0", "rad", "inclination of the first undeformed spring", "(0, pi)", latex=r"\theta_o")
+theta0 = page.parameter(
+    "theta0", "rad", "inclination of the first undeformed spring", "(0, pi)", latex=r"\theta_o"
+)
 mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.5, latex=r"\mu_o")
-F_L = page.parameter("F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa")
-k_x = page.parameter("k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha")
-k = page.parameter("k", "N/m", "stiffness of the first inclined spring", "> 0", 0.1, becomes="sigma")
-k_y = page.parameter("k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta")
-theta0_2 = page.parameter("theta0_2", "rad", "inclination of the second spring", "(0, pi)", 2.0, latex=r"\theta_{o2}")
-k_2 = page.parameter("k_2", "N/m", "stiffness of the second inclined spring", ">= 0", 0.05, becomes="sigma_2")
-lambda_2 = page.parameter("lambda_2", "1", "length of the second spring over that of the first", "> 0", 1.0)
+F_L = page.parameter(
+    "F_L", "N", "preload that presses the mass on the belt", "> 0", 0.007, becomes="kappa"
+)
+k_x = page.parameter(
+    "k_x", "N/m", "stiffness to ground along the belt", ">= 0", 0.007, becomes="alpha"
+)
+k = page.parameter(
+    "k", "N/m", "stiffness of the first inclined spring", "> 0", 0.1, becomes="sigma"
+)
+k_y = page.parameter(
+    "k_y", "N/m", "stiffness to ground across the belt", ">= 0", 0.0, becomes="beta"
+)
+theta0_2 = page.parameter(
+    "theta0_2", "rad", "inclination of the second spring", "(0, pi)", 2.0, latex=r"\theta_{o2}"
+)
+k_2 = page.parameter(
+    "k_2", "N/m", "stiffness of the second inclined spring", ">= 0", 0.05, becomes="sigma_2"
+)
+lambda_2 = page.parameter(
+    "lambda_2", "1", "length of the second spring over that of the first", "> 0", 1.0
+)
 V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
 d = page.parameter("d", "s/m", "steepness of the friction law in creep", "> 0", 10.0)
 

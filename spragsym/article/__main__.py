@@ -13,7 +13,11 @@ from typing import Any
 from . import STATEMENTS, record_text, run
 
 #: Commands that the report names.
-_COMMANDS: tuple[tuple[str, ...], ...] = (("check", "--again"), ("check", "--claims", "--again"), ("figures", "--out", "figures"))
+_COMMANDS: tuple[tuple[str, ...], ...] = (
+    ("check", "--again"),
+    ("check", "--claims", "--again"),
+    ("figures", "--out", "figures"),
+)
 
 
 def _measurements() -> str:
@@ -27,7 +31,10 @@ def _measured(arguments: tuple[str, ...]) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         begun = time.perf_counter()
         process = subprocess.Popen(
-            [sys.executable, "-m", "spragsym", *arguments], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [sys.executable, "-m", "spragsym", *arguments],
+            cwd=folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
         )
         _, status, used = os.wait4(process.pid, 0)
         wall = time.perf_counter() - begun
@@ -44,5 +51,9 @@ def _measured(arguments: tuple[str, ...]) -> dict[str, Any]:
 
 if sys.argv[1:] not in ([], ["measure"]):
     sys.exit("usage: python -m spragsym.article [measure]")
-name, text = ("measured.json", _measurements()) if sys.argv[1:] else ("record.json", record_text(run(STATEMENTS)))
+name, text = (
+    ("measured.json", _measurements())
+    if sys.argv[1:]
+    else ("record.json", record_text(run(STATEMENTS)))
+)
 Path(__file__).with_name(name).write_text(text, encoding="utf-8", newline="\n")

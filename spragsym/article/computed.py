@@ -43,7 +43,10 @@ FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 
 #: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a state, on cycles under it.
 OF_STATICS = (10.0, 30.0, 49.0, 90.0, 160.0)
-ON_DRY_CYCLE, ON_STICKING = (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394)), (60.0, (2.818, 1.213, 0.0, 0.22))
+ON_DRY_CYCLE, ON_STICKING = (
+    (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394)),
+    (60.0, (2.818, 1.213, 0.0, 0.22)),
+)
 
 _article = Parameters.article
 #: θ₀ of grids, degrees, and as it rises; frictions from 0 to the largest, few for a grid.
@@ -65,7 +68,9 @@ def linear_critical() -> Outcome:
 
 
 def linear_bounded() -> Outcome:
-    frictions = linear_critical_friction(_article()) * np.append(np.linspace(0.0, 0.999, 200), 1 - 1e-9)
+    frictions = linear_critical_friction(_article()) * np.append(
+        np.linspace(0.0, 0.999, 200), 1 - 1e-9
+    )
     model = linear_sprag(_at(_GRID, mu0=frictions[:, None]))
     peak = _highest(lambda angle: linear_sprag(_article(theta0=angle)).x, 1.2, 1.5)
     holds = np.isnan(model.poles).all() and (model.determinant > 0).all() and (model.y < 0).all()
@@ -73,7 +78,9 @@ def linear_bounded() -> Outcome:
 
 
 def _highest(of: Callable[[float], Any], low: float, high: float) -> Any:
-    return minimize_scalar(lambda at: -float(of(at)), bounds=(low, high), method="bounded", options={"xatol": 1e-10})
+    return minimize_scalar(
+        lambda at: -float(of(at)), bounds=(low, high), method="bounded", options={"xatol": 1e-10}
+    )
 
 
 def _poles() -> FloatArray:
@@ -89,7 +96,10 @@ def linear_poles() -> Outcome:
 def no_linear_sliding() -> Outcome:
     low, high = poles = _poles()
     angles = np.append(np.radians(_GRID), np.add.outer(poles, [-1e-6, 1e-6]))
-    model, between = linear_sprag(_article(theta0=angles, mu0=0.7)), np.searchsorted(poles, angles) == 1
+    model, between = (
+        linear_sprag(_article(theta0=angles, mu0=0.7)),
+        np.searchsorted(poles, angles) == 1,
+    )
     holds = ((model.y > 0) == between).all() and ((model.determinant < 0) == between).all()
     return holds, {"from_deg": _deg(low), "to_deg": _deg(high)}
 
@@ -108,9 +118,15 @@ def linear_approximates() -> Outcome:
         gaps = _linear_gap(np.radians(_GRID), mu0)
         (changes,) = np.nonzero(np.diff(np.sign(gaps)))
         pairs = (np.radians(_GRID[[i, i + 1]]) for i in changes[[0, -1]])
-        below, above = ends = [brentq(_linear_gap, *pair, args=(mu0,), xtol=1e-14) for pair in pairs]
+        below, above = ends = [
+            brentq(_linear_gap, *pair, args=(mu0,), xtol=1e-14) for pair in pairs
+        ]
         values[f"within 10 % at mu0 = {mu0:g} below, above (deg)"] = _deg(ends)
-        holds &= below < folds(_article(mu0=mu0)).theta0[0] < above < math.radians(150) and gaps[0] < 0 and gaps[-1] < 0
+        holds &= (
+            below < folds(_article(mu0=mu0)).theta0[0] < above < math.radians(150)
+            and gaps[0] < 0
+            and gaps[-1] < 0
+        )
     return holds, values
 
 
@@ -119,10 +135,21 @@ def linear_approximates() -> Outcome:
 
 def one_or_three() -> Outcome:
     seen: set[int] = set()
-    for changes in ({}, {"beta": 1.0}, {"beta": 2.0}, {"alpha": 0.07}, {"alpha": 0.7}, {"sigma": 0.01}, {"sigma": 1.0}):
+    for changes in (
+        {},
+        {"beta": 1.0},
+        {"beta": 2.0},
+        {"alpha": 0.07},
+        {"alpha": 0.7},
+        {"sigma": 0.01},
+        {"sigma": 1.0},
+    ):
         seen |= set(equilibria(_at(_GRID, **changes, mu0=_FEW)).count.ravel().tolist())
     unproved = [step["claim"] for step in printed()["one_or_three"] if not step["holds"]]
-    return seen == {1, 3} and not unproved, {"counts": sorted(seen), "steps of the proof that fail": len(unproved)}
+    return seen == {1, 3} and not unproved, {
+        "counts": sorted(seen),
+        "steps of the proof that fail": len(unproved),
+    }
 
 
 def bounded() -> Outcome:
@@ -137,7 +164,10 @@ def bounded() -> Outcome:
 def base_regions() -> Outcome:
     turns = _deg(folds(_article()).theta0)
     expected = np.where(np.searchsorted(turns, _GRID) == 1, 1, 3)
-    return (equilibria(_at(_GRID)).count == expected).all(), {"folds_deg": turns, "counts": [3, 1, 3]}
+    return (equilibria(_at(_GRID)).count == expected).all(), {
+        "folds_deg": turns,
+        "counts": [3, 1, 3],
+    }
 
 
 def base_stability() -> Outcome:
@@ -148,14 +178,22 @@ def base_stability() -> Outcome:
 def _middle_diverges(eq: Equilibria) -> bool:
     """Whether of three states the middle one diverges and the others are stable, and of one that is."""
     stable, three = Stability.STABLE, eq.stability[eq.count == 3]
-    return bool((three == [stable, Stability.DIVERGENT, stable]).all() and (eq.stability[eq.count == 1][:, 0] == stable).all())
+    return bool(
+        (three == [stable, Stability.DIVERGENT, stable]).all()
+        and (eq.stability[eq.count == 1][:, 0] == stable).all()
+    )
 
 
 def lift_off() -> Outcome:
     eq, at = (equilibria(_at(degrees), contact=False) for degrees in (_GRID, 49.0))
     divergent = (eq.stability[:, 0] == Stability.DIVERGENT).all()
     holds = (eq.count == 1).all() and divergent and (eq.y[:, 0] >= 0).all()
-    return holds, {"count": 1, "stability": "divergent", "L at 49 deg": at.L[0], "y at 49 deg": at.y[0]}
+    return holds, {
+        "count": 1,
+        "stability": "divergent",
+        "L at 49 deg": at.L[0],
+        "y at 49 deg": at.y[0],
+    }
 
 
 def roots_of_21() -> Outcome:
@@ -163,11 +201,19 @@ def roots_of_21() -> Outcome:
     angles, real = (30, 49, 90, 160), []
     numbers = [Fraction(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
     for angle in map(math.radians, angles):
-        quartic = primitive(_equilibrium.contact_quartic(Fraction(math.cos(angle)), Fraction(math.sin(angle)), *numbers))
+        quartic = primitive(
+            _equilibrium.contact_quartic(
+                Fraction(math.cos(angle)), Fraction(math.sin(angle)), *numbers
+            )
+        )
         far = root_bound(quartic)
         real.append(len(real_roots(quartic, -far, far, 0)))
     sliding = equilibria(_at(angles)).count
-    return np.array_equal(real, sliding + 1), {"theta0_deg": angles, "real roots": real, "equilibria": sliding}
+    return np.array_equal(real, sliding + 1), {
+        "theta0_deg": angles,
+        "real roots": real,
+        "equilibria": sliding,
+    }
 
 
 # ----------------------------------------------------------------------------------------------------- jumps
@@ -182,7 +228,9 @@ def jump_rising() -> Outcome:
 
 def no_jump_falling() -> Outcome:
     p = _article(mu0=0.7)
-    back, large = (quasi_static_path(p, "theta0", _RISING[::-1], start=start) for start in ("small", "large"))
+    back, large = (
+        quasi_static_path(p, "theta0", _RISING[::-1], start=start) for start in ("small", "large")
+    )
     ends = sorted((int(np.argmin(back.x)), int(np.argmax(back.x))))
     rises = (np.diff(back.x[slice(*ends)]) > 0).all() and back.values[ends[1]] < np.radians(2.0)
     return not back.jumps and rises and len(large.jumps) == 1, {
@@ -196,12 +244,18 @@ def no_jump_falling() -> Outcome:
 def must_jump() -> Outcome:
     up, down = _up_and_down()
     turns = len(folds(_at(60.0), "mu0"))
-    return turns == 2 and len(up) == len(down) == 1, {"folds passed each way": turns, "jumps": [len(up), len(down)]}
+    return turns == 2 and len(up) == len(down) == 1, {
+        "folds passed each way": turns,
+        "jumps": [len(up), len(down)],
+    }
 
 
 def _up_and_down() -> list[tuple[Jump, ...]]:
     """Jumps as the friction rises at 60°, and as it falls."""
-    return [quasi_static_path(_at(60.0), "mu0", values).jumps for values in (_FRICTIONS, _FRICTIONS[::-1])]
+    return [
+        quasi_static_path(_at(60.0), "mu0", values).jumps
+        for values in (_FRICTIONS, _FRICTIONS[::-1])
+    ]
 
 
 def family_row(name: str, value: float, bracket: list[float], jumps: bool) -> Outcome:
@@ -220,7 +274,9 @@ def family_row(name: str, value: float, bracket: list[float], jumps: bool) -> Ou
 def flutter_alpha() -> Outcome:
     p = _article(alpha=0.7)
     onsets = _deg(flutter_onsets(p, damping=False).theta0)
-    growth = _highest(lambda angle: np.nanmax(equilibria(p.replace(theta0=angle)).eigenvalues.real), 2.5, 2.8)
+    growth = _highest(
+        lambda angle: np.nanmax(equilibria(p.replace(theta0=angle)).eigenvalues.real), 2.5, 2.8
+    )
     inside = equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
     flutters = (inside.stability[:, 0] == Stability.FLUTTER).all() and (inside.count == 1).all()
     holds = len(onsets) == 2 and flutters and abs(_deg(growth.x) - 150) < 5
@@ -233,13 +289,17 @@ def flutter_sigma() -> Outcome:
     onsets = _deg(flutter_onsets(p, damping=False).theta0)
     eq = equilibria(p.replace(theta0=np.radians(_GRID)))
     flutters, expected = eq.stability == Stability.FLUTTER, np.searchsorted(onsets, _GRID) != 1
-    return (flutters.any(axis=-1) == expected).all() and flutters[expected, 2].all(), {"onsets_deg": onsets}
+    return (flutters.any(axis=-1) == expected).all() and flutters[expected, 2].all(), {
+        "onsets_deg": onsets
+    }
 
 
 def sheets() -> Outcome:
     eq = equilibria(_at(_GRID, mu0=_FRICTIONS[::2, None]))
     lowest = flutter_boundary(_article()).mu0.min()
-    return _middle_diverges(eq) and lowest > MU0_MAX, {"lowest mu0 with flutter": rounded(lowest, 4)}
+    return _middle_diverges(eq) and lowest > MU0_MAX, {
+        "lowest mu0 with flutter": rounded(lowest, 4)
+    }
 
 
 def hopf() -> Outcome:
@@ -271,12 +331,20 @@ def cusp() -> Outcome:
     angle, end = math.degrees(cusp.theta0), _deg(folds(_article(mu0=0.0)).theta0)[0]
     numbers = [len(folds(_at(degrees), "mu0")) for degrees in (end - 0.01, end + 0.01, 68.0, 68.03)]
     holds = cusp.versal and numbers == [1, 2, 2, 0]
-    return holds, {"theta0_deg": angle, "mu0": float(cusp.mu0), "two jumps for theta0_deg from, to": [end, angle]}
+    return holds, {
+        "theta0_deg": angle,
+        "mu0": float(cusp.mu0),
+        "two jumps for theta0_deg from, to": [end, angle],
+    }
 
 
 def hysteresis() -> Outcome:
     (up,), (down,) = _up_and_down()
-    holds = up.value > down.value and up.after["x"] > up.before["x"] and down.after["x"] < down.before["x"]
+    holds = (
+        up.value > down.value
+        and up.after["x"] > up.before["x"]
+        and down.after["x"] < down.before["x"]
+    )
     return holds, {"jump rising at mu0": up.value, "jump falling at mu0": down.value}
 
 
@@ -287,9 +355,10 @@ def no_return() -> Outcome:
     # A belt that runs back is the mirror image.
     below = -folds(_at(180.0 - 40.0), "mu0").mu0
     return not back.jumps and abs(back.x[0] - up.x[-1]) < 1e-9 and back.x[-1] > 1 > up.x[0], {
-        "jump rising at mu0": jump.value, "x at mu0 = 0 before, after": [up.x[0], back.x[-1]],
+        "jump rising at mu0": jump.value,
+        "x at mu0 = 0 before, after": [up.x[0], back.x[-1]],
         "the next fold at mu0": below.max(),
-    }  # fmt: skip
+    }
 
 
 # ---------------------------------------------------------------------------------------------------- motion
@@ -305,19 +374,28 @@ def limit_cycle() -> Outcome:
     late = simulate(p, t_end=10000.0).after(8000.0)
     eq = equilibria(p.replace(mu0=_working(p)))
     outcome, x = late.outcome(0.0), eq.x[0]
-    growth = np.linalg.eigvals(System.of(p, None).linearization(np.array([x, eq.y[0], 0.0, 0.0]))).real.max()
+    growth = np.linalg.eigvals(
+        System.of(p, None).linearization(np.array([x, eq.y[0], 0.0, 0.0]))
+    ).real.max()
     alone = eq.count == 1 and eq.stability[0] == Stability.STABLE
     return outcome.regime == Regime.LIMIT_CYCLE and alone and growth > 0, {
-        "period": outcome.period, "largest |x|": late.largest(0.0), "x of the only equilibrium": x,
+        "period": outcome.period,
+        "largest |x|": late.largest(0.0),
+        "x of the only equilibrium": x,
         "its growth rate with the friction law's damping": growth,
-    }  # fmt: skip
+    }
 
 
 def amplitude_jump() -> Outcome:
     table = sensitivity(_at(np.arange(36.0, 48.5, 1.0)), [V], [D], refine=12)
-    at, before, after = (float(np.ravel(value)[0]) for value in (_deg(table.theta0), table.before, table.after))
+    at, before, after = (
+        float(np.ravel(value)[0]) for value in (_deg(table.theta0), table.before, table.after)
+    )
     apart = _deg(folds(_article()).theta0[0]) - at
-    return after > 5 * before and abs(apart) < 5, {"theta0_deg": at, "before the fold by (deg)": rounded(apart, 3)}
+    return after > 5 * before and abs(apart) < 5, {
+        "theta0_deg": at,
+        "before the fold by (deg)": rounded(apart, 3),
+    }
 
 
 # ----------------------------------------------------------------------- where the oscillation lives, and the fate of rest
@@ -326,15 +404,24 @@ def amplitude_jump() -> Outcome:
 def lives_below() -> Outcome:
     """Stable cycles beside stable sliding, far below the fold."""
     near, found = cycle(_at(42.0), near=ON_CYCLE, patient=False), dict[tuple[float, ...], Cycle]()
-    for place in [(degrees, V, D) for degrees in FAR_BELOW[::-1]] + [(WITH_OTHERS, *belt) for belt in OTHER_BELTS]:
+    for place in [(degrees, V, D) for degrees in FAR_BELOW[::-1]] + [
+        (WITH_OTHERS, *belt) for belt in OTHER_BELTS
+    ]:
         degrees, speed, creep = place
-        near = found[place] = cycle(_at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near))
-    ours, others = [found[degrees, V, D] for degrees in FAR_BELOW], [found[WITH_OTHERS, *belt] for belt in OTHER_BELTS]
+        near = found[place] = cycle(
+            _at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near)
+        )
+    ours, others = (
+        [found[degrees, V, D] for degrees in FAR_BELOW],
+        [found[WITH_OTHERS, *belt] for belt in OTHER_BELTS],
+    )
     return all(one.stable and _slides_stably(*place) for place, one in found.items()), {
-        "theta0_deg": FAR_BELOW, "periods": [one.period for one in ours],
-        "largest multipliers": [np.abs(one.multipliers[1]) for one in ours], **_of_others(),
+        "theta0_deg": FAR_BELOW,
+        "periods": [one.period for one in ours],
+        "largest multipliers": [np.abs(one.multipliers[1]) for one in ours],
+        **_of_others(),
         "periods with these at 30 degrees": [one.period for one in others],
-    }  # fmt: skip
+    }
 
 
 def _of_others() -> dict[str, Any]:
@@ -366,10 +453,15 @@ def fate_of_rest() -> Outcome:
     before, apart = _deg(folds(_article()).theta0[0]) - at, _deg([*sliding]) - changes
     holds = all(one.saddle == "equilibrium" for one in (found, *others)) and 1 < before < 5
     return holds and (3 < apart).all() and (apart < 4).all(), {
-        "theta0_deg": at, "before the fold by (deg)": before, "x of the saddle": found.state[0],
-        "y of the saddle": found.state[1], "its growth rate": found.growth, **_of_others(),
-        "theta0_deg with these": changes, "before the fold at their sliding friction by (deg)": apart,
-    }  # fmt: skip
+        "theta0_deg": at,
+        "before the fold by (deg)": before,
+        "x of the saddle": found.state[0],
+        "y of the saddle": found.state[1],
+        "its growth rate": found.growth,
+        **_of_others(),
+        "theta0_deg with these": changes,
+        "before the fold at their sliding friction by (deg)": apart,
+    }
 
 
 # -------------------------------------------------------------------------------------- under dry friction, d → ∞
@@ -382,23 +474,36 @@ def _dry(degrees: Any) -> ParameterSet:
 
 def statics_without_d() -> Outcome:
     eq, dry = (equilibria(p) for p in (_at(OF_STATICS), _dry(OF_STATICS)))
-    same = np.array_equal(eq.stability, dry.stability) and np.allclose(eq.x, dry.x, rtol=0.0, atol=1e-12, equal_nan=True)
+    same = np.array_equal(eq.stability, dry.stability) and np.allclose(
+        eq.x, dry.x, rtol=0.0, atol=1e-12, equal_nan=True
+    )
     undamped = np.abs(dry.growth[dry.stability == Stability.STABLE]).max() < 1e-15
     return same and undamped, {
-        "theta0_deg": OF_STATICS, "counts for every d": dry.count, "x of the first state": dry.x[:, 0],
+        "theta0_deg": OF_STATICS,
+        "counts for every d": dry.count,
+        "x of the first state": dry.x[:, 0],
         "its growth with our d": eq.growth[:, 0],
-    }  # fmt: skip
+    }
 
 
 def oscillation_without_d() -> Outcome:
-    near, sticking = (cycle(_dry(degrees), near=state, patient=False) for degrees, state in (ON_DRY_CYCLE, ON_STICKING))
+    near, sticking = (
+        cycle(_dry(degrees), near=state, patient=False)
+        for degrees, state in (ON_DRY_CYCLE, ON_STICKING)
+    )
     found = [near, cycle(_dry(49.0), near=near)]
     held = sticking.phases.duration[sticking.phases.side == 0].sum()
-    return all(one.stable and one.phases.side.all() for one in found) and held > 0 and not sticking.stable, {
-        "theta0_deg": (ON_DRY_CYCLE[0], 49.0), "periods": [one.period for one in found],
-        "largest multipliers": [np.abs(one.multipliers[1]) for one in found], "theta0_deg of one that sticks": ON_STICKING[0],
-        "its period": sticking.period, "it sticks for": held, "its largest multiplier": np.abs(sticking.multipliers[1]),
-    }  # fmt: skip
+    return all(
+        one.stable and one.phases.side.all() for one in found
+    ) and held > 0 and not sticking.stable, {
+        "theta0_deg": (ON_DRY_CYCLE[0], 49.0),
+        "periods": [one.period for one in found],
+        "largest multipliers": [np.abs(one.multipliers[1]) for one in found],
+        "theta0_deg of one that sticks": ON_STICKING[0],
+        "its period": sticking.period,
+        "it sticks for": held,
+        "its largest multiplier": np.abs(sticking.multipliers[1]),
+    }
 
 
 # ------------------------------------------------------------------------------------------ cross-references

@@ -35,7 +35,9 @@ class Statement:
     tolerance: str = "none: a yes or no"
     command: str
     test: str  #: in tests/article/test_claims.py
-    consequence: str = ""  #: for those who use the article, where a statement does not hold as it stands
+    consequence: str = (
+        ""  #: for those who use the article, where a statement does not hold as it stands
+    )
 
     def row(self, holds: bool, values: dict[str, Value]) -> Row:
         """A row of the ledger of claims: what is stated and what was found."""
@@ -52,7 +54,8 @@ def printed() -> Any:
 
 
 STATEMENTS = tuple(
-    Statement(id=id, **entry) for id, entry in tomllib.loads(shipped_text("spragsym.article", "statements.toml")).items()
+    Statement(id=id, **entry)
+    for id, entry in tomllib.loads(shipped_text("spragsym.article", "statements.toml")).items()
 )
 
 
@@ -62,10 +65,17 @@ def run(statements: Sequence[Statement]) -> list[Row]:
 
     rows = []
     for statement in statements:
-        name, *arguments = [statement.computed] if isinstance(statement.computed, str) else statement.computed
+        name, *arguments = (
+            [statement.computed] if isinstance(statement.computed, str) else statement.computed
+        )
         with doing(statement.id):
             holds, values = getattr(computed, name)(*arguments)
-        rows.append(statement.row(bool(holds), {name: rounded(value, statement.digits) for name, value in values.items()}))
+        rows.append(
+            statement.row(
+                bool(holds),
+                {name: rounded(value, statement.digits) for name, value in values.items()},
+            )
+        )
     return rows
 
 
@@ -78,14 +88,20 @@ def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[Row]:
 def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
     """What differs from the record, one line each: statuses, words, and numbers beyond their digits."""
     before = {row["id"]: row for row in record}
-    return sorted(f"{row['id']}: {line}" for row in rows for line in _differences(row, before[row["id"]]))
+    return sorted(
+        f"{row['id']}: {line}" for row in rows for line in _differences(row, before[row["id"]])
+    )
 
 
 def record_text(rows: Sequence[Row]) -> str:
     """The record as JSON, numbers rounded to their digits; rows that do not hold can't be recorded."""
     if lost := [row["id"] for row in rows if row["status"] == "not reproduced"]:
-        raise ConvergenceError(f"{', '.join(lost)}: not reproduced; mend the statement in statements.toml, or what computes it")
-    return json.dumps({row["id"]: row["values"] for row in rows}, indent=1, ensure_ascii=False) + "\n"
+        raise ConvergenceError(
+            f"{', '.join(lost)}: not reproduced; mend the statement in statements.toml, or what computes it"
+        )
+    return (
+        json.dumps({row["id"]: row["values"] for row in rows}, indent=1, ensure_ascii=False) + "\n"
+    )
 
 
 def rounded(value: Any, digits: int) -> Value:
@@ -95,11 +111,19 @@ def rounded(value: Any, digits: int) -> Value:
         return items
     if isinstance(value, float | np.floating):
         return float(f"{float(value):.{digits}g}")
-    return int(value) if isinstance(value, np.integer | int) and not isinstance(value, bool) else str(value)
+    return (
+        int(value)
+        if isinstance(value, np.integer | int) and not isinstance(value, bool)
+        else str(value)
+    )
 
 
 def _differences(now: Row, before: Row) -> list[str]:
-    words = [f"{name} is {new!r}, not {before[name]!r}" for name, new in now.items() if name != "values" and new != before[name]]
+    words = [
+        f"{name} is {new!r}, not {before[name]!r}"
+        for name, new in now.items()
+        if name != "values" and new != before[name]
+    ]
     new, old = now["values"], before["values"]
     return words + [
         f"{name} = {new.get(name)}, not {old.get(name)}"
@@ -111,9 +135,13 @@ def _differences(now: Row, before: Row) -> list[str]:
 def _close(one: Any, other: Any, digits: int) -> bool:
     """Whether values are equal; floats may differ by a unit of the last recorded digit, those below 1 by that unit of 1."""
     if isinstance(one, list) and isinstance(other, list):
-        return len(one) == len(other) and all(_close(a, b, digits) for a, b in zip(one, other, strict=True))
+        return len(one) == len(other) and all(
+            _close(a, b, digits) for a, b in zip(one, other, strict=True)
+        )
     if isinstance(one, float) and isinstance(other, float):
-        return abs(one - other) <= 1.01 * 10.0 ** (1 - digits) * 10.0 ** math.floor(math.log10(max(abs(other), 1.0)))
+        return abs(one - other) <= 1.01 * 10.0 ** (1 - digits) * 10.0 ** math.floor(
+            math.log10(max(abs(other), 1.0))
+        )
     return bool(one == other)
 
 
@@ -127,7 +155,11 @@ PARADOX = (
 
 def page() -> str:
     """The page, in Markdown: reproduction.md, filled in (extra ``plot``)."""
-    rows, claims, forms = printed()["rows"], recorded(), shipped_text("spragsym.generated", "LEDGER.md")
+    rows, claims, forms = (
+        printed()["rows"],
+        recorded(),
+        shipped_text("spragsym.generated", "LEDGER.md"),
+    )
 
     def both_forms(id: str) -> str:
         """What is printed above what is derived, as the ledger's page shows the row."""
@@ -136,7 +168,16 @@ def page() -> str:
 
     equations, stated = (Counter(row["status"] for row in those) for those in (rows, claims))
     return filled(
-        "spragsym.article", "reproduction.md", "the report on the article", rows=rows, claims=claims, printed=equations,
-        stated=stated, measured=json.loads(shipped_text("spragsym.article", "measured.json")), paradox=PARADOX, V=V, d=f"{D:g}",
+        "spragsym.article",
+        "reproduction.md",
+        "the report on the article",
+        rows=rows,
+        claims=claims,
+        printed=equations,
+        stated=stated,
+        measured=json.loads(shipped_text("spragsym.article", "measured.json")),
+        paradox=PARADOX,
+        V=V,
+        d=f"{D:g}",
         both_forms=both_forms,
-    )  # fmt: skip
+    )

@@ -2,6 +2,16 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "bifurcation_sets", "branches", "critical", "defining_systems", "digits", "flutter", "folds", "hopf_curves", "normal_forms",
-    "paths", "tubes", "turning_points",
-]  # fmt: skip
+    "bifurcation_sets",
+    "branches",
+    "critical",
+    "defining_systems",
+    "digits",
+    "flutter",
+    "folds",
+    "hopf_curves",
+    "normal_forms",
+    "paths",
+    "tubes",
+    "turning_points",
+]

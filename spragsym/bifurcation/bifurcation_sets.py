@@ -16,7 +16,15 @@ import numpy as np
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, quiet, scale_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    ends_around,
+    quiet,
+    scale_of,
+)
 from ..numerics.vectors import norm
 from ..progress import doing
 from ..questions import Method, question
@@ -113,10 +121,14 @@ def bifurcation_set(
     more = np.concatenate([rows_of(family, points) for _, points in known], axis=1)
     found = on_lines(family, FOLD, n, more, more[-1])
     curves = [Curve(family.named(chain)) for chain in found.chains]
-    complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
+    complete = (
+        found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
+    )
     cut = of_ranges(family.endless, vary, family.spans)
     remarks = (*found.remarks, *_said(known, cut))
-    return BifurcationSet(family.vary, tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
+    return BifurcationSet(
+        family.vary, tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks
+    )
 
 
 def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
@@ -126,20 +138,27 @@ def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator
     for kind, points in known:
         for text in points.remarks:
             said.setdefault(text, {})[_WHERE[kind]] = None
-    yield from (Remark("{}: {}", ", ".join(kinds), text) for text, kinds in said.items() if text not in cut)
+    yield from (
+        Remark("{}: {}", ", ".join(kinds), text) for text, kinds in said.items() if text not in cut
+    )
 
 
 def extrema(
-    p: Any, vary: Sequence[str], between: Ranges,
+    p: Any,
+    vary: Sequence[str],
+    between: Ranges,
     within: Ranges | None = None,
-) -> Iterator[tuple[str, Points]]:  # fmt: skip
+) -> Iterator[tuple[str, Points]]:
     """Where curves of folds have extreme values of the second parameter or end, by kind, each proved; arguments as of ``folds``.
 
     Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0; ``"end"``, at
     either end of the range of v; and ``"border"``, where folds leave a contact that opens.
     """
     over, along = vary
-    family, rest = Family.of(p, vary, between, within), {name: ends for name, ends in between.items() if name != over}
+    family, rest = (
+        Family.of(p, vary, between, within),
+        {name: ends for name, ends in between.items() if name != over},
+    )
     with doing("cusps over {} and {}", *vary):
         found = cusps(p, vary, between=between, within=within)
     yield "cusp", found
@@ -152,7 +171,12 @@ def extrema(
         value = p.ranges[over].reached(end, high - low)
         yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
     if family.balance.opens and bends:
-        yield "border", isolated(Family.of(p, vary, between, within, room=OVER_BORDER), FOLD_ON_BORDER, "border")
+        yield (
+            "border",
+            isolated(
+                Family.of(p, vary, between, within, room=OVER_BORDER), FOLD_ON_BORDER, "border"
+            ),
+        )
 
 
 def rows_of(family: Family, found: Points) -> FloatArray:
@@ -175,7 +199,7 @@ class OnLines:
 
 def on_lines(
     family: Family, condition: Condition, n: int, more: FloatArray, apart: Iterable[float] = ()
-) -> OnLines:  # fmt: skip
+) -> OnLines:
     """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
 
     Between any two of the values ``apart`` of the second parameter there is a line of the first one.
@@ -192,20 +216,38 @@ def on_lines(
         column = np.repeat(family.given, values.size, axis=1)
         column[balance.parameters.index(vary[across])] = values
         with doing("{} lines along {}", values.size, vary[along]):
-            found = _on_each(replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1]), condition)
+            found = _on_each(
+                replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1]),
+                condition,
+            )
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
-        rows.append(np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0))
+        rows.append(
+            np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0)
+        )
         line = values[found.roots.left_point]
-        left.append(np.insert(found.roots.left, balance.n + across, Intervals.point(line).ends, axis=1))
+        left.append(
+            np.insert(found.roots.left, balance.n + across, Intervals.point(line).ends, axis=1)
+        )
     states = np.concatenate([*rows, more], axis=1)
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
     reach = np.ptp(states[: balance.n], axis=1).max(initial=1e-9) if states.size else 1.0
-    curves = FoldCurves(Augmented(family, condition), np.append(np.full(balance.n, reach), np.ptp(spans, axis=1)))
-    near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
+    curves = FoldCurves(
+        Augmented(family, condition), np.append(np.full(balance.n, reach), np.ptp(spans, axis=1))
+    )
+    near = np.logical_and(
+        *(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1))
+    )
     joined = curves.joined([states[:, places] for places in _chains(curves, states, near)])
     chains = [curves.smooth(chain) for chain in joined]
-    return OnLines(curves, chains, lines, undecided, whole, tuple(Remark("on lines: {}", text) for text in remarks))
+    return OnLines(
+        curves,
+        chains,
+        lines,
+        undecided,
+        whole,
+        tuple(Remark("on lines: {}", text) for text in remarks),
+    )
 
 
 def _on_each(lines: Family, condition: Condition) -> Found:
@@ -234,7 +276,10 @@ def _between(values: Iterable[float], span: FloatArray, lines: FloatArray) -> Fl
 def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> BoolArray:
     """Whether no line separates two points, for every pair: where a curve crosses a line, there is a point of its own."""
     room = ON_LINE * (span[1] - span[0])
-    first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
+    first, last = (
+        np.searchsorted(lines, places - room, "left"),
+        np.searchsorted(lines, places + room, "right"),
+    )
     return np.maximum.outer(first, first) <= np.minimum.outer(last, last)
 
 
@@ -250,7 +295,9 @@ def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntA
     ahead = (gap * tangent[:, :, None]).sum(axis=0)
     with quiet():
         straight = np.abs(ahead) / distance
-        cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+        cost = np.where(
+            near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf
+        )
     # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the nearest pairs first.
     side = np.where(ahead > 0, 0, 1)
     cost = np.where(np.tri(count, dtype=np.bool_), np.inf, cost + cost.T)
@@ -283,10 +330,16 @@ class FoldCurves:
             place, along = states / self.scale[:, None], self.tangents(states)
             chord, centre = np.diff(place, axis=1), 0.5 * (place[:, :-1] + place[:, 1:])
             length = np.linalg.norm(chord, axis=0)
-            one, two = (part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:]))
+            one, two = (
+                part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:])
+            )
             middle = centre + 0.125 * length * (one - two)
-            rows = np.flatnonzero((np.linalg.norm((middle - centre)[-2:], axis=0) > SMOOTH) & (length > 0))
-            found, good = self.on_curve(middle[:, rows] * self.scale[:, None], chord[:, rows] / length[rows], length[rows])
+            rows = np.flatnonzero(
+                (np.linalg.norm((middle - centre)[-2:], axis=0) > SMOOTH) & (length > 0)
+            )
+            found, good = self.on_curve(
+                middle[:, rows] * self.scale[:, None], chord[:, rows] / length[rows], length[rows]
+            )
             if not good.any():
                 break
             states = np.insert(states, rows[good] + 1, found[:, good], axis=1)
@@ -305,7 +358,9 @@ class FoldCurves:
             out.append(chain)
         return out
 
-    def _beyond(self, chain: FloatArray, others: list[FloatArray], side: int) -> tuple[FloatArray, bool]:
+    def _beyond(
+        self, chain: FloatArray, others: list[FloatArray], side: int
+    ) -> tuple[FloatArray, bool]:
         """A chain with the points behind its last by pseudo-arclength, and whether they lead to its begin or another one.
 
         The other one is then a part of it, and among the others no more.
@@ -316,7 +371,9 @@ class FoldCurves:
         before = chain[:, -2] if chain.shape[1] > 1 else None
         for _ in range(PACES):
             along = self.tangents(end[:, None])[:, 0]
-            along = along * (side if before is None else np.sign(along @ ((end - before) / self.scale)))
+            along = along * (
+                side if before is None else np.sign(along @ ((end - before) / self.scale))
+            )
             start, stop = self._within(end, end + pace * along * self.scale)
             # Across the way, or where a parameter is as at the end of its range.
             normal = along if stop is None else np.eye(len(end))[stop]
@@ -344,7 +401,9 @@ class FoldCurves:
         way, (low, high) = to - end, self.spans.T
         last = np.where(way[-2:] > 0, high, low)
         with quiet():
-            share = np.where((way[-2:] != 0) & (last != end[-2:]), (last - end[-2:]) / way[-2:], np.inf)
+            share = np.where(
+                (way[-2:] != 0) & (last != end[-2:]), (last - end[-2:]) / way[-2:], np.inf
+            )
         number = int(share.argmin())
         if not share[number] <= 1:
             return to, None
@@ -361,21 +420,40 @@ class FoldCurves:
 
     def tangents(self, states: FloatArray) -> FloatArray:
         """Unit vectors along the curve, over the scales; 0 where there is none."""
-        slopes = np.moveaxis(self._slopes(Intervals.point(states)).middle * self.scale[None, :, None], -1, 0)
+        slopes = np.moveaxis(
+            self._slopes(Intervals.point(states)).middle * self.scale[None, :, None], -1, 0
+        )
         known: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
-        vectors: FloatArray = np.linalg.svd(np.where(known[:, None, None], slopes, 0.0))[2][:, -1, :].T
+        vectors: FloatArray = np.linalg.svd(np.where(known[:, None, None], slopes, 0.0))[2][
+            :, -1, :
+        ].T
         return vectors * known
 
-    def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, BoolArray]:
+    def on_curve(
+        self, start: FloatArray, normal: FloatArray, near: FloatArray
+    ) -> tuple[FloatArray, BoolArray]:
         """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
         states, scale = start, self.scale[:, None]
         with quiet():
             for _ in range(STEPS):
                 slopes = self._slopes(Intervals.point(states)).middle * scale
-                off = np.concatenate([self._values(states).middle, (normal * (states - start) / scale).sum(axis=0)[None]])
-                states = states - (contractors.inverse(np.concatenate([slopes, normal[None]])) * off).sum(axis=1) * scale
+                off = np.concatenate(
+                    [
+                        self._values(states).middle,
+                        (normal * (states - start) / scale).sum(axis=0)[None],
+                    ]
+                )
+                states = (
+                    states
+                    - (contractors.inverse(np.concatenate([slopes, normal[None]])) * off).sum(
+                        axis=1
+                    )
+                    * scale
+                )
             good = np.linalg.norm((states - start) / scale, axis=0) <= NEAR * near
-            good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(axis=0)
+            good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(
+                axis=0
+            )
             # A fold in contact is next to each state, with the same value of what the normal points along most.
             good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
         return states, good
@@ -386,13 +464,19 @@ class FoldCurves:
         ``fixed`` is the number of the unknown whose value is that of the state.
         """
         count, columns = len(self.scale), np.arange(states.shape[1])
-        free = np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64).reshape(-1, count - 1).T
+        free = (
+            np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64)
+            .reshape(-1, count - 1)
+            .T
+        )
         room = ROOM * scale_of(states)
         room[fixed, columns] = 0.0
         wide = ends_around(states, room)
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
         reach = contractors.distance(wide, states)[free, columns]
-        step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)
+        step = contractors.newton(
+            self._values(states), Intervals(slopes), states[free, columns], reach
+        )
         closed = on_side(self.system, self.system.fixed(states.shape[1]), wide)[0]
         good = closed & contractors.inside(step.ends, wide[:, free, columns])
         wide[:, free, columns] = np.fmin(step.ends, wide[:, free, columns])

@@ -58,9 +58,15 @@ class _States(ByColumn):
 
 @question
 def linked(
-    p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None, *, most: int = DRAWN, only: int | None = None,
+    p: ParameterSet,
+    vary: str,
+    eq: Equilibria,
+    turns: Points | None,
+    *,
+    most: int = DRAWN,
+    only: int | None = None,
     method: Method = "auto",
-) -> list[dict[int, int]]:  # fmt: skip
+) -> list[dict[int, int]]:
     """For each step between values of a parameter and each slot at its beginning, the slot at its end on the same branch, if any.
 
     ``turns`` are all points along it at which states vanish, None in lift-off, where there are none. A step is halved
@@ -69,7 +75,11 @@ def linked(
     """
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
-        at, kinds, q = getattr(turns, vary), turns.kind, np.array([getattr(turns, name) for name in p.model.coordinates])
+        at, kinds, q = (
+            getattr(turns, vary),
+            turns.kind,
+            np.array([getattr(turns, name) for name in p.model.coordinates]),
+        )
     along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
     stops = np.asarray(getattr(eq.parameters, vary)).tolist()
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
@@ -86,17 +96,27 @@ def linked(
         if failed and hopeless and most == HALVINGS:
             why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
             one, two = open_[0]
-            raise ConvergenceError(f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}")
+            raise ConvergenceError(
+                f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}"
+            )
         if not failed or hopeless:
             break
         # Not in the middle, where the fold is.
         middles = [one + 0.47 * (two - one) for one, two in failed]
-        states |= _states(along, equilibria(p.replace(**{vary: np.array(middles)}), eq.contact), turned)
+        states |= _states(
+            along, equilibria(p.replace(**{vary: np.array(middles)}), eq.contact), turned
+        )
         halved += zip(failed, middles, strict=True)
-        open_ = [ends for (one, two), middle in zip(failed, middles, strict=True) for ends in ((one, middle), (middle, two))]
+        open_ = [
+            ends
+            for (one, two), middle in zip(failed, middles, strict=True)
+            for ends in ((one, middle), (middle, two))
+        ]
     for (one, two), middle in reversed(halved):
         second = known[middle, two]
-        known[one, two] = {slot: second[place] for slot, place in known[one, middle].items() if place in second}
+        known[one, two] = {
+            slot: second[place] for slot, place in known[one, middle].items() if place in second
+        }
     return [known[step] for step in steps]
 
 
@@ -107,7 +127,9 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
     given = columns(eq.parameters, balance.parameters)[:, point]
     K, sides = linearization(balance, q, given)[2], np.zeros(point.size)
     if turned:
-        across = q - np.array(np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored()))
+        across = q - np.array(
+            np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored())
+        )
         known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
     values = np.asarray(getattr(eq.parameters, along.vary)).tolist()
@@ -117,7 +139,7 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
 
 def _by_tubes(
     along: Along, steps: list[Span], states: Mapping[float, _States]
-) -> tuple[dict[Span, dict[int, int]], set[Span]]:  # fmt: skip
+) -> tuple[dict[Span, dict[int, int]], set[Span]]:
     """Pairs of slots whose states a tube joins, over a fold those of states that go through; and steps of which all are known."""
     n, known = along.balance.n, {step: dict[int, int]() for step in steps}
     begun = [(one, two, slot) for one, two in steps for slot in range(states[one].signs.size)]
@@ -135,31 +157,45 @@ def _by_tubes(
         slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
         if slots.size == 1:
             known[one, two][slot] = int(slots[0])
-    return known, {step for step, pairs in known.items() if _complete(along, pairs, step, states[step[0]], states[step[1]])}
+    return known, {
+        step
+        for step, pairs in known.items()
+        if _complete(along, pairs, step, states[step[0]], states[step[1]])
+    }
 
 
-def _complete(along: Along, pairs: dict[int, int], step: Span, begin: _States, end: _States) -> bool:
+def _complete(
+    along: Along, pairs: dict[int, int], step: Span, begin: _States, end: _States
+) -> bool:
     """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
     within = (along.at >= min(step)) & (along.at <= max(step))
     kinds, counts = along.kinds[within].astype(str), (begin.signs.size, end.signs.size)
     if kinds.size and (kinds == "pitchfork").all():
-        return _across_pitchforks(along.q[:, within], pairs, begin, end, [value in along.at for value in step])
+        return _across_pitchforks(
+            along.q[:, within], pairs, begin, end, [value in along.at for value in step]
+        )
     if kinds.size and np.char.startswith(kinds, INFINITY).all():
         above = np.char.endswith(kinds, "up")
         gone = int((above == (step[0] > step[1])).sum())
         return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
     # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
-    if ((along.at > min(step)) & (along.at < max(step))).any() or (kinds.size and counts[0] != counts[1]):
+    if ((along.at > min(step)) & (along.at < max(step))).any() or (
+        kinds.size and counts[0] != counts[1]
+    ):
         return len(pairs) == min(counts)
     # Of those that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror.
     left = _left(pairs, begin), _left(pairs.values(), end)
-    one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
+    one, other = (
+        _told_apart(states, part) for states, part in zip((begin, end), left, strict=True)
+    )
     if len(left[0]) == len(one) == len(left[1]) == len(other) and one.keys() == other.keys():
         pairs |= {one[key]: other[key] for key in one}
     return len(pairs) == counts[0] == counts[1]
 
 
-def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
+def _across_pitchforks(
+    places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]
+) -> bool:
     """Pairs of the states that meet at pitchforks in these places, shape (n, number), all but those that end there.
 
     ``on`` says which of both values are on them. The outer two and the one that is left on the other side agree in the sign of
@@ -167,9 +203,15 @@ def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States
     that is stable: it ends, and begins.
     """
     left = _left(pairs, begin), _left(pairs.values(), end)
-    near = [clearly_nearest(states.q[:, slots], places) for states, slots in zip((begin, end), left, strict=True)]
+    near = [
+        clearly_nearest(states.q[:, slots], places)
+        for states, slots in zip((begin, end), left, strict=True)
+    ]
     for number in range(places.shape[1]):
-        one, two = (np.array(slots)[there == number].tolist() for slots, there in zip(left, near, strict=True))
+        one, two = (
+            np.array(slots)[there == number].tolist()
+            for slots, there in zip(left, near, strict=True)
+        )
         if not one and not two:
             continue
         if not {len(one), len(two)} <= {1, 3}:
@@ -181,7 +223,9 @@ def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States
         two.sort(key=lambda k: float(end.q[turned, k]))
         sides = zip((begin, end), (one, two), on, strict=True)
         soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
-        goals = two if len(one) == len(two) else [two[-1] if soft else two[len(two) // 2]] * len(one)
+        goals = (
+            two if len(one) == len(two) else [two[-1] if soft else two[len(two) // 2]] * len(one)
+        )
         if len(two) == 1 and not (on[1] or soft):
             one = [slot for slot in one if begin.signs[slot] < 0 and not on[0]]
         pairs |= dict(zip(one, goals, strict=False))
@@ -203,5 +247,8 @@ def _left(taken: Container[int], states: _States) -> list[int]:
 def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float | None], int]:
     """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer where two are alike."""
     signs = states.signs[part].tolist()
-    keys = [(sign, states.sides[k] if signs.count(sign) > 1 else None) for k, sign in zip(part, signs, strict=True)]
+    keys = [
+        (sign, states.sides[k] if signs.count(sign) > 1 else None)
+        for k, sign in zip(part, signs, strict=True)
+    ]
     return {key: k for key, k in zip(keys, part, strict=True) if key[1] != 0}

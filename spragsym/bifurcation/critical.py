@@ -41,7 +41,9 @@ class _Candidate:
     error: float
 
     def ties(self, other: _Candidate) -> bool:
-        return abs(self.value - other.value) <= SAME * (self.error + other.error) * max(1.0, abs(self.value))
+        return abs(self.value - other.value) <= SAME * (self.error + other.error) * max(
+            1.0, abs(self.value)
+        )
 
 
 @question
@@ -106,16 +108,22 @@ def critical_friction(
     try:
         found = search_of.lowest()
     except ConvergenceError as error:
-        return LowestEnd(vary, over, search_of.low, math.nan, "undecided", math.nan, False, (str(error),))
+        return LowestEnd(
+            vary, over, search_of.low, math.nan, "undecided", math.nan, False, (str(error),)
+        )
     remarks, open_from = search_of.remarks, search_of.open_from
     if found.value > open_from:
         at = At(vary, (open_from,), ".6g")
-        remarks.append(Remark("candidates from {} on are not all decided: the state may end there", at))
+        remarks.append(
+            Remark("candidates from {} on are not all decided: the state may end there", at)
+        )
         found = _Candidate(open_from, math.nan, "undecided", math.nan)
     cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
     remarks += of_ranges(cut, (over, vary), search_of.spans)
     complete = not remarks and found.kind != "undecided"
-    return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks))
+    return LowestEnd(
+        vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks)
+    )
 
 
 @question
@@ -173,9 +181,15 @@ def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) 
     found = cusps(p, (over, vary), between=between)
     inside = np.logical_and(*(p.ranges[name].inside(getattr(found, name)) for name in (vary, over)))
     value = float(getattr(found, vary)[inside].min(initial=math.inf))
-    if _least_left(found, vary) < value or not found.whole or (not math.isfinite(value) and found.endless):
+    if (
+        _least_left(found, vary) < value
+        or not found.whole
+        or (not math.isfinite(value) and found.endless)
+    ):
         where = f", the lowest of those at {vary} = {value:.12g}" if len(found) else ""
-        raise ConvergenceError(f"{len(found)} cusps were found{where}; whether there is a lower one: {'; '.join(found.remarks)}")
+        raise ConvergenceError(
+            f"{len(found)} cusps were found{where}; whether there is a lower one: {'; '.join(found.remarks)}"
+        )
     return value
 
 
@@ -240,14 +254,18 @@ def critical_value(
     rising, over = p.model.rising_over(along, over, "along")
     if vary not in p.ranges or vary in (rising, over):
         others = ", ".join(name for name in p.ranges if name not in (rising, over))
-        raise ParameterError(f"vary = {vary!r} can't be what changes where {rising} rises over {over}; choose one of {others}")
+        raise ParameterError(
+            f"vary = {vary!r} can't be what changes where {rising} rises over {over}; choose one of {others}"
+        )
     (level,) = p.scalars(rising)
 
     def lowest(value: float) -> float:
         with doing("lowest end at {} = {:.6g}", vary, value):
             found = critical_friction(p.replace(**{vary: value}), rising, over, between=between)
         if found.kind == "undecided":
-            raise ConvergenceError(f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
+            raise ConvergenceError(
+                f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}"
+            )
         return float(found.value)
 
     low, high = as_range("bracket", bracket, p.ranges[vary])
@@ -256,11 +274,18 @@ def critical_value(
         return math.atan(lowest(value)) - math.atan(level)  # finite where there is no fold
 
     if excess(low) * excess(high) > 0:
-        ends = ", ".join(f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high))
-        raise ParameterError(f"bracket: the critical {rising} is {ends}, both on one side of {rising} = {level:g}; widen it")
+        ends = ", ".join(
+            f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high)
+        )
+        raise ParameterError(
+            f"bracket: the critical {rising} is {ends}, both on one side of {rising} = {level:g}; widen it"
+        )
     root = float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=1000))
     if abs(excess(root)) > 1e-9:
-        below, above = (lowest(max(float(np.nextafter(root, end)), p.ranges[vary].low)) for end in (-math.inf, math.inf))
+        below, above = (
+            lowest(max(float(np.nextafter(root, end)), p.ranges[vary].low))
+            for end in (-math.inf, math.inf)
+        )
         raise ConvergenceError(
             f"the critical {rising} jumps across {level:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
             f"{_in_words(above)}: there it has no value between; try a bracket on one side"
@@ -280,7 +305,9 @@ def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArr
     for value in values[1:].tolist():
         here = tubes.followed(here, np.array([value]))
         if not here.sure[0] or here.v[0] != value:
-            raise ConvergenceError(f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}")
+            raise ConvergenceError(
+                f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}"
+            )
         states.append(here.z[:-1, 0])
     return np.stack(states, axis=1)
 
@@ -302,18 +329,30 @@ class _Search:
         """The candidate of least value at which the followed state ends; an infinite value where it ends at none."""
         candidates = self.candidates()
         first, last = self.spans[0].tolist()
-        places = {first, last, *(place for one in candidates for sides in self.beside(one) for place in sides)}
+        places = {
+            first,
+            last,
+            *(place for one in candidates for sides in self.beside(one) for place in sides),
+        }
         self.begin(sorted(place for place in places if first <= place <= last))
         for one in candidates:
-            above = [other.value for other in candidates if other.value > one.value and not other.ties(one)]
+            above = [
+                other.value
+                for other in candidates
+                if other.value > one.value and not other.ties(one)
+            ]
             limit = min(above, default=self.high)
             if one.value >= self.high:
                 break
-            with doing("whether the state ends at the {} at {} = {:.6g}", one.kind, self.vary, one.value):
+            with doing(
+                "whether the state ends at the {} at {} = {:.6g}", one.kind, self.vary, one.value
+            ):
                 outcome = self.ends_at(one, limit)
             if outcome is None:
                 at = At(self.over, (one.where,), ".6g")
-                self.remarks.append(Remark(f"whether the state ends at the {one.kind} at {{}} is not decided", at))
+                self.remarks.append(
+                    Remark(f"whether the state ends at the {one.kind} at {{}} is not decided", at)
+                )
                 return replace(one, kind="undecided")
             if outcome:
                 return one
@@ -324,10 +363,15 @@ class _Search:
         found: list[_Candidate] = []
         for kind, points in self.points():
             columns = (getattr(points, name).tolist() for name in (self.vary, self.over, "error"))
-            found += [_Candidate(value, where, kind, error) for value, where, error in zip(*columns, strict=True)]
+            found += [
+                _Candidate(value, where, kind, error)
+                for value, where, error in zip(*columns, strict=True)
+            ]
             self.open_from = min(self.open_from, _least_left(points, self.vary))
             if not points.whole:
-                self.remarks.append(f"of the kind {kind} not all states are known to lie in what was searched")
+                self.remarks.append(
+                    f"of the kind {kind} not all states are known to lie in what was searched"
+                )
         return sorted(found, key=lambda one: one.value)
 
     def points(self) -> Iterator[tuple[str, Points]]:
@@ -349,24 +393,36 @@ class _Search:
             yield from ((INFINITY, escapes(family)) for family in families(0.0))
         if self.balance.opens:
             for family in families(OVER_BORDER):
-                yield "border", isolated(family, TOUCH_TURN if len(family.vary) == 2 else TOUCH, "border")
+                yield (
+                    "border",
+                    isolated(family, TOUCH_TURN if len(family.vary) == 2 else TOUCH, "border"),
+                )
 
     def beside(self, one: _Candidate) -> list[list[float]]:
         """Places at which it is asked whether the state ends at a candidate: of a cusp two on its sides, ever nearer to it."""
         length = float(np.ptp(self.spans[0]))
-        return [[one.where - far * length, one.where + far * length] for far in ASIDE] if one.kind == "cusp" else [[one.where]]
+        return (
+            [[one.where - far * length, one.where + far * length] for far in ASIDE]
+            if one.kind == "cusp"
+            else [[one.where]]
+        )
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""
         here = self.p.replace(**{self.vary: self.low})
-        where = f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
+        where = (
+            f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
+        )
         first = taken_up(here.replace(**{self.over: places[0]}), self.p.followed, where)
         way = carried(self.balance, here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
 
     def end_at(self, place: float, limit: float) -> ModelEnd | None:
         """Where the state ends there below a limit; None if it does not."""
-        here, near = self.p.replace(**{self.over: place}), dict(zip(self.balance.coordinates, self.beginning[place], strict=True))
+        here, near = (
+            self.p.replace(**{self.over: place}),
+            dict(zip(self.balance.coordinates, self.beginning[place], strict=True)),
+        )
         slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
         return first_end(here, self.vary, (self.low, limit), start=int(slot))
 
@@ -391,7 +447,9 @@ class _Search:
 
     def folds_below(self, place: float, limit: float) -> int:
         """How many there are."""
-        found = folds(self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)})
+        found = folds(
+            self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)}
+        )
         if not found.decided:
             raise ConvergenceError("folds beside a cusp are not all decided")
         return len(found)

@@ -20,10 +20,29 @@ from ..errors import ParameterError
 from ..models import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors
-from ..numerics.arithmetic import Matrix, Polynomial, characteristic, cofactor, determinant, hurwitz, pencil, resultant, trimmed
+from ..numerics.arithmetic import (
+    Matrix,
+    Polynomial,
+    characteristic,
+    cofactor,
+    determinant,
+    hurwitz,
+    pencil,
+    resultant,
+    trimmed,
+)
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, matrix, quiet, stacked
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    Shape,
+    matrix,
+    quiet,
+    stacked,
+)
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..statics.balance import ENDLESS, Balance, StateSystem, at_anchors
@@ -64,15 +83,25 @@ class Family:
 
     @classmethod
     def of(
-        cls, p: Any, vary: Sequence[str], between: Ranges | None = None,
-        within: Ranges | None = None, *, room: float = 0.0, given: FloatArray | None = None,
-    ) -> Self:  # fmt: skip
+        cls,
+        p: Any,
+        vary: Sequence[str],
+        between: Ranges | None = None,
+        within: Ranges | None = None,
+        *,
+        room: float = 0.0,
+        given: FloatArray | None = None,
+    ) -> Self:
         """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the border of contact states count, too."""
         balance, between = Balance(p.model, room=room), between or {}
         spans, asked = ranges(p.model, vary, between), by_hand(balance.coordinates, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
         # Of these nobody has said how far they are searched.
-        endless = tuple(name for name in vary if name not in between and math.inf in map(abs, _ends(p.model, name)))
+        endless = tuple(
+            name
+            for name in vary
+            if name not in between and math.inf in map(abs, _ends(p.model, name))
+        )
         return cls(p, balance, tuple(vary), given, spans, asked, endless)
 
     def at(self, values: FloatArray) -> FloatArray:
@@ -105,10 +134,16 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
     given, rows = as_ranges("between", between, vary), []
     for name in vary:
         own, far = _ends(model, name), FAR * max(1.0, abs(model.base.get(name, 0.0)))
-        ends = given.get(name, [end if math.isfinite(end) else math.copysign(far, end) for end in own])
+        ends = given.get(
+            name, [end if math.isfinite(end) else math.copysign(far, end) for end in own]
+        )
         if ends[0] < own[0] or ends[1] > own[1]:
-            (domain,) = (entry["domain"] for entry in model.about["parameters"] if entry["name"] == name)
-            raise ParameterError(f"between[{name!r}] = {between[name]} leaves the range of {name}, {domain}; stay within it")
+            (domain,) = (
+                entry["domain"] for entry in model.about["parameters"] if entry["name"] == name
+            )
+            raise ParameterError(
+                f"between[{name!r}] = {between[name]} leaves the range of {name}, {domain}; stay within it"
+            )
         rows.append(ends)
     return np.array(rows, dtype=float).reshape(-1, 2)
 
@@ -123,7 +158,9 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     fixed = [name for name in names if name not in vary]
     for name in fixed:
         if getattr(p, name) is None:
-            raise ParameterError(f"{name} has no value while {' and '.join(vary)} varies; use p.replace({name}=...), or vary it")
+            raise ParameterError(
+                f"{name} has no value while {' and '.join(vary)} varies; use p.replace({name}=...), or vary it"
+            )
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])
 
@@ -150,7 +187,9 @@ FOLD = Condition(lambda at: (determinant(at.slopes),), singular=True)
 #: The gap of the contact is 0.
 TOUCH = Condition(lambda at: (at.gap(),), touching=True)
 #: det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact.
-FOLD_ON_BORDER = Condition(lambda at: (determinant(at.slopes), at.gap()), touching=True, singular=True)
+FOLD_ON_BORDER = Condition(
+    lambda at: (determinant(at.slopes), at.gap()), touching=True, singular=True
+)
 
 
 def cusp(column: int) -> Condition:
@@ -238,7 +277,9 @@ def undamped_mode(along: int) -> Condition:
 
 def no_damping(along: int, on_fold: bool = False) -> Condition:
     """The damping of the coordinate ``along`` is 0, at a fold too: if nothing else damps, every pair of the state crosses."""
-    return Condition(lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along]))
+    return Condition(
+        lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along])
+    )
 
 
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however
@@ -247,8 +288,10 @@ NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_
 #: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the coefficients, the lowest first. BT: two
 #: roots λ are 0. ZH: one is, and two others have the sum 0. HH: all four of two coordinates come in pairs with the sum 0.
 KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
-    "BT": lambda a: a[:2], "ZH": lambda a: (a[0], hurwitz(a[1:])), "HH": lambda a: a[1::2],
-}  # fmt: skip
+    "BT": lambda a: a[:2],
+    "ZH": lambda a: (a[0], hurwitz(a[1:])),
+    "HH": lambda a: a[1::2],
+}
 
 
 def of_kind(kind: str, along: int | None) -> Condition:
@@ -274,13 +317,17 @@ class OfFamily(StateSystem):
     def __init__(self, family: Family) -> None:
         self.family, self.balance = family, family.balance
         self.n = self.balance.n + len(family.vary)
-        self.limits = np.pad(self.balance.limits, ((0, 0), (0, len(family.vary))), constant_values=np.inf)
+        self.limits = np.pad(
+            self.balance.limits, ((0, 0), (0, len(family.vary))), constant_values=np.inf
+        )
 
     def fixed(self, count: int) -> Intervals:
         """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
         return self.prepared_at(np.repeat(self.family.begin, count, axis=1))
 
-    def parted(self, unknowns: Sequence[Any], fixed: Values, xp: Any) -> tuple[list[Any], dict[str, Any]]:
+    def parted(
+        self, unknowns: Sequence[Any], fixed: Values, xp: Any
+    ) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""
         n = self.balance.n
         changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
@@ -311,15 +358,23 @@ class Augmented(OfFamily):
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
             for row, force in zip(at.slopes, at.forces(), strict=True)
         ]
-        return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], at.shape)
+        return matrix(
+            rows + [gradient(value, self.n) for value in self.condition.equations(at)], at.shape
+        )
 
     def nothing_at(self, at: State) -> BoolArray:
         """Boxes where no state is, or without what the condition asks for."""
         out: BoolArray = self.balance.nothing_at(at)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
-        return out | at_anchors(at, ~out, _regular) if self.condition.singular and not self.balance.torsions else out
+        return (
+            out | at_anchors(at, ~out, _regular)
+            if self.condition.singular and not self.balance.torsions
+            else out
+        )
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
+    def given_up(
+        self, unknowns: Intervals, parameters: Intervals, width: float = POLE
+    ) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
         at = self.state(unknowns, parameters)
         poles: BoolArray = self.balance.at_poles(at, width)
@@ -357,7 +412,10 @@ def _regular_along(at: State, spring: int, numbers: IntArray) -> BoolArray:
     """Boxes in which det K is not 0 for directions of the spring on these arcs."""
     count, place = at.shape[0], 3 * spring
     every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
-    arc, known = Intervals.between(ARC * turns, ARC * (turns + 1)), stacked(at.directions[place : place + 2], (count,))
+    arc, known = (
+        Intervals.between(ARC * turns, ARC * (turns + 1)),
+        stacked(at.directions[place : place + 2], (count,)),
+    )
     arcs = stacked([XP.cos(arc), XP.sin(arc)], every.shape)
     possible = np.flatnonzero(~contractors.apart(arcs.ends, known[:, every].ends))
     at, arcs = at.some(every[possible]), arcs[:, possible]
@@ -368,7 +426,9 @@ def _regular_along(at: State, spring: int, numbers: IntArray) -> BoolArray:
 
     K = slopes(ENDLESS)
     R = slopes(Jet.variable(Intervals.point([1.0]), 0, 1))
-    pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K)))
+    pushed = -sum(
+        cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K))
+    )
     pushed, whole = stacked([pushed, determinant(K)], possible.shape)
     singular = (pushed + whole * at.directions[place + 2]).holds_zero()
     return np.bincount(every[possible], singular, count) == 0

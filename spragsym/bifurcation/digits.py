@@ -36,7 +36,12 @@ ROOM = 96
 
 @question
 def precise_equilibria(
-    p: ParameterSet, exact: Mapping[str, Any], contact: bool, digits: int, *, method: Method = "auto"
+    p: ParameterSet,
+    exact: Mapping[str, Any],
+    contact: bool,
+    digits: int,
+    *,
+    method: Method = "auto",
 ) -> PreciseEquilibria:
     """All equilibria of a point, each number within 10^−digits max(1, |number|).
 
@@ -45,8 +50,14 @@ def precise_equilibria(
     balance = balance_of(p.model, contact)
     found, around, whole = _isolated(balance, exact)
     if found.left_point.size:
-        closer = "" if _held(_ends(exact)) else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
-        raise ConvergenceError(f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a little{closer}")
+        closer = (
+            ""
+            if _held(_ends(exact))
+            else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
+        )
+        raise ConvergenceError(
+            f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a little{closer}"
+        )
 
     def attempt(bits: int) -> list[PreciseEquilibrium]:
         system = PreciseBalance(balance, np.zeros(len(balance.parameters)), bits, _ends(exact))
@@ -54,7 +65,9 @@ def precise_equilibria(
 
     states, first = with_enough_bits(digits, attempt, "equilibria"), balance.coordinates[0]
     ordered = sorted(states, key=lambda one: one.numbers[first])
-    return PreciseEquilibria(tuple(ordered), bool(whole.all()), _searched(balance.coordinates, around))
+    return PreciseEquilibria(
+        tuple(ordered), bool(whole.all()), _searched(balance.coordinates, around)
+    )
 
 
 def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> list[T]:
@@ -64,12 +77,18 @@ def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> l
 
 
 def _searched(names: Sequence[str], region: FloatArray) -> Ranges:
-    return {name: (-float(low), float(high)) for name, low, high in zip(names, *region[:, :, 0], strict=True)}
+    return {
+        name: (-float(low), float(high))
+        for name, low, high in zip(names, *region[:, :, 0], strict=True)
+    }
 
 
 def _ends(exact: Mapping[str, Any]) -> dict[str, tuple[Fraction, Fraction]]:
     """Both ends of every parameter, equal where it is rational, at the bits of this moment."""
-    return {name: balls.ends(value()) if callable(value) else (value, value) for name, value in exact.items()}
+    return {
+        name: balls.ends(value()) if callable(value) else (value, value)
+        for name, value in exact.items()
+    }
 
 
 def _held(ends: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
@@ -82,14 +101,22 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     given = [ends[name] for name in balance.parameters]
-    low, high = np.array([[-float_above(-least), float_above(most)] for least, most in given]).T[:, :, None]
+    low, high = np.array([[-float_above(-least), float_above(most)] for least, most in given]).T[
+        :, :, None
+    ]
     if (low == high).all():
         return solved(balance, high)
     around, whole = region(balance, Intervals.between(low, high))
-    return once_around(balance.around, certified_roots.search(balance, around, low, high)), around, whole
+    return (
+        once_around(balance.around, certified_roots.search(balance, around, low, high)),
+        around,
+        whole,
+    )
 
 
-def _state(system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray) -> PreciseEquilibrium | None:
+def _state(
+    system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray
+) -> PreciseEquilibrium | None:
     """The equilibrium in a box; None where it lies beyond the border of the contact."""
     q = _narrowed(system, box, alone)
     at = system.state(q)
@@ -115,9 +142,14 @@ def _angle(c: Any, s: Any) -> Any:
 
 @question
 def precise_cusps(
-    p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, *,
-    between: Ranges | None = None, method: Method = "auto",
-) -> CuspProof:  # fmt: skip
+    p: ParameterSet,
+    exact: Mapping[str, Any],
+    vary: Sequence[str],
+    digits: int,
+    *,
+    between: Ranges | None = None,
+    method: Method = "auto",
+) -> CuspProof:
     """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.folds.cusps`.
 
     Each is proved for the exact parameters; that there are no more, only where all of these are floats.
@@ -125,24 +157,37 @@ def precise_cusps(
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     # Not a set of parameters: the float next to an exact number may lie on an end of the range that excludes it.
-    given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters])
+    given = np.array(
+        [[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters]
+    )
     family = Family.of(p, vary, between, given=given)
     found, coordinates = isolated(family), family.balance.coordinates
     systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
     names = [*vary, *columns_of(p.model)]
 
     def attempt(bits: int) -> list[PreciseCusp]:
-        precise = [PreciseBalance(system, family.given[:, 0], bits, _ends(exact)) for system in systems]
+        precise = [
+            PreciseBalance(system, family.given[:, 0], bits, _ends(exact)) for system in systems
+        ]
         return _each(found.roots, partial(_by_any_column, names, precise, digits))
 
     cusps = with_enough_bits(digits, attempt, "cusps")
-    complete = _held(ends) and bool(found.whole.all()) and not found.roots.left_point.size and not family.endless
+    complete = (
+        _held(ends)
+        and bool(found.whole.all())
+        and not found.roots.left_point.size
+        and not family.endless
+    )
     ordered = sorted(cusps, key=lambda one: [one.numbers[name] for name in reversed(vary)])
     return CuspProof(tuple(ordered), complete, _searched((*coordinates, *vary), found.region))
 
 
 def _by_any_column(
-    names: Sequence[str], systems: Sequence[PreciseBalance], digits: int, box: FloatArray, alone: FloatArray
+    names: Sequence[str],
+    systems: Sequence[PreciseBalance],
+    digits: int,
+    box: FloatArray,
+    alone: FloatArray,
 ) -> PreciseCusp | None:
     """The cusp by the first column of the adjugate that decides: none does by one that is 0 there."""
     for column, system in enumerate(systems):
@@ -155,7 +200,12 @@ def _by_any_column(
 
 
 def _cusp(
-    names: Sequence[str], system: PreciseBalance, number: int, box: FloatArray, alone: FloatArray, digits: int
+    names: Sequence[str],
+    system: PreciseBalance,
+    number: int,
+    box: FloatArray,
+    alone: FloatArray,
+    digits: int,
 ) -> PreciseCusp | None:
     """The cusp in a box; None where it lies beyond the border of the contact.
 
@@ -175,7 +225,9 @@ def _cusp(
 
 def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Any]:
     """The root in a box of floats. The box gets narrower as bits are added: an angle may be known worse than the coordinates."""
-    root = narrowed(system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM)))
+    root = narrowed(
+        system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM))
+    )
     if root is None:
         raise Undecided("a root that is nearly a double one")
     return root

@@ -15,14 +15,28 @@ from scipy.optimize import linear_sum_assignment
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, distinct
-from ..numerics.interval_arrays import ComplexArray, FloatArray, IntArray, Intervals, ends_around, quiet, scale_of
+from ..numerics.interval_arrays import (
+    ComplexArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    ends_around,
+    quiet,
+    scale_of,
+)
 from ..questions import Method, question
 from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
 from ..statics.precise_balance import TOLERANCE, clusters, on_its_side, refined
 from ..statics.search import seen
-from ..statics.stability import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
+from ..statics.stability import (
+    damped_by_friction_alone,
+    is_conservative,
+    is_damped,
+    only_damped,
+    slope_over,
+)
 from .defining_systems import (
     FLAT,
     FLUTTER,
@@ -130,7 +144,9 @@ def flutter_onsets(
     slope = None if along is None else slope_over(balance, over)
     only = only_damped(balance, over) if along is None else along
     if damping is None:
-        damping = is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
+        damping = (
+            is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
+        )
 
     conservative = is_conservative(balance, over)
     sought: list[tuple[Any, Frequencies]]
@@ -153,7 +169,9 @@ def flutter_onsets(
             out, more, omega = with_seen(Augmented(family, condition), out)
             alone = replace(out, roots=more)
             followed = (alone, ["detected"] * omega.size, omega.tolist())
-            parts.append(followed if condition is HOPF else _part(family, alone, "detected", frequencies))
+            parts.append(
+                followed if condition is HOPF else _part(family, alone, "detected", frequencies)
+            )
         parts.append(_part(family, out, "hopf" if damping else "flutter", frequencies))
     return Onsets(**vars(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE)))
 
@@ -168,7 +186,11 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
         some = frequencies(*each)
         omega += some
         rows += [row] * len(some)
-    return replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64))), [kind] * len(rows), omega
+    return (
+        replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64))),
+        [kind] * len(rows),
+        omega,
+    )
 
 
 def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
@@ -200,7 +222,9 @@ def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[fl
     """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
     others = [i for i in range(len(K)) if i != along]
     squares = stability.squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
-    return _omega(squares[np.abs(squares[:, None] - stability.squares(M, K)[None]).min(axis=1).argmin()])
+    return _omega(
+        squares[np.abs(squares[:, None] - stability.squares(M, K)[None]).min(axis=1).argmin()]
+    )
 
 
 def every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
@@ -210,7 +234,9 @@ def every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
 
 def frequencies(roots: ComplexArray) -> list[float]:
     """ω of the pairs ± i ω among roots, ascending."""
-    return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
+    return sorted(
+        abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag
+    )
 
 
 def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
@@ -219,7 +245,10 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
     first, *others = (one.roots for one in each)
     roots = first.then(*others)
-    region, whole = np.minimum.reduce([one.region for one in each]), np.logical_and.reduce([one.whole for one in each])
+    region, whole = (
+        np.minimum.reduce([one.region for one in each]),
+        np.logical_and.reduce([one.whole for one in each]),
+    )
     found = Found(roots, region, whole)
 
     def symmetric(end: float, left: FloatArray) -> str:
@@ -227,11 +256,18 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
             return ""
         return ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
 
-    remarks = (*(_undamped(family, each[-1].roots.left) if flat else ()), *of_ends(family, found, symmetric))
+    remarks = (
+        *(_undamped(family, each[-1].roots.left) if flat else ()),
+        *of_ends(family, found, symmetric),
+    )
     if detected := int((kind == "detected").sum()):
-        remarks += (f"{detected} onsets are numerically detected between two of {VALUES} values, and not proved",)
+        remarks += (
+            f"{detected} onsets are numerically detected between two of {VALUES} values, and not proved",
+        )
     elif roots.left.shape[2] and not flat:
-        remarks += (f"floats see no other onset between two of {VALUES} values of {family.vary[0]}",)
+        remarks += (
+            f"floats see no other onset between two of {VALUES} values of {family.vary[0]}",
+        )
     return arranged(family, found, kind, {"omega": omega}, remarks)
 
 
@@ -253,10 +289,18 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     room = ROOM * scale_of(candidates)
     tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
     sure = tried.error <= TOLERANCE
-    proved, open_ = (on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure))
+    proved, open_ = (
+        on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure)
+    )
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
-    omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
-    return replace(found, roots=distinct(found.roots.then(proved.kept(left=slice(0))))), open_, omega
+    omega = sightings[-1, ~sure][
+        linear_sum_assignment(apart.T)[1]
+    ]  # of several pairs that cross at one place each has its own
+    return (
+        replace(found, roots=distinct(found.roots.then(proved.kept(left=slice(0))))),
+        open_,
+        omega,
+    )
 
 
 def _sightings(system: Augmented) -> list[FloatArray]:
@@ -295,7 +339,9 @@ def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]
-    passes = (before.real * after.real < 0) & (np.minimum(np.abs(before.real), np.abs(after.real)) > GROWS * size)
+    passes = (before.real * after.real < 0) & (
+        np.minimum(np.abs(before.real), np.abs(after.real)) > GROWS * size
+    )
     return np.asarray(before[passes])
 
 
@@ -309,17 +355,25 @@ def _bisected(
     state = _state(system, 0.5 * (low[0] + high[0]))
     (roots,) = _signals(system, state[:, None])
     middle = state, roots
-    halves = [(one, other) for one, other in pairwise((low, middle, high)) if _crossing_pairs(one[1], other[1]).size]
+    halves = [
+        (one, other)
+        for one, other in pairwise((low, middle, high))
+        if _crossing_pairs(one[1], other[1]).size
+    ]
     if halvings and halves:
         # Where more than one onset lies between, the halvings are shared.
         share = (halvings - 1) // len(halves)
-        return [sighting for one, other in halves for sighting in _bisected(system, one, other, share)]
+        return [
+            sighting for one, other in halves for sighting in _bisected(system, one, other, share)
+        ]
     # Else the ends do not lie on one branch.
     crossing = _crossing_pairs(low[1], high[1])
     if system.condition is not HOPF:
         return [np.append(state, np.nan) for _ in crossing]
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
-    return [np.append(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
+    return [
+        np.append(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)
+    ]
 
 
 def _state(system: Augmented, z: FloatArray) -> FloatArray:
@@ -339,7 +393,11 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
         every = stability.roots(*matrices(system.family, z))
         return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
     with quiet():
-        tested = system.residuals(Intervals.point(z), system.fixed(z.shape[1])).middle[-1:].T.astype(complex)
+        tested = (
+            system.residuals(Intervals.point(z), system.fixed(z.shape[1]))
+            .middle[-1:]
+            .T.astype(complex)
+        )
     return [row[np.isfinite(row)] for row in tested]
 
 
@@ -379,7 +437,11 @@ class Onsets(Points):
     @property
     def table_columns(self) -> dict[str, NDArray[Any]]:
         """The frequency, what closed forms know, and the criticality of each."""
-        more = {name: getattr(self, name) for name in ("omega", "branch", "count", "side") if hasattr(self, name)}
+        more = {
+            name: getattr(self, name)
+            for name in ("omega", "branch", "count", "side")
+            if hasattr(self, name)
+        }
         return {**more, "kind": self.kind, "criticality": self.criticality}
 
     @cached_property

@@ -18,7 +18,16 @@ from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
-from .defining_systems import FLUTTER, HOPF, KINDS, Condition, Family, no_damping, of_kind, undamped_mode
+from .defining_systems import (
+    FLUTTER,
+    HOPF,
+    KINDS,
+    Condition,
+    Family,
+    no_damping,
+    of_kind,
+    undamped_mode,
+)
 from .flutter import Frequencies, crossing, every, form_or_why, frequencies, meeting, of_forms, told
 from .normal_forms import NormalForm
 from .points import arranged, matrices, nothing, search
@@ -156,42 +165,84 @@ class _Plane(Family):
     def curves(self, n: int, damping: bool) -> OnsetCurves:
         """Curves of Hopf points, or without damping those on which two modes meet."""
         points, sought, said = self.sought(damping)
-        whole, lines, undecided = not said, dict[str, FloatArray](), np.empty((0, self.balance.n + 2, 2))
+        whole, lines, undecided = (
+            not said,
+            dict[str, FloatArray](),
+            np.empty((0, self.balance.n + 2, 2)),
+        )
         curves, changes = list[Curve](), list[list[float]]()
         for condition, modes, ends in sought:
             found = on_lines(self, condition, n, ends)
             for chain in found.chains:
-                known = zip(_at_ends(found.curves, chain, ends).tolist(), *matrices(self, chain), strict=True)
+                known = zip(
+                    _at_ends(found.curves, chain, ends).tolist(),
+                    *matrices(self, chain),
+                    strict=True,
+                )
                 for states, omega in _pieces(chain, [_modes(modes, *each) for each in known]):
-                    forms = self.forms(found.curves, states) if modes is crossing else [UNPROVED] * len(omega)
+                    forms = (
+                        self.forms(found.curves, states)
+                        if modes is crossing
+                        else [UNPROVED] * len(omega)
+                    )
                     curve = self.curve(states, omega, forms)
                     curves.append(curve)
                     changes += self.changes(found.curves, states, curve.criticality.tolist())
-            undecided, whole, said = np.concatenate([undecided, found.undecided]), whole and found.whole, said + found.remarks
+            undecided, whole, said = (
+                np.concatenate([undecided, found.undecided]),
+                whole and found.whole,
+                said + found.remarks,
+            )
             lines = found.lines
-        hardly = int(self.hardly_damped(undecided.mean(axis=2).T).sum()) if damping and len(undecided) else 0
+        hardly = (
+            int(self.hardly_damped(undecided.mean(axis=2).T).sum())
+            if damping and len(undecided)
+            else 0
+        )
         said += (HARDLY.format(hardly, len(undecided), UNDAMPED),) if hardly else ()
         said += tuple(Remark("of points: {}", it) for it in points.remarks) if damping else ()
         names = (*self.vary, *self.balance.coordinates, "error")
         rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
-        between = {name: (float(low), float(high)) for name, (low, high) in zip(self.vary, self.spans, strict=True)}
+        between = {
+            name: (float(low), float(high))
+            for name, (low, high) in zip(self.vary, self.spans, strict=True)
+        }
         complete = (points.complete or not damping) and whole and not len(undecided)
-        return OnsetCurves(self.vary, damping, between, tuple(curves), points, rows, lines, complete, undecided, said)
+        return OnsetCurves(
+            self.vary,
+            damping,
+            between,
+            tuple(curves),
+            points,
+            rows,
+            lines,
+            complete,
+            undecided,
+            said,
+        )
 
-    def sought(self, damping: bool) -> tuple[Points, list[tuple[Condition, Frequencies, FloatArray]], tuple[str, ...]]:
+    def sought(
+        self, damping: bool
+    ) -> tuple[Points, list[tuple[Condition, Frequencies, FloatArray]], tuple[str, ...]]:
         """Points at which curves end or change; conditions on curves, what oscillates there, and ends; what is not searched."""
         balance = self.balance
         if not damping:
             points = arranged(self, nothing(self), "")
             ends = np.empty((balance.n + 2, 0))
-            return points, [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)], ()
+            return (
+                points,
+                [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)],
+                (),
+            )
         only = only_damped(balance, self.over) if balance.n > 1 else None
         points = self.points(only)
         ends = rows_of(self, points)[:, points.kind == "BT"]
         if only is None:
             return points, [(HOPF, crossing, ends)], ()
         free = self.hardly_damped(ends)
-        sought: list[tuple[Condition, Frequencies, FloatArray]] = [(undamped_mode(only), crossing, ends[:, ~free])]
+        sought: list[tuple[Condition, Frequencies, FloatArray]] = [
+            (undamped_mode(only), crossing, ends[:, ~free])
+        ]
         if balance.model.about["dampers"]:
             return points, [*sought, (no_damping(only), every, ends[:, free])], ()
         slope = slope_over(balance, self.over)
@@ -207,7 +258,9 @@ class _Plane(Family):
             sought.insert(1, ("BT", no_damping(only, on_fold=True)))
         for kind, condition in sought:
             # With one coordinate damped the coefficient of λ³ is that damping times a mass.
-            if (kind == "HH" and (self.balance.n != 2 or only is not None)) or (kind == "ZH" and self.balance.n < 2):
+            if (kind == "HH" and (self.balance.n != 2 or only is not None)) or (
+                kind == "ZH" and self.balance.n < 2
+            ):
                 continue
             found = search(self, condition)
             roots = self.roots(found.roots.middle)
@@ -236,19 +289,31 @@ class _Plane(Family):
         radii = contractors.distance(ends, middle)
         given = self.at(middle[self.balance.n :])
         return [
-            form_or_why(self.p.model, given[:, k], middle[: self.balance.n, k], self.vary, radii[:, k]) if good[k] else UNPROVED
+            form_or_why(
+                self.p.model, given[:, k], middle[: self.balance.n, k], self.vary, radii[:, k]
+            )
+            if good[k]
+            else UNPROVED
             for k in range(good.size)
         ]
 
-    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]) -> Curve:
+    def curve(
+        self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]
+    ) -> Curve:
         """The points with what is known of them."""
-        return Curve({
-            **self.named(states), "omega": omega, "lyapunov": of_forms(forms, "lyapunov", np.nan),
-            "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
-            "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
-        })  # fmt: skip
+        return Curve(
+            {
+                **self.named(states),
+                "omega": omega,
+                "lyapunov": of_forms(forms, "lyapunov", np.nan),
+                "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
+                "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
+            }
+        )
 
-    def changes(self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]) -> list[list[float]]:
+    def changes(
+        self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]
+    ) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
         known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
@@ -259,11 +324,15 @@ class _Plane(Family):
             if kinds[one] != kinds[two] and side[one] == side[two]
         ]
 
-    def _between(self, curves: FoldCurves, one: FloatArray, two: FloatArray, first: str) -> list[float]:
+    def _between(
+        self, curves: FoldCurves, one: FloatArray, two: FloatArray, first: str
+    ) -> list[float]:
         for _ in range(HALVINGS):
             chord = (two - one) / curves.scale
             length = norm(chord)
-            found, good = curves.on_curve((0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length]))
+            found, good = curves.on_curve(
+                (0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length])
+            )
             kind = told(self.forms(curves, found)[0])[0] if good[0] else "undecided"
             if kind == "undecided":
                 break
@@ -283,7 +352,9 @@ def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:
     return [0.0, *(frequencies(roots[np.argsort(np.abs(roots))[2:]]) if modes is every else ())]
 
 
-def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tuple[FloatArray, FloatArray]]:
+def _pieces(
+    chain: FloatArray, modes: Sequence[Sequence[float]]
+) -> Iterator[tuple[FloatArray, FloatArray]]:
     """The parts of a chain of states that have as many frequencies, once for each of these, with that frequency."""
     cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
     for part in np.split(np.arange(len(modes)), cuts):

@@ -95,7 +95,8 @@ def normal_form(
 
     # Σ of second order in a, b and c: along 2 (a Re q − b Im q), and along the equilibrium with c.
     path = [
-        Jet({(): u, (0,): 2 * z.re, (1,): -2 * z.im, (2,): slope}, 2) for u, z, slope in zip(point.state, q, along, strict=True)
+        Jet({(): u, (0,): 2 * z.re, (1,): -2 * z.im, (2,): slope}, 2)
+        for u, z, slope in zip(point.state, q, along, strict=True)
     ]
     rows = point.field(path, Jet({(): point.parameter, (2,): 1}, 2))
 
@@ -106,24 +107,49 @@ def normal_form(
     # B(q, q) is twice the coefficient of z², B(q, q̄) that of z z̄, for z = a + i b.
     twice = [Complex((x - z) / 2, -y / 2) for x, y, z in zip(aa, ab, bb, strict=True)]
     mean = _solved(A, [-(x + z) / 2 for x, z in zip(aa, bb, strict=True)])
-    shifted = [[Complex(-entry, 2 * omega if i == j else _ball(0)) for j, entry in enumerate(row)] for i, row in enumerate(A)]
+    shifted = [
+        [Complex(-entry, 2 * omega if i == j else _ball(0)) for j, entry in enumerate(row)]
+        for i, row in enumerate(A)
+    ]
     square = _solved(shifted, twice)
     scale = _product(left, q)
     # The coefficient of z c: d(A q)/dc.
-    crossing = (_product(left, [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]) / scale).re
+    crossing = (
+        _product(left, [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]) / scale
+    ).re
 
     path = [
-        Jet({(): u, (0,): 2 * z.re, (1,): -2 * z.im, (0, 0): m + g.re, (0, 1): -2 * g.im, (1, 1): m - g.re}, 3)
+        Jet(
+            {
+                (): u,
+                (0,): 2 * z.re,
+                (1,): -2 * z.im,
+                (0, 0): m + g.re,
+                (0, 1): -2 * g.im,
+                (1, 1): m - g.re,
+            },
+            3,
+        )
         for u, z, g, m in zip(point.state, q, square, mean, strict=True)
     ]
     rows = point.field(path, point.parameter)
     aaa, aab, abb, bbb = term(0, 0, 0), term(0, 0, 1), term(0, 1, 1), term(1, 1, 1)
-    cubic = [Complex((3 * x + z) / 8, -(y + 3 * w) / 8) for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)]
+    cubic = [
+        Complex((3 * x + z) / 8, -(y + 3 * w) / 8)
+        for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)
+    ]
     lyapunov = (_product(left, cubic) / scale).re / omega
     return NormalForm(
-        *_float(omega), *_float(lyapunov), *_float(crossing), _floats(q), _floats([entry / scale for entry in left]).conjugate(),
-        point.reach(path), _floats(along).real, _floats(square), _floats(mean).real,
-    )  # fmt: skip
+        *_float(omega),
+        *_float(lyapunov),
+        *_float(crossing),
+        _floats(q),
+        _floats([entry / scale for entry in left]).conjugate(),
+        point.reach(path),
+        _floats(along).real,
+        _floats(square),
+        _floats(mean).real,
+    )
 
 
 class _Side:
@@ -137,12 +163,21 @@ class _Point:
     """The field around a state at steady sliding, of balls and jets of balls."""
 
     def __init__(
-        self, model: Model, given: FloatArray, state: FloatArray, vary: Sequence[str], radii: FloatArray, law: str
-    ) -> None:  # fmt: skip
+        self,
+        model: Model,
+        given: FloatArray,
+        state: FloatArray,
+        vary: Sequence[str],
+        radii: FloatArray,
+        law: str,
+    ) -> None:
         self.model, self.vary, self.balance = model, vary[0], Balance(model, True, law)
         self.n = self.balance.n
         at = [*state, *(given[self.balance.parameters.index(name)] for name in vary)]
-        ends = [(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(at, radii, strict=True)]
+        ends = [
+            (Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
+            for x, r in zip(at, radii, strict=True)
+        ]
         with balls.precision(BITS):
             q = [balls.between(*each) for each in ends[: self.n]]
         spans = dict(zip(vary, ends[self.n :], strict=True))
@@ -158,13 +193,18 @@ class _Point:
         """F: the rates, then the accelerations, with the law of friction shifted to that of the equilibrium."""
         values = self._values(parameter)
         accelerations = self.motion.acceleration(u, self._constants(values), self.mode, XP)
-        return [*u[self.n :], *(a + s for a, s in zip(accelerations, self._shift(u[: self.n], values), strict=True))]
+        return [
+            *u[self.n :],
+            *(a + s for a, s in zip(accelerations, self._shift(u[: self.n], values), strict=True)),
+        ]
 
     def reach(self, path: Sequence[Jet]) -> float:
         """Size of a and b, along a path in them, at which the sliding speed would come to 0."""
         if self.model.about["friction"] is None:
             return math.inf
-        _, slip = undecorated(self.model.algebra.borders)(*path, *self._constants(self.values), xp=XP)
+        _, slip = undecorated(self.model.algebra.borders)(
+            *path, *self._constants(self.values), xp=XP
+        )
         terms = slip.terms if isinstance(slip, Jet) else {}
         rest, one, other = (_float(terms.get(key, 0))[0] for key in ((), (0,), (1,)))
         change = math.hypot(one, other)
@@ -180,22 +220,37 @@ class _Point:
         """:class:`Undecided` where the field has no third derivatives at the state, or is not shown to have them."""
         constants, about = self._constants(self.values), self.model.about
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
-        if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not balls.sign(gap) < 0:
+        if (
+            about["contact"]["gap"] is not None
+            and about["contact"]["unilateral"]
+            and not balls.sign(gap) < 0
+        ):
             line = about["contact"]["line"]
-            raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the model page has a kink")
+            raise Undecided(
+                f"the state lies on the border of contact, where the law of line {line} of the model page has a kink"
+            )
         if about["friction"] is not None and not balls.sign(slip) > 0 and self._asks_for_the_side():
             line = about["friction"]["line"]
-            raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the model page, has a kink")
+            raise Undecided(
+                f"the sliding speed is 0, where the law of friction, line {line} of the model page, has a kink"
+            )
         ways = self.mode[len(self.mode) - self.motion.ways :]
         if ways:
-            levels = undecorated(self.model.algebra.turning_borders)(*self.state, *constants, *ways, xp=XP)
+            levels = undecorated(self.model.algebra.turning_borders)(
+                *self.state, *constants, *ways, xp=XP
+            )
             if not all(balls.sign(level) > 0 for level in levels):
                 raise Undecided("a torsion spring is turned by π, where its torque jumps")
 
     def _asks_for_the_side(self) -> bool:
         """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra with it is then an error."""
         try:
-            self.motion.acceleration(self.state, self._constants(self.values), (self.mode[0], _Side(), *self.mode[2:]), XP)
+            self.motion.acceleration(
+                self.state,
+                self._constants(self.values),
+                (self.mode[0], _Side(), *self.mode[2:]),
+                XP,
+            )
         except TypeError:
             return True
         return False
@@ -214,7 +269,10 @@ class _Point:
             return [0] * self.n
         at = balance.at(q, values, xp=XP)
         more = at.friction - at.call("friction_at_speed", ())
-        with_unit, without = (at.call("forces", [*q, *at.directions], mu, balance.pushing, kind="statics") for mu in (1, 0))
+        with_unit, without = (
+            at.call("forces", [*q, *at.directions], mu, balance.pushing, kind="statics")
+            for mu in (1, 0)
+        )
         missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
         return _solved([list(map(_ball, row)) for row in at.mass()], list(map(_ball, missing)))
 
@@ -228,11 +286,15 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
     X, size = [[_complex(entry) for entry in row] for row in vectors], range(len(A))
     columns = [*zip(*X, strict=True)]
-    Z = [*zip(*(_solved(X, [_product(row, column) for row in A]) for column in columns), strict=True)]
+    Z = [
+        *zip(*(_solved(X, [_product(row, column) for row in A]) for column in columns), strict=True)
+    ]
     middle = _floats([Z[k][k] for k in size])
     wide = np.array([_size(Z[k][k] - _complex(middle[k])) for k in size])
     off = np.array([[0.0 if i == j else _size(Z[i][j]) for j in size] for i in size])
-    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + wide + np.abs(middle) * ROOM) * (1 + ROOM)
+    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + wide + np.abs(middle) * ROOM) * (
+        1 + ROOM
+    )
 
     def apart(i: int, place: complex, j: int) -> bool:
         """Whether the disc i, moved to another place, does not meet the disc j."""
@@ -246,11 +308,19 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     isolated = all(apart(i, middle[i], j) for i in (k, conjugate) for j in size if j != i)
     isolated &= all(apart(k, middle[k].conjugate(), j) for j in size if j != conjugate)
     if k == conjugate or not isolated or not middle[k].imag > radius[k]:
-        raise Undecided("the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω")
+        raise Undecided(
+            "the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω"
+        )
     omega = Z[k][k].im + _around(float(radius[k]))
     # (Z_jj − λ) z_j = −Σ Z_jl z_l, where no |z_l| is larger than 1.
     spread = [
-        0.0 if j == k else float(radius[j] / (abs(middle[j] - middle[k]) * (1 - ROOM) - radius[j] - radius[k]) * (1 + ROOM))
+        0.0
+        if j == k
+        else float(
+            radius[j]
+            / (abs(middle[j] - middle[k]) * (1 - ROOM) - radius[j] - radius[k])
+            * (1 + ROOM)
+        )
         for j in size
     ]
     z = [Complex(_ball(int(j == k)) + _around(spread[j]), _around(spread[j])) for j in size]

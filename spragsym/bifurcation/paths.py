@@ -59,9 +59,14 @@ Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 @question
 def quasi_static_path(
-    p: ParameterSet, vary: str, values: ArrayLike, *, start: int | str = "small", after_jump: Choice | None = None,
+    p: ParameterSet,
+    vary: str,
+    values: ArrayLike,
+    *,
+    start: int | str = "small",
+    after_jump: Choice | None = None,
     method: Method = "auto",
-) -> Path:  # fmt: skip
+) -> Path:
     """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with its jumps.
 
     Parameters
@@ -116,7 +121,9 @@ def quasi_static_path(
     along = as_numbers("values", values)
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
     if not along.size or not ((steps > 0).all() or (steps < 0).all()):
-        raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
+        raise ParameterError(
+            "values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing"
+        )
     way = Way(p, vary, along)
     place = way.begin(start)
     out = [way.state(0, place)]
@@ -152,14 +159,18 @@ def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> M
 @question
 def open_ends(
     p: ParameterSet, vary: str, span: Span, turns: Points, *, method: Method = "auto"
-) -> list[Points]:  # fmt: skip
+) -> list[Points]:
     """Where states leave the contact or come into it, and where they run to infinity, if they do, beside the folds ``turns``."""
     family, found = Family.of(p, (vary,), {vary: span}), list[Points]()
     if family.balance.opens:
         found = [isolated(Family.of(p, (vary,), {vary: span}, room=OVER_BORDER), TOUCH, "border")]
         if not found[0].decided:
-            raise ConvergenceError(f"whether equilibria leave the contact along {vary} is not decided; shorten the range")
-    if not (turns.whole and np.isfinite(turns.region).all()):  # states run to infinity only where nothing bounds them
+            raise ConvergenceError(
+                f"whether equilibria leave the contact along {vary} is not decided; shorten the range"
+            )
+    if not (
+        turns.whole and np.isfinite(turns.region).all()
+    ):  # states run to infinity only where nothing bounds them
         found.append(escapes(family))
     return found
 
@@ -188,9 +199,13 @@ class Way:
         self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
-            raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
+            raise ConvergenceError(
+                f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out"
+            )
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
-        self._links = functools.cache(lambda step: linked(p, vary, self.eq, self.turns, most=HALVINGS, only=step)[0])
+        self._links = functools.cache(
+            lambda step: linked(p, vary, self.eq, self.turns, most=HALVINGS, only=step)[0]
+        )
         self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
@@ -204,19 +219,33 @@ class Way:
             states = self.q[:, here].T
             room = BESIDE * scale_of(states)
             boxes = [box for box in eq.undecided if box.index == (stop,)]
-            around = np.array([((states - box.low <= room) & (box.high - states <= room)).all(axis=-1) for box in boxes])
+            around = np.array(
+                [
+                    ((states - box.low <= room) & (box.high - states <= room)).all(axis=-1)
+                    for box in boxes
+                ]
+            )
             if not around.any(axis=-1).all():
                 continue
             eq = as_decided(eq, stop)
             for number in here.tolist():
                 if self.kinds[number] == "pitchfork" and around[:, here == number].any():
-                    eq = with_state(eq, stop, self._place(number), self._stability_met(number), float(self.turns.error[number]))
+                    eq = with_state(
+                        eq,
+                        stop,
+                        self._place(number),
+                        self._stability_met(number),
+                        float(self.turns.error[number]),
+                    )
         return eq
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
         """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
         allowed, room = self.p.ranges[self.vary], beyond * scale_of(along)
-        low, high = max(float((along - room).min()), allowed.low), min(float((along + room).max()), allowed.high)
+        low, high = (
+            max(float((along - room).min()), allowed.low),
+            min(float((along + room).max()), allowed.high),
+        )
         found = folds(self.p, self.vary, between={self.vary: (low, high)})
         if not found.decided:
             raise ConvergenceError(
@@ -240,11 +269,19 @@ class Way:
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
-        at = np.where(off.min(axis=1) <= np.where(error <= ROUNDED, 0.0, wide), along[off.argmin(axis=1)], at)
+        at = np.where(
+            off.min(axis=1) <= np.where(error <= ROUNDED, 0.0, wide), along[off.argmin(axis=1)], at
+        )
         first, *others = ends
         names = self.balance.coordinates if others else first.columns
         values = {name: every(name) for name in names} | {self.vary: at}
-        found = replace(first, kind=every("kind"), error=error, _values=values, _ended=ended if others else first._ended)
+        found = replace(
+            first,
+            kind=every("kind"),
+            error=error,
+            _values=values,
+            _ended=ended if others else first._ended,
+        )
         return found.select((at >= along.min()) & (at <= along.max()))
 
     def _stops(self, along: FloatArray) -> FloatArray:
@@ -252,7 +289,9 @@ class Way:
         known, size = np.concatenate([along, self.at]), scale_of(self.at)
         apart = np.abs(known - self.at[:, None])
         # Between a fold and what is nearer than that no stop has room: those beside the fold are farther off than both.
-        nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(axis=1, initial=np.inf)
+        nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(
+            axis=1, initial=np.inf
+        )
         room = np.minimum(BESIDE * size, 0.25 * nearest)
         beside = np.concatenate([self.at - room, self.at + room])
         # Between floats next to each other there is no other.
@@ -264,12 +303,22 @@ class Way:
         """The slot at the first value."""
         count = int(self.eq.count[0])
         if not isinstance(start, str):
-            if isinstance(start, bool) or not isinstance(start, int | np.integer) or not 0 <= start < count:
-                raise ParameterError(f"start = {start!r}: the first value has {count} equilibria, slots 0 to {count - 1}")
+            if (
+                isinstance(start, bool)
+                or not isinstance(start, int | np.integer)
+                or not 0 <= start < count
+            ):
+                raise ParameterError(
+                    f"start = {start!r}: the first value has {count} equilibria, slots 0 to {count - 1}"
+                )
             return int(start)
         if start not in ("small", "large"):
-            raise ParameterError(f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium")
-        stable = [slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE] or list(range(count))
+            raise ParameterError(
+                f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium"
+            )
+        stable = [
+            slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE
+        ] or list(range(count))
         met = self._met(0)
         if met and (self.stops.size == 1 or count == len(self._links(0))):
             # The float of the fold lies just beyond the states that meet there.
@@ -278,8 +327,14 @@ class Way:
         if not stable:
             allowed, first = self.p.ranges[self.vary], float(self.stops[0])
             at_end = first == allowed.reached(allowed.low)
-            at = f"the lower end of {self.vary}" if at_end else f"the first value, {self.vary} = {first!r},"
-            raise ParameterError(f"{at} has no equilibrium in contact; begin where there is one: at folds they begin and end")
+            at = (
+                f"the lower end of {self.vary}"
+                if at_end
+                else f"the first value, {self.vary} = {first!r},"
+            )
+            raise ParameterError(
+                f"{at} has no equilibrium in contact; begin where there is one: at folds they begin and end"
+            )
         table = np.array([self.state(0, slot) for slot in stable]).T
         states, error = table[:-2], np.full(len(stable), table[-1].max())
         if start == "large":
@@ -290,11 +345,15 @@ class Way:
 
     def _met(self, stop: int) -> list[int]:
         """Numbers of the folds and borders that a stop is equal to."""
-        return np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far).tolist()
+        return np.flatnonzero(
+            (self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far
+        ).tolist()
 
     def _stability_met(self, number: int) -> int:
         """Where one λ is 0 the others decide."""
-        given = columns(self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters)
+        given = columns(
+            self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters
+        )
         return with_a_zero(self.balance, self.q[:, [number]], given)
 
     def followed(self, stop: int, place: int) -> int:
@@ -318,7 +377,9 @@ class Way:
         tubes, start = self._standing(self.balance, stop, slot)
         there = tubes.followed(start, self.stops[[goal]])
         if not there.sure[0] or there.v[0] != self.stops[goal]:
-            raise ConvergenceError(f"how the state moves from {self.vary} = {self.stops[stop]:.17g} on is not proved")
+            raise ConvergenceError(
+                f"how the state moves from {self.vary} = {self.stops[stop]:.17g} on is not proved"
+            )
         return (there.z - start.z)[:-1, 0]
 
     def ended(self, stop: int, place: int) -> bool:
@@ -331,7 +392,9 @@ class Way:
         begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
         if len(self._met(stop - 1)) > 1:
             begun = [slot for slot in begun if self._turned(stop, slot, stop - 1) == ~place]
-        return next((slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), place)
+        return next(
+            (slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), place
+        )
 
     def _candidates(self, stop: int, other: int) -> IntArray:
         """Numbers of the points at which states may vanish between two stops, or on them."""
@@ -363,13 +426,18 @@ class Way:
 
     def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""
-        tubes = Tubes.of_points(balance, self.vary, given_column(self.p, balance.parameters, (self.vary,)))
+        tubes = Tubes.of_points(
+            balance, self.vary, given_column(self.p, balance.parameters, (self.vary,))
+        )
         z = np.array([*self.state(stop, slot)[:-2], self.stops[stop]])
         return tubes, tubes.place(z[:, None])
 
     def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
-        return {name: float(getattr(self.turns, name)[number]) for name in names or self.balance.coordinates}
+        return {
+            name: float(getattr(self.turns, name)[number])
+            for name in names or self.balance.coordinates
+        }
 
     def _ending(self, stop: int, place: int, goal: int) -> int:
         """The number of the point at which a state vanishes on its way from a stop to the next one."""
@@ -380,7 +448,11 @@ class Way:
             tubes, start = self._standing(Balance(self.p.model, room=OVER_BORDER), stop, place)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
-            if there.sure[0] and there.v[0] == self.at[number] and (away <= there.room[: tubes.n]).all():
+            if (
+                there.sure[0]
+                and there.v[0] == self.at[number]
+                and (away <= there.room[: tubes.n]).all()
+            ):
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
         q = np.array([self.state(stop, place)[:-2]]).T
@@ -393,12 +465,18 @@ class Way:
         if others.size == 1:  # at folds the state would be known to turn
             return int(others[0])
         ends = f"{self.vary} = {float(self.stops[stop]):.17g} and {float(self.stops[goal]):.17g}"
-        raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
+        raise ConvergenceError(
+            f"where the state ends between {ends} is not told apart from {here.size} folds and borders there"
+        )
 
     def state(self, stop: int, slot: int) -> list[float]:
         """Coordinates, stability, and a bound on the error."""
         if slot < 0:
-            return [*self._place(~slot).values(), self._stability_met(~slot), self.turns.error[~slot]]
+            return [
+                *self._place(~slot).values(),
+                self._stability_met(~slot),
+                self.turns.error[~slot],
+            ]
         columns = (*self.eq.coordinates.values(), self.eq.stability, self.eq.error)
         return [float(column[stop, slot]) for column in columns]
 
@@ -408,12 +486,18 @@ class Way:
         before = end.before
         eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
-        how = {"border": "leaves the contact", INFINITY: "runs to infinity"}.get(end.kind, f"ends in a {end.kind}")
+        how = {"border": "leaves the contact", INFINITY: "runs to infinity"}.get(
+            end.kind, f"ends in a {end.kind}"
+        )
         ends = f"the state {how} at {self.vary} = {end.value!r}"
         if not count:
-            raise ConvergenceError(f"{ends}, and there is no other beyond it: end the path before it")
+            raise ConvergenceError(
+                f"{ends}, and there is no other beyond it: end the path before it"
+            )
         if choose is None and end.kind == INFINITY:
-            raise ConvergenceError(f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes")
+            raise ConvergenceError(
+                f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes"
+            )
         if choose is None:
             stable = (eq.stability == Stability.STABLE) | (count == 1 and eq.whole)
             if not stable.any():
@@ -425,16 +509,27 @@ class Way:
         else:
             slot = choose(eq, before)
             if not 0 <= slot < count:
-                raise ParameterError(f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}")
+                raise ParameterError(
+                    f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}"
+                )
         behind = {name: float(eq.coordinates[name][slot]) for name in before}
         at_end = equilibria(self.p.replace(**{self.vary: end.value}))
-        there, place = (at_end, int(nearest_state(at_end, behind))) if at_end.decided and at_end.count else (eq, slot)
+        there, place = (
+            (at_end, int(nearest_state(at_end, behind)))
+            if at_end.decided and at_end.count
+            else (eq, slot)
+        )
         after = {name: float(getattr(there, name)[place]) for name in there.columns}
         whole, kind = self._place(number, there.columns), Stability(int(eq.stability[slot]))
         # Another search may list the states at the stop in another order.
-        return int(nearest_state(self.eq, behind)[stop]), Jump(end.value, end.kind, whole, after, kind, end.error)
+        return int(nearest_state(self.eq, behind)[stop]), Jump(
+            end.value, end.kind, whole, after, kind, end.error
+        )
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""
-        value, kind = float(self.at[number]), INFINITY if self.far[number] else str(self.kinds[number])
+        value, kind = (
+            float(self.at[number]),
+            INFINITY if self.far[number] else str(self.kinds[number]),
+        )
         return ModelEnd(value, kind, self._place(number), float(self.error[number]))

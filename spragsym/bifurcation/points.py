@@ -91,8 +91,14 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     """All points of a kind; ``budget`` is how many boxes are looked at for one point of the parameters that do not vary."""
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
-        everywhere = with_sides(np.full((2, balance.n, family.given.shape[1]), np.inf), family.spans)
-        return Found(Roots.none(balance.n + len(family.vary)), everywhere, np.ones(family.given.shape[1], dtype=np.bool_))
+        everywhere = with_sides(
+            np.full((2, balance.n, family.given.shape[1]), np.inf), family.spans
+        )
+        return Found(
+            Roots.none(balance.n + len(family.vary)),
+            everywhere,
+            np.ones(family.given.shape[1], dtype=np.bool_),
+        )
     around, whole = _region(family, balance)
     if condition.touching and not whole.all():
         # On the border the contact's force is 0: these are states in lift-off, too.
@@ -128,7 +134,9 @@ def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
 def with_sides(around: FloatArray, spans: FloatArray) -> FloatArray:
     """A region of coordinates with −low and high of the parameters that vary."""
     sides = np.stack([-spans[:, 0], spans[:, 1]])[:, :, None]
-    return np.concatenate([around, np.broadcast_to(sides, (*sides.shape[:2], around.shape[2]))], axis=1)
+    return np.concatenate(
+        [around, np.broadcast_to(sides, (*sides.shape[:2], around.shape[2]))], axis=1
+    )
 
 
 def _between(around: FloatArray, low: float, high: float) -> FloatArray:
@@ -144,7 +152,9 @@ def is_affine(family: Family) -> bool:
     with quiet():
         values = balance.over(family.over[:, :1])
         try:
-            rows = balance.at(variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)).rows("forces")
+            rows = balance.at(
+                variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)
+            ).rows("forces")
         except ZeroDivisionError:  # a law that has no value there
             return False
     jets = (row for row in rows if isinstance(row, Jet))
@@ -158,9 +168,12 @@ def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
 
 
 def arranged(
-    family: Family, found: Found, kind: str | NDArray[np.str_], more: Mapping[str, FloatArray] | None = None,
+    family: Family,
+    found: Found,
+    kind: str | NDArray[np.str_],
+    more: Mapping[str, FloatArray] | None = None,
     remarks: tuple[str, ...] = (),
-) -> Points:  # fmt: skip
+) -> Points:
     """The points, all of one kind or each of its own, as a result, sorted by the parameters that vary."""
     balance, vary = family.balance, family.vary
     n, middle, left = balance.n, found.roots.middle, found.roots.left
@@ -171,9 +184,17 @@ def arranged(
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, vary, box[n:])
     return Points(
-        family.p, vary, np.broadcast_to(kind, order.shape)[order], found.roots.error[order], box, bool(found.whole.all()),
-        family.endless, boxes_left, remarks, values,
-    )  # fmt: skip
+        family.p,
+        vary,
+        np.broadcast_to(kind, order.shape)[order],
+        found.roots.error[order],
+        box,
+        bool(found.whole.all()),
+        family.endless,
+        boxes_left,
+        remarks,
+        values,
+    )
 
 
 def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...]]:
@@ -191,10 +212,14 @@ def _merged(left: FloatArray) -> FloatArray:
         return left
     left = left[:, :, np.argsort(-left[0, -1])]
     low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
-    return np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
+    return np.maximum.reduceat(
+        left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2
+    )
 
 
-def of_ends(family: Family, found: Found, known: Callable[[float, FloatArray], str | None]) -> tuple[str, ...]:
+def of_ends(
+    family: Family, found: Found, known: Callable[[float, FloatArray], str | None]
+) -> tuple[str, ...]:
     """Remarks on undecided boxes at an end of the range of one parameter: what is ``known`` of them, none if that is None."""
     left, remarks = found.roots.left, []
     for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
@@ -260,12 +285,19 @@ def begins(system: Augmented, around: FloatArray) -> bool:
     """Whether the range of the parameter in the region ``around`` begins at 0, which it never is, and nothing is known there."""
     (vary,) = system.family.vary
     allowed = system.balance.model.Parameters.ranges[vary]
-    if allowed.low != 0 or not allowed.open_low or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
+    if (
+        allowed.low != 0
+        or not allowed.open_low
+        or around[0, -1, 0] != 0
+        or around[1, -1, 0] <= HIGH
+    ):
         return False
     if vary in system.balance.angles:
         return False
     with quiet():  # whether the condition has bounds in the whole region but for large values
-        below = system.residuals(Intervals(_between(around, 0.0, LOW)), _at_end(system, LOW, 1)).ends[:, -1]
+        below = system.residuals(
+            Intervals(_between(around, 0.0, LOW)), _at_end(system, LOW, 1)
+        ).ends[:, -1]
     return bool(vanishes(system, 0.0, around)[0] or not np.isfinite(below).all())
 
 
@@ -274,7 +306,9 @@ def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
     ends = _between(around, np.log(LEAST), np.log(HIGH))
     found = certified_roots.search(by_logarithm, ends, given, given, budget=LOGARITHMIC_BUDGET)
-    return replace(found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left))
+    return replace(
+        found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left)
+    )
 
 
 def _joined(one: Roots, other: Roots) -> Roots:
@@ -282,7 +316,9 @@ def _joined(one: Roots, other: Roots) -> Roots:
 
     What the one leaves in the range of the other is decided there.
     """
-    return distinct(one.kept(left=-one.left[0, -1] <= LOW).then(other.kept(left=other.left[1, -1] >= HIGH)))
+    return distinct(
+        one.kept(left=-one.left[0, -1] <= LOW).then(other.kept(left=other.left[1, -1] >= HIGH))
+    )
 
 
 def _raised(ends: FloatArray) -> FloatArray:
@@ -302,14 +338,27 @@ def escapes(family: Family) -> Points:
     sides[:, balance.around] = TURN
     found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
     with suppress(NoChart), quiet():
-        found = certified_roots.search(system, with_sides(sides, family.spans), fixed, fixed, budget=FAR_BUDGET)
+        found = certified_roots.search(
+            system, with_sides(sides, family.spans), fixed, fixed, budget=FAR_BUDGET
+        )
         side = system.side(Intervals(found.ends), system.fixed(found.point.size))
     z = found.middle
     away = np.where(np.abs(z[:n]) < FINITE, np.nan, np.copysign(np.inf, z[:n]))
     away[balance.around] = np.nan
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     columns = family.named(np.concatenate([away, z[n:]]))
-    return Points(family.p, family.vary, kind, found.error, family.spans, True, (), np.empty((0, len(z), 2)), (), columns)
+    return Points(
+        family.p,
+        family.vary,
+        kind,
+        found.error,
+        family.spans,
+        True,
+        (),
+        np.empty((0, len(z), 2)),
+        (),
+        columns,
+    )
 
 
 class _AtInfinity(OfFamily):
@@ -327,9 +376,14 @@ class _AtInfinity(OfFamily):
         order = order_of(*q)
         w = Jet.variable(0, self.n, order)
         u, arguments = self.parted(q, values, xp)
-        scaled = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
+        scaled = {
+            name: value if isinstance(value, int) else Scaled(value, 0, w)
+            for name, value in arguments.items()
+        }
         return self.balance.at(
-            [Scaled(part, int(i not in self.balance.around), w) for i, part in enumerate(u)], scaled, xp=SCALED
+            [Scaled(part, int(i not in self.balance.around), w) for i, part in enumerate(u)],
+            scaled,
+            xp=SCALED,
         )
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
@@ -349,7 +403,10 @@ class _AtInfinity(OfFamily):
         """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not known, and of two parameters."""
         if self.order:
             return np.zeros(unknowns.shape[1], dtype=np.int64)
-        slopes = [gradient(row, self.n + 1) for row in self.equations(variables(list(unknowns), 1), parameters)]
+        slopes = [
+            gradient(row, self.n + 1)
+            for row in self.equations(variables(list(unknowns), 1), parameters)
+        ]
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         return ratio.signs.prod(axis=0)

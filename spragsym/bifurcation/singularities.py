@@ -114,7 +114,9 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         left = found.roots.left
         if not left.shape[2]:
             break
-        known = certified_roots.search(_OnMirror(family, mirror), found.region, family.begin, family.begin)
+        known = certified_roots.search(
+            _OnMirror(family, mirror), found.region, family.begin, family.begin
+        )
         inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
         open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
         for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
@@ -124,7 +126,9 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
             if sure and only_fold(family, hull, mirror):
                 decided += [int(here[0])] if inside[here[0]] else []
                 open_boxes &= ~contractors.within(left, hull[:, :, None])
-        found = replace(found, roots=found.roots.kept(left=open_boxes).then(known.kept(decided, slice(0))))
+        found = replace(
+            found, roots=found.roots.kept(left=open_boxes).then(known.kept(decided, slice(0)))
+        )
         number += len(decided)
     return found, number
 
@@ -133,9 +137,13 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
     """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
     balance, (vary,), low, high = family.balance, family.vary, -box[0], box[1]
     with quiet():
-        parameters = balance.prepared(Intervals.between(*(family.at(end[-1:, None]) for end in (low, high))))
+        parameters = balance.prepared(
+            Intervals.between(*(family.at(end[-1:, None]) for end in (low, high)))
+        )
         sides = Intervals(box[:, :-1, None])
-        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
+        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[
+            :, :, 0
+        ]
         wide = np.maximum(box[:, :-1], image)
         wide = wide + 0.25 * width_of(wide) + 1e-9
         slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
@@ -178,7 +186,13 @@ def _mirrors(family: Family) -> list[_Mirror]:
     balance, over = family.balance, family.over
     odd = turned(balance, over)
     found = (
-        [_Mirror(odd, lambda q, values: balance.at(q, values).mirrored(), balance.model.about["mirror"]["upright"])]
+        [
+            _Mirror(
+                odd,
+                lambda q, values: balance.at(q, values).mirrored(),
+                balance.model.about["mirror"]["upright"],
+            )
+        ]
         if odd
         else []
     )
@@ -195,7 +209,9 @@ def turned(balance: Balance, over: Intervals) -> list[int]:
     about = balance.model.about["mirror"]
     with quiet():
         mu = stacked([balance.at((), balance.over(over)).friction], (1,)).magnitude.max()
-    zero = {name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()}
+    zero = {
+        name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()
+    }
     zero |= {"mu"} if mu <= NOTHING else set()
     if not any(zero.issuperset(names) for names in about["zero"]):
         return []
@@ -212,7 +228,11 @@ def isolated(family: Family) -> Found:
     roots = told_apart(family, found, 0)
     for column in range(1, balance.n):
         # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it, and regular with another one.
-        hulls = clusters(roots.left, roots.left_point)[0] if roots.left_point.size <= MANY else roots.left[:, :, :0]
+        hulls = (
+            clusters(roots.left, roots.left_point)[0]
+            if roots.left_point.size <= MANY
+            else roots.left[:, :, :0]
+        )
         for hull in np.moveaxis(hulls, 2, 0):
             spans = spans_of(hull)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
@@ -233,8 +253,14 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
     system = Augmented(family, cusp(column))
     with quiet():
         K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes
-        asked = [cofactor(K, column, i) for i in range(n)], [change(K, other) for other in range(n) if other != column]
-    nonzero, none = (~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero()) for some in asked)
+        asked = (
+            [cofactor(K, column, i) for i in range(n)],
+            [change(K, other) for other in range(n) if other != column],
+        )
+    nonzero, none = (
+        ~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero())
+        for some in asked
+    )
     return found.roots.opened(nonzero & ~none, ~nonzero & ~none)
 
 
@@ -253,7 +279,9 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         q, along = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
-            along.append(gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd])
+            along.append(
+                gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd]
+            )
         return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
 
     def given_up(at: State) -> BoolArray:
@@ -279,7 +307,9 @@ def ended(points: Points) -> Ended:
 def _at(points: Points, row: int) -> tuple[str, str]:
     """Outcome of one fold: which of the two states is stable, and in which direction they vanish."""
     family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
-    z = np.array([float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)])
+    z = np.array(
+        [float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)]
+    )
     size = points.error[row] * scale_of(z)
     side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))
     when = "up" if side < 0 else "down"
@@ -298,7 +328,9 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
         adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
         sizes = np.abs(matrix(adjugate, (1,)).middle[:, :, 0])
         r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)
-        pushed = sum(gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True))
+        pushed = sum(
+            gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True)
+        )
         curved = constant(change(K, int(c)))
         bent = curved * adjugate[r][c]
         side = -_sign(pushed) * _sign(bent)
@@ -327,7 +359,10 @@ def _afterwards(points: Points) -> dict[str, FloatArray]:
         here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
         stable = here.stability == Stability.STABLE
         if here.decided and stable.any():
-            before = {name: float(getattr(points, name)[row]) for name in points.parameters.model.coordinates}
+            before = {
+                name: float(getattr(points, name)[row])
+                for name in points.parameters.model.coordinates
+            }
             slot = nearest_state(here, before, stable, here.error + points.error[row])
             for name, column in found.items():
                 column[row] = getattr(here, name)[slot]

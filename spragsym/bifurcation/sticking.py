@@ -73,8 +73,12 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     """
     model = p.model
     if not hasattr(model.algebra, "friction_held"):
-        raise ModelError(f"in {model.name} friction holds nothing; a page says what it holds by page.friction(…, holds=…)")
-    speed = model.algebra.borders(*np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion"))[1]
+        raise ModelError(
+            f"in {model.name} friction holds nothing; a page says what it holds by page.friction(…, holds=…)"
+        )
+    speed = model.algebra.borders(
+        *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
+    )[1]
     if np.any(speed):
         belt = model.about["friction"]["belt"]
         raise ParameterError(
@@ -83,7 +87,11 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     own = _held(model)(**{name: getattr(p, name) for name in p.ranges})
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
     try:
-        way = Way(own, HELD, np.unique(np.concatenate([[-1.0, 1.0], *(getattr(points, HELD) for points in turns)])))
+        way = Way(
+            own,
+            HELD,
+            np.unique(np.concatenate([[-1.0, 1.0], *(getattr(points, HELD) for points in turns)])),
+        )
         return _sets(p, way, turns)
     except ConvergenceError as error:
         raise ConvergenceError(
@@ -103,9 +111,17 @@ def _held(model: Model) -> Any:
 
     law = {"friction_at_rest": algebra.friction_held, "friction_by_parameters": slopes}
     share = {
-        "name": HELD, "meaning": "share of the static friction coefficient that is used", "unit": "1", "role": "both",
-        "base": 0.0, "domain": "[-1, 1]", "low": -1.0, "high": 1.0, "low_open": False, "high_open": False,
-    }  # fmt: skip
+        "name": HELD,
+        "meaning": "share of the static friction coefficient that is used",
+        "unit": "1",
+        "role": "both",
+        "base": 0.0,
+        "domain": "[-1, 1]",
+        "low": -1.0,
+        "high": 1.0,
+        "low_open": False,
+        "high_open": False,
+    }
     about["parameters"] = [*about["parameters"], share]
     about["arguments"] = arguments | {name: [*arguments["motion"], HELD] for name in law}
     kind: Any = parameter_class(about, model.where)
@@ -124,7 +140,9 @@ def _turns(own: Any, place: int) -> Points:
 
     system = Augmented(family, Condition(equations, order=1))
     small = Intervals.between(*(np.full((system.n, 1), end) for end in SMALL))
-    if system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NOTHING:  # the others and h do not move it
+    if (
+        system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NOTHING
+    ):  # the others and h do not move it
         return arranged(family, nothing(family), "turn")
     return isolated(family, system.condition, "turn")
 
@@ -132,15 +150,24 @@ def _turns(own: Any, place: int) -> Points:
 def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
     """Connected sets of states that are followed from stop to stop, with the folds and borders at which they end."""
     eq, balance = way.eq, way.balance
-    first = np.concatenate([[0], np.cumsum(eq.count)])  # numbers of states, stop by stop, then those of folds and borders
-    q = np.concatenate([np.array([column[eq.states] for column in eq.coordinates.values()]), way.q], axis=1)
+    first = np.concatenate(
+        [[0], np.cumsum(eq.count)]
+    )  # numbers of states, stop by stop, then those of folds and borders
+    q = np.concatenate(
+        [np.array([column[eq.states] for column in eq.coordinates.values()]), way.q], axis=1
+    )
     labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=np.bool_)
 
     def link(stop: int, slot: int, goal: int, place: int) -> None:
         """Join the sets of a state and of another one on its curve, or of the point at which it vanishes; angles go on there."""
-        one, other = (int(first[at] + there if there >= 0 else first[-1] + ~there) for at, there in ((stop, slot), (goal, place)))
+        one, other = (
+            int(first[at] + there if there >= 0 else first[-1] + ~there)
+            for at, there in ((stop, slot), (goal, place))
+        )
         follow = balance.around and place >= 0
-        moved = way.moved(stop, slot, goal) if follow else apart(q[:, other], q[:, one], balance.around)
+        moved = (
+            way.moved(stop, slot, goal) if follow else apart(q[:, other], q[:, one], balance.around)
+        )
         off = TURN * np.round((q[:, one] + moved - q[:, other]) / TURN)
         behind = labels == labels[other]
         if behind[one]:
@@ -157,7 +184,10 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
             link(stop, slot, stop - 1, ~way.vanishing(stop, slot, stop - 1))
     sets = [labels == label for label in np.unique(labels)]
     error = np.concatenate([eq.error[eq.states], way.turns.error])
-    low, high = (np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q)) for most in (np.min, np.max))
+    low, high = (
+        np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q))
+        for most in (np.min, np.max)
+    )
     for k in balance.around:
         before = TURN * np.floor(low[:, k] / TURN + 0.5)
         low[:, k], high[:, k] = low[:, k] - before, high[:, k] - before
@@ -165,9 +195,15 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
         low[whole, k], high[whole, k] = -0.5 * TURN, 0.5 * TURN
     order = np.lexsort(low.T[::-1])
     both = zip(balance.coordinates, low[order].T, high[order].T, strict=True)
-    ends = {f"{name}_{end}": column for name, *columns in both for end, column in zip(("low", "high"), columns, strict=True)}
+    ends = {
+        f"{name}_{end}": column
+        for name, *columns in both
+        for end, column in zip(("low", "high"), columns, strict=True)
+    }
     parts = [way.turns, *turns]
-    remarks = dict.fromkeys([*eq.remarks, *(remark for points in parts for remark in points.remarks)])
+    remarks = dict.fromkeys(
+        [*eq.remarks, *(remark for points in parts for remark in points.remarks)]
+    )
     complete = bool(eq.whole.all()) and all(points.complete for points in parts)
     largest = np.array([error[sets[place]].max() for place in order])
     return StickingStates(p, largest, complete, tuple(remarks), ends)

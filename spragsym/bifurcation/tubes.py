@@ -25,7 +25,17 @@ from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, ends_around, matrix, quiet, scale_of, stacked
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    ends_around,
+    matrix,
+    quiet,
+    scale_of,
+    stacked,
+)
 from ..statics.balance import Balance
 from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
@@ -42,7 +52,9 @@ TINY = 1e-12
 UP = 1 + 2.0**-40
 
 
-def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+def halves(
+    low: FloatArray, high: FloatArray, weight: FloatArray
+) -> tuple[IntArray, FloatArray, FloatArray]:
     """Boxes, one a column, cut in the middle of their side of most weight: its number, and the
     upper ends of one half and the lower ones of the other.
 
@@ -93,7 +105,11 @@ class Place(ByColumn):
         two differ by over the box.
         """
         apart = np.abs(self.z - other.z - shift) + turned
-        within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
+        within = (
+            apart * UP
+            + self.off * UP
+            + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
+        )
         return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
 
     def numbers(self, apart: FloatArray) -> list[Affine]:
@@ -102,7 +118,11 @@ class Place(ByColumn):
         found = []
         for i in range(size):
             terms = np.zeros((1 + free + size, count))
-            terms[0], terms[1 : 1 + free], terms[1 + free + i] = self.along[i] * self.moved, self.by_p[i] * apart, self.off[i]
+            terms[0], terms[1 : 1 + free], terms[1 + free + i] = (
+                self.along[i] * self.moved,
+                self.by_p[i] * apart,
+                self.off[i],
+            )
             found.append(Affine(self.z[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
         return found
 
@@ -141,7 +161,9 @@ class Slopes:
         terms = (self.rows[row][j] * part for j, part in enumerate(direction) if part.any())
         return sum(terms, self.zero if start is None else start)
 
-    def newton(self, left: Sequence[Intervals], others: Sequence[int], reach: FloatArray) -> FloatArray:
+    def newton(
+        self, left: Sequence[Intervals], others: Sequence[int], reach: FloatArray
+    ) -> FloatArray:
         """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the forces."""
         shape = reach.shape[1:]
         entries = matrix([[self.taken(row[j]) for j in others] for row in self.rows], shape)
@@ -167,7 +189,9 @@ class Tubes(ByColumn):
     half: FloatArray
 
     @classmethod
-    def of_points(cls, balance: Balance, vary: str, fixed: FloatArray, free: tuple[str, ...] = ()) -> Self:
+    def of_points(
+        cls, balance: Balance, vary: str, fixed: FloatArray, free: tuple[str, ...] = ()
+    ) -> Self:
         """At points of the parameters, boxes of zero width; the pivot is the parameter that varies."""
         centre = fixed[[balance.parameters.index(name) for name in free]]
         return cls(balance, vary, free, balance.n, fixed, centre, np.zeros_like(centre))
@@ -213,16 +237,33 @@ class Tubes(ByColumn):
         if not self.half.any():
             return Slopes([*self.slopes(tube.box())], Intervals(np.zeros((2, *shape))))
         with quiet():
-            rows, zero, n = self.affine_slopes(tube), Affine(np.zeros(shape), np.zeros((1, *shape))), range(self.n)
-            Y = contractors.inverse(filled([[getattr(row[j], "value", row[j]) for j in self.others] for row in rows], shape))
-            return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
+            rows, zero, n = (
+                self.affine_slopes(tube),
+                Affine(np.zeros(shape), np.zeros((1, *shape))),
+                range(self.n),
+            )
+            Y = contractors.inverse(
+                filled(
+                    [[getattr(row[j], "value", row[j]) for j in self.others] for row in rows], shape
+                )
+            )
+            return Slopes(
+                [
+                    [sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))]
+                    for i in n
+                ],
+                zero,
+                Y,
+            )
 
     def affine_slopes(self, tube: Place) -> list[list[Any]]:
         """Slopes in affine arithmetic, by row and column."""
         apart, shape = self.apart(), self.half.shape[1:]
         z = tube.numbers(apart)
         fixed = zip(self.balance.parameters, self.fixed, strict=True)
-        values: dict[str, Any] = {name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed}
+        values: dict[str, Any] = {
+            name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed
+        }
         for k, name in enumerate(self.free):
             terms = np.zeros_like(z[0].terms)
             terms[1 + k] = apart[k]
@@ -322,28 +363,50 @@ class Tubes(ByColumn):
         tube = self._one_state(middle, along, by_p, half, beside)
         return tube.sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
 
-    def _beside(self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray) -> FloatArray:
+    def _beside(
+        self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray
+    ) -> FloatArray:
         """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
         off, turned, pivot = place.z - middle, place.by_p - by_p, self.pivot
         swing = (np.abs(turned - along[:, None] * turned[pivot]) * self.apart()).sum(axis=1)
         size = np.abs(place.z) + np.abs(middle) + place.held
-        moved = np.abs(off - along * off[pivot]) + swing + place.off + np.abs(along) * place.off[pivot]
+        moved = (
+            np.abs(off - along * off[pivot]) + swing + place.off + np.abs(along) * place.off[pivot]
+        )
         out = moved * UP + 4 * np.spacing(size)
         out[pivot] = 0.0
         return np.where(np.isfinite(out), out, np.inf)
 
-    def _one_state(self, z: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, beside: FloatArray) -> Place:
+    def _one_state(
+        self,
+        z: FloatArray,
+        along: FloatArray,
+        by_p: FloatArray,
+        half: FloatArray,
+        beside: FloatArray,
+    ) -> Place:
         """Boxes that hold one state, in contact, for each value of the pivot and of the parameters, where that is proved.
 
         They hold what lies within ``beside`` of where their middles move; ``half`` is how far the pivot does.
         """
         others, forces = self.others, self._forces(z)
-        moved = np.where(half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0)  # the middle is rounded
+        moved = np.where(
+            half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
+        )  # the middle is rounded
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * UP
         least = 2 * NARROW * scale_of(z[others])
         reach = np.maximum(least, (1 + ROOM) * beside[others] * self.half.any(axis=0))
         most, rows = np.zeros_like(reach), np.arange(half.size)
-        out = Place(z, along, moved, by_p, swing.copy(), np.zeros_like(z), np.zeros_like(z), np.zeros(half.size, dtype=np.bool_))
+        out = Place(
+            z,
+            along,
+            moved,
+            by_p,
+            swing.copy(),
+            np.zeros_like(z),
+            np.zeros_like(z),
+            np.zeros(half.size, dtype=np.bool_),
+        )
         for _ in range(INFLATIONS):
             if not rows.size:
                 break
@@ -352,15 +415,22 @@ class Tubes(ByColumn):
             some, tried = self[rows], replace(out[rows], held=swing[:, rows] + alone, off=alone)
             slopes = some.over(tried)
             with quiet():
-                step = slopes.newton(slopes.left(forces[:, rows], tried, some.apart()), others, reach)
+                step = slopes.newton(
+                    slopes.left(forces[:, rows], tried, some.apart()), others, reach
+                )
             good = np.isfinite(step).all(axis=(0, 1))
             done = good & contractors.inside(step, reach)
             if done.any():
                 here, box = rows[done], tried[done].box()
-                out.sure[here] = on_side(self.balance, some[done]._bounds(box[-1]), box.ends[:, :-1])[0]
+                out.sure[here] = on_side(
+                    self.balance, some[done]._bounds(box[-1]), box.ends[:, :-1]
+                )[0]
                 out.room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
             left = good & ~done
-            rows, reach = rows[left], (1 + ROOM) * np.maximum(reach, np.maximum(*np.abs(step)))[:, left]
+            rows, reach = (
+                rows[left],
+                (1 + ROOM) * np.maximum(reach, np.maximum(*np.abs(step)))[:, left],
+            )
         out.held[others], out.off[others] = (swing[others] + most) * UP, most * UP
         return out
 
@@ -370,7 +440,10 @@ class Tubes(ByColumn):
         direction[self.pivot] = 0.0
         known, reach = np.zeros(size.shape, dtype=np.bool_), np.tile(0.1 * size + TINY, (self.n, 1))
         with quiet():
-            left = [slopes.taken(slopes.image(i, direction, row[self.pivot])) for i, row in enumerate(slopes.rows)]
+            left = [
+                slopes.taken(slopes.image(i, direction, row[self.pivot]))
+                for i, row in enumerate(slopes.rows)
+            ]
             for _ in range(INFLATIONS):
                 # Of what dz/ds differs by from the slope in the middle; v is the last of what follows a coordinate.
                 step = slopes.newton(left, self.others, reach)
@@ -387,7 +460,9 @@ class Tubes(ByColumn):
         way = goal - here.v
         step = FIRST * way
         for _ in range(MOST):
-            rows = np.flatnonzero(here.sure & (here.v != goal) & (np.abs(step) >= least * np.abs(way)))
+            rows = np.flatnonzero(
+                here.sure & (here.v != goal) & (np.abs(step) >= least * np.abs(way))
+            )
             if not rows.size:
                 break
             at = here[rows]

@@ -77,7 +77,9 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
     return out
 
 
-def passed(tubes: Tubes, start: Place, goal: FloatArray, sharp: bool = False) -> tuple[FloatArray, FloatArray, FloatArray]:
+def passed(
+    tubes: Tubes, start: Place, goal: FloatArray, sharp: bool = False
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """How far all states of a place are proved to go on as ``vary`` rises, and above which value to have ended.
 
     The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before, falls. The first is
@@ -92,12 +94,19 @@ def passed(tubes: Tubes, start: Place, goal: FloatArray, sharp: bool = False) ->
         if left.any() and not sharp:
             # The fold lies just above the goal, or a tube over it does.
             rows = rows[left]
-            safe[rows], _, moves[:, rows] = _passed(some[left], here[left], goal[rows], by_v[left], over=False)
+            safe[rows], _, moves[:, rows] = _passed(
+                some[left], here[left], goal[rows], by_v[left], over=False
+            )
     return safe, top, moves
 
 
 def _passed(
-    tubes: Tubes, start: Place, goal: FloatArray, by_v: FloatArray, sharp: bool = False, over: bool = True
+    tubes: Tubes,
+    start: Place,
+    goal: FloatArray,
+    by_v: FloatArray,
+    sharp: bool = False,
+    over: bool = True,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """:func:`passed` for one pivot; ``over`` says whether the tube goes over the fold, or up to it only."""
     way, towards = goal - start.v, np.sign(by_v)
@@ -108,7 +117,10 @@ def _passed(
     open_ = tubes.rises(start, by_s) == towards
     rising = open_.copy()
     # All states of the place lie within the first segment.
-    here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[tubes.pivot])
+    here, step = (
+        start[np.arange(goal.size)],
+        np.maximum(TURN * straight, 2 * start.held[tubes.pivot]),
+    )
     for _ in range(TURNS):
         rows = np.flatnonzero(open_ & (step > LEAST * straight))
         if not rows.size:
@@ -121,7 +133,9 @@ def _passed(
         # Near its fold v is as wide as the parts make it: there is no nearer.
         near = NEAR * (goal[rows] - at.v)
         if sharp:
-            near = np.minimum(near, CLOSE * (moves[:, rows] * some.half).sum(axis=0) + SHARP * way[rows])
+            near = np.minimum(
+                near, CLOSE * (moves[:, rows] * some.half).sum(axis=0) + SHARP * way[rows]
+            )
         turns = over & rising[rows] & ~good & (np.abs(by_s[-1, rows]) * step[rows] < near)
         rising[rows[turns]] = False
         step[rows] *= np.where(good, 1.5, np.where(turns, 0.5, 0.25))
@@ -134,7 +148,9 @@ def _passed(
         ends = end.box()[-1]
         safe[rows] = np.where(rising[rows], ends.low, safe[rows])
         # While v rises it is highest at the end.
-        highest[rows] = np.maximum(highest[rows], np.where(rising[rows], ends.high, tube.box().high[-1]))
+        highest[rows] = np.maximum(
+            highest[rows], np.where(rising[rows], ends.high, tube.box().high[-1])
+        )
         falls = some.rises(end, by_s[:, rows]) == -towards[rows]
         top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
         open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
@@ -171,7 +187,9 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
     return z, near & np.isfinite(z).all(axis=0)
 
 
-def _proved(tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int, segments: int) -> Turned:
+def _proved(
+    tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int, segments: int
+) -> Turned:
     """Between which values v lies where it turns back, and whether that is proved."""
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
@@ -192,8 +210,13 @@ def _proved(tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, for
 
 
 def _moved_on(
-    tubes: Tubes, here: Place, by_s: FloatArray, rows: IntArray, step: FloatArray, moving: FloatArray
-) -> BoolArray:  # fmt: skip
+    tubes: Tubes,
+    here: Place,
+    by_s: FloatArray,
+    rows: IntArray,
+    step: FloatArray,
+    moving: FloatArray,
+) -> BoolArray:
     """One segment of some rows: where it is proved that v moves on in it ``here`` and dz/ds become those at its end."""
     some, slope = tubes[rows], by_s[:, rows]
     good, end, tube = some.segment(here[rows], here.z[:, rows] + slope * step[rows])

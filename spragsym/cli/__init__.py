@@ -15,7 +15,14 @@ from typing import NoReturn
 import click
 
 from .._version import __version__
-from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError, closest, latin
+from ..errors import (
+    MissingExtraError,
+    ParameterError,
+    ParameterTypeError,
+    SpragsymError,
+    closest,
+    latin,
+)
 from ..interrupts import ending
 
 __all__ = ["COMMANDS", "cli", "main"]
@@ -41,8 +48,17 @@ COMMANDS = {
 }
 
 #: Module that may be missing → the extra that brings it.
-EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "flint": "certify",
-          "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
+EXTRAS = {
+    "sympy": "derive",
+    "matplotlib": "plot",
+    "heyoka": "fast",
+    "flint": "certify",
+    "xarray": "sweep",
+    "h5netcdf": "sweep",
+    "h5py": "sweep",
+    "dask": "sweep",
+    "distributed": "sweep",
+}
 
 
 class LazyGroup(click.Group):
@@ -59,10 +75,14 @@ class LazyGroup(click.Group):
         assert isinstance(command, click.Command)
         return command
 
-    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
             meant = closest(args[0], COMMANDS)
-            remark = f"did you mean {meant}?" if meant else f"the commands are {', '.join(COMMANDS)}"
+            remark = (
+                f"did you mean {meant}?" if meant else f"the commands are {', '.join(COMMANDS)}"
+            )
             ctx.fail(f"no command {args[0]!r}; {remark}")
         return super().resolve_command(ctx, args)
 
@@ -71,7 +91,9 @@ class LazyGroup(click.Group):
             formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
 
 
-@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "show_default": True})
+@click.group(
+    cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "show_default": True}
+)
 @click.version_option(__version__, prog_name="spragsym")
 @click.option("--debug", is_flag=True, help="Show the traceback of an error. May stand anywhere.")
 def cli(debug: bool) -> None:
@@ -119,7 +141,12 @@ def _in_latin(error: UnicodeError) -> tuple[str, int]:
     """Replaces characters that a stream can't write: Greek letters by their names, others by an escape."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
-    text = latin(error.object[error.start : error.end]).replace("−", "-").replace("–", "-").replace("′", "'")
+    text = (
+        latin(error.object[error.start : error.end])
+        .replace("−", "-")
+        .replace("–", "-")
+        .replace("′", "'")
+    )
     return text.encode("ascii", "backslashreplace").decode("ascii"), error.end
 
 
@@ -129,7 +156,9 @@ def _run(arguments: list[str], debug: bool) -> int:
         if "_SPRAGSYM_COMPLETE" in os.environ:  # the shell asks for completions
             cli.main(arguments, prog_name="spragsym")
         with ending(), warnings.catch_warnings():
-            warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
+            warnings.showwarning = lambda message, *_: click.echo(
+                f"spragsym: warning: {message}", err=True
+            )
             plain = False if "NO_COLOR" in os.environ else None
             with cli.make_context("spragsym", arguments, color=plain) as context:
                 cli.invoke(context)
@@ -148,7 +177,10 @@ def _run(arguments: list[str], debug: bool) -> int:
             if debug:
                 traceback.print_exc()
             line = " ".join(message.split())
-            click.echo(f"spragsym: {line if len(line) <= 2000 else f'{line[:500]} … {line[-500:]}'}", err=True)
+            click.echo(
+                f"spragsym: {line if len(line) <= 2000 else f'{line[:500]} … {line[-500:]}'}",
+                err=True,
+            )
         return code
     return 0
 
@@ -159,7 +191,11 @@ def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
         case click.Abort() | KeyboardInterrupt():
             return "; ".join(["interrupted", *map(str, error.args)]), 130
         case click.ClickException():
-            where = f"; see {error.ctx.command_path} --help" if isinstance(error, click.UsageError) and error.ctx else ""
+            where = (
+                f"; see {error.ctx.command_path} --help"
+                if isinstance(error, click.UsageError) and error.ctx
+                else ""
+            )
             return _message(error, arguments).rstrip(".") + where, error.exit_code
         case SpragsymError():
             return str(error), 2 if isinstance(error, ParameterError | ParameterTypeError) else 1
@@ -168,7 +204,10 @@ def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
         case OSError() if not error.strerror:
             return str(error), 1
         case OSError() if error.filename is None:
-            return f"the output can't be written: {error.strerror}; make room, or send it elsewhere", 1
+            return (
+                f"the output can't be written: {error.strerror}; make room, or send it elsewhere",
+                1,
+            )
         case OSError():
             return f"{error.filename}: {error.strerror}; give another path", 1
         case MemoryError():
@@ -179,16 +218,31 @@ def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
 
 def _message(error: click.ClickException, arguments: list[str]) -> str:
     """The message of click; for an unknown option, with the one that was probably meant, for a missing one with what to give."""
-    if isinstance(error, click.MissingParameter) and isinstance(error.param, click.Option) and error.ctx is not None:
+    if (
+        isinstance(error, click.MissingParameter)
+        and isinstance(error.param, click.Option)
+        and error.ctx is not None
+    ):
         flag = max(error.param.opts, key=len)
         return f"{flag} is missing; give {flag} {error.param.make_metavar(error.ctx)}"
     if not isinstance(error, click.NoSuchOption) or error.ctx is None:
         return error.format_message()
     # Of -theta0 click sees only -t.
     typed = error.option_name
-    typed = next((word for word in arguments if len(typed) == 2 and word.startswith(typed) and word[1:2] != "-"), typed)
+    typed = next(
+        (
+            word
+            for word in arguments
+            if len(typed) == 2 and word.startswith(typed) and word[1:2] != "-"
+        ),
+        typed,
+    )
     typed = typed.partition("=")[0]
-    options = [flag for option in error.ctx.command.params for flag in (*option.opts, *option.secondary_opts)]
+    options = [
+        flag
+        for option in error.ctx.command.params
+        for flag in (*option.opts, *option.secondary_opts)
+    ]
     short = f"-{typed.lstrip('-')}"  # of --V it is -V
     long = [flag for flag in options if flag.startswith("--")] + ["--help", "--debug"]
     meant = short if short in options else closest(typed, long)

@@ -23,26 +23,54 @@ from .output import print_json, refuse, wrapped, write
 T = TypeVar("T")
 #: Arguments of click.style.
 Style: TypeAlias = Mapping[str, Any]
-_GOOD, _OPEN, _BAD, _DIM = {"fg": "green"}, {"fg": "cyan"}, {"fg": "red", "bold": True}, {"dim": True}
+_GOOD, _OPEN, _BAD, _DIM = (
+    {"fg": "green"},
+    {"fg": "cyan"},
+    {"fg": "red", "bold": True},
+    {"dim": True},
+)
 _STYLES: Mapping[str, Style] = {
-    "confirmed": _GOOD, "misprint": {"fg": "yellow"}, "approximation": _OPEN, "definition": _DIM, "failed": _BAD,
-    "reproduced": _GOOD, "corrected": {"fg": "magenta"}, "input not stated": _OPEN, "not reproduced": _BAD,
-}  # fmt: skip
+    "confirmed": _GOOD,
+    "misprint": {"fg": "yellow"},
+    "approximation": _OPEN,
+    "definition": _DIM,
+    "failed": _BAD,
+    "reproduced": _GOOD,
+    "corrected": {"fg": "magenta"},
+    "input not stated": _OPEN,
+    "not reproduced": _BAD,
+}
 
 
 @o.command()
 @o.as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(
-    "--row", "only", multiple=True, metavar="ROW", help="Only this row, or rows that begin so: eq-9, fig-7. Repeatable."
+    "--row",
+    "only",
+    multiple=True,
+    metavar="ROW",
+    help="Only this row, or rows that begin so: eq-9, fig-7. Repeatable.",
 )
-@click.option("--again", is_flag=True, help="Derive or compute the rows anew, and compare them with what is committed.")
+@click.option(
+    "--again",
+    is_flag=True,
+    help="Derive or compute the rows anew, and compare them with what is committed.",
+)
 @o.file("--report", help="Write the report on both, from what is committed.")
-@click.option("--model", "model_name", metavar="NAME|DIR", help=f"{o.TEXT} What holds of the article for it.")
+@click.option(
+    "--model", "model_name", metavar="NAME|DIR", help=f"{o.TEXT} What holds of the article for it."
+)
 @o.force
 def check(
-    json_output: bool, claims: bool, only: tuple[str, ...], again: bool, report: Path | None, model_name: str | None, force: bool
-) -> None:  # fmt: skip
+    json_output: bool,
+    claims: bool,
+    only: tuple[str, ...],
+    again: bool,
+    report: Path | None,
+    model_name: str | None,
+    force: bool,
+) -> None:
     """Show how every printed equation of the article compares with the derivation, or every statement with computation.
 
     Rows come from the committed ledger at once; with --again each is derived or computed anew, and compared with it.
@@ -61,9 +89,13 @@ def check(
     Exit codes: 0 every row is as recorded; 1 a row is not; 2 usage.
     """
     if again and (model_name is not None or report is not None):
-        raise click.UsageError(f"--again is about rows of the article; leave it or {'--report' if report else '--model'} out")
+        raise click.UsageError(
+            f"--again is about rows of the article; leave it or {'--report' if report else '--model'} out"
+        )
     if model_name is not None and (claims or report is not None):
-        raise click.UsageError(f"{'--claims' if claims else '--report'} is about the article's own model; leave --model out")
+        raise click.UsageError(
+            f"{'--claims' if claims else '--report'} is about the article's own model; leave --model out"
+        )
     if model_name is not None:
         _check_model(model_name, json_output, only)
     elif report is not None:
@@ -80,7 +112,10 @@ def check(
         for line in wrong:
             click.echo(f"spragsym check: {line}", err=True)
         if not again:
-            click.echo(f"as committed; --again {'computes' if claims else 'derives'} every row anew", err=True)
+            click.echo(
+                f"as committed; --again {'computes' if claims else 'derives'} every row anew",
+                err=True,
+            )
         if wrong:
             sys.exit(1)
 
@@ -96,7 +131,9 @@ def _chosen(only: tuple[str, ...], known: Mapping[str, T], what: str) -> list[T]
         found = {name} & set(known) or {row for row in known if row.startswith(name)}
         if not found:
             near = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.3)) or "none"
-            raise ParameterError(f"--row {name}: no row of {what} has this name or begins with it; names like it: {near}")
+            raise ParameterError(
+                f"--row {name}: no row of {what} has this name or begins with it; names like it: {near}"
+            )
         chosen |= found
     return [row for name, row in known.items() if name in chosen]
 
@@ -124,8 +161,16 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     with show_progress("deriving the equations of the article"):
         every = derivation.run()
     chosen, now = {row["id"] for row in rows}, {row.id: row.recorded() for row in every}
-    wrong = [f"{row.id} ({row.where}): {row.note}" for row in derivation.failures(every) if row.id in chosen]
-    changed = [id for id in sorted(before.keys() | now.keys()) if before.get(id) != now.get(id) and (not only or id in chosen)]
+    wrong = [
+        f"{row.id} ({row.where}): {row.note}"
+        for row in derivation.failures(every)
+        if row.id in chosen
+    ]
+    changed = [
+        id
+        for id in sorted(before.keys() | now.keys())
+        if before.get(id) != now.get(id) and (not only or id in chosen)
+    ]
     wrong += [f"{id} is not as recorded in generated/ledger.json" for id in changed]
     return [row for id, row in now.items() if id in chosen], wrong
 
@@ -137,32 +182,51 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
 
     model = load(name)
     with show_progress(f"deriving the equations of {model.name}"):
-        every = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
+        every = variant_models.judge(
+            pages.read(page_of(model, pages.SHIPPED), model.name).mechanics
+        )
     rows = _chosen(only, {row.id: row for row in every}, "the equations")
     if json_output:
         print_json([asdict(row) for row in rows])
         return
     words = (variant_models.HOLDS, variant_models.FAILS, variant_models.NO_MEANING)
     styles: dict[str, Style] = dict(zip(words, (_GOOD, _BAD, _DIM), strict=True))
-    _print_rows("model less article", [(row.id, row.where, row.status, row.remark) for row in rows], styles)
+    _print_rows(
+        "model less article", [(row.id, row.where, row.status, row.remark) for row in rows], styles
+    )
     hold, fail, none = map([row.status for row in rows].count, words)
-    click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
+    click.echo(
+        f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning",
+        err=True,
+    )
 
 
-def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]], styles: Mapping[str, Style] = _STYLES) -> None:
+def _print_rows(
+    last: str, rows: Sequence[tuple[str, str, str, str]], styles: Mapping[str, Style] = _STYLES
+) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
     table = [("row", "where", "status", last), *rows]
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
-        styled = line.removesuffix(status) + click.style(status, **styles.get(status, {"bold": True}))
+        styled = line.removesuffix(status) + click.style(
+            status, **styles.get(status, {"bold": True})
+        )
         click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
 
 
 def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
     """Equations with the remark of each; of the text's statements the outcome."""
     remarks = ("outcome", "cause", "limit", "note")
-    shown = [(row["id"], row["where"], row["status"], next((row[key] for key in remarks if row.get(key)), "")) for row in rows]
+    shown = [
+        (
+            row["id"],
+            row["where"],
+            row["status"],
+            next((row[key] for key in remarks if row.get(key)), ""),
+        )
+        for row in rows
+    ]
     _print_rows("remark", shown)
     for row in rows:
         if row.get("consequence"):
@@ -180,14 +244,24 @@ def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) ->
 
 
 @o.command()
-@click.option("--only", "first", multiple=True, callback=_names, metavar="NAME...", help="As NAMES.")
+@click.option(
+    "--only", "first", multiple=True, callback=_names, metavar="NAME...", help="As NAMES."
+)
 @click.argument("names", nargs=-1, callback=_names)
 @o.folder("Folder to write to, made if missing.")
 @click.option("--format", "kinds", default="pdf", help="pdf, png, svg, or several with commas.")
 @o.workers(-1)
 @o.quiet
 @o.force
-def figures(first: list[str], names: list[str], out: Path, kinds: str, workers: int, quiet: bool, force: bool) -> None:
+def figures(
+    first: list[str],
+    names: list[str],
+    out: Path,
+    kinds: str,
+    workers: int,
+    quiet: bool,
+    force: bool,
+) -> None:
     """Draw the article's Figures 3 to 14, and some that it lacks: all, or NAMES.
 
     Those are cusp-friction, false-double-root, rms-map and sensitivity. NAMES are separated by blanks or commas.
@@ -209,13 +283,19 @@ def figures(first: list[str], names: list[str], out: Path, kinds: str, workers: 
     formats = _known([kinds], FORMATS, "--format")
     chosen = [FIGURES[name] for name in dict.fromkeys([*first, *names] or FIGURES)]
     written = (
-        [*(out / f"{draw.__name__}.{kind}" for kind in (*formats, "txt")), *sorted(out.glob(f"{draw.__name__}_[a-z].csv"))]
+        [
+            *(out / f"{draw.__name__}.{kind}" for kind in (*formats, "txt")),
+            *sorted(out.glob(f"{draw.__name__}_[a-z].csv")),
+        ]
         for draw in chosen
     )
     refuse(itertools.chain(*written), force, made=True)
     size = count(workers)
     # One pool for all figures, since a process takes a second to start.
-    with nullcontext(1) if size == 1 else pool(size) as mapping, advance(not quiet, len(chosen), 0) as step:
+    with (
+        nullcontext(1) if size == 1 else pool(size) as mapping,
+        advance(not quiet, len(chosen), 0) as step,
+    ):
         for draw in chosen:
             moving = {"workers": mapping} if "workers" in inspect.signature(draw).parameters else {}
             for path in write(draw(**moving), out, draw.__name__, formats):

@@ -22,7 +22,9 @@ from .output import drawn, print_rows
 
 
 @o.of_model(statics=True)
-@o.vary("What varies: a parameter, with --data a quantity of the file too; with a range as mu0=0:1. Default: {last}.")
+@o.vary(
+    "What varies: a parameter, with --data a quantity of the file too; with a range as mu0=0:1. Default: {last}."
+)
 @o.within
 @o.method
 @o.as_json
@@ -37,7 +39,11 @@ def folds(case: Case) -> Any:
     """
     along = case.span
     with show_progress(f"searching for folds along {along.name}"):
-        told = points_of(case, ss.folds(case.set(along.name), along.name, **case.searching(along.name)), after=True)
+        told = points_of(
+            case,
+            ss.folds(case.set(along.name), along.name, **case.searching(along.name)),
+            after=True,
+        )
     return {"vary": along.title, **told}, lambda: print_points("Folds", told, [along.title])
 
 
@@ -51,7 +57,10 @@ def folds(case: Case) -> Any:
 @o.undamped
 @o.method
 @o.plot("the bifurcation set")
-@o.lines(60, "Lines of either parameter on which --plot searches for folds, where there is no closed form.")
+@o.lines(
+    60,
+    "Lines of either parameter on which --plot searches for folds, where there is no closed form.",
+)
 @o.force
 @o.as_json
 def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
@@ -69,12 +78,19 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     if len(names) > 1:
         case.model.two(names)
     elif plot is not None:
-        raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
+        raise ParameterError(
+            "--plot shows the plane of two parameters; give the second one with another --vary"
+        )
     found: dict[str, Any] = {}
 
     def search(title: str, along: Sequence[str], question: Callable[..., Any], **more: Any) -> None:
         with show_progress(f"searching for {title} along {' and '.join(along)}"):
-            points = question(case.set(*along), along[0] if len(along) == 1 else along, **case.searching(*along), **more)
+            points = question(
+                case.set(*along),
+                along[0] if len(along) == 1 else along,
+                **case.searching(*along),
+                **more,
+            )
         # Closed forms know mirror images beyond the ranges of what varies.
         ranges = [points.parameters.ranges[name] for name in along]
         low, high = np.array([(one.low, one.high) for one in ranges]).T[..., None]
@@ -85,7 +101,10 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     if len(names) == 2:
         search("cusps", names, ss.cusps)
     elif len(case.model.axes) > 1:
-        click.echo(f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME", err=True)
+        click.echo(
+            f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME",
+            err=True,
+        )
     if plot is not None:
         _draw(case, plot, names, found, n, undamped)
     told = {title: points_of(case, one) for title, one in found.items()}
@@ -98,7 +117,9 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     return {"parameters": case.told(), **told}, tables
 
 
-def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], n: int, undamped: bool) -> None:
+def _draw(
+    case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], n: int, undamped: bool
+) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane.
 
     Curves of onsets where they are asked for, or were found along the first parameter, or where there are no folds to show.
@@ -106,12 +127,21 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     from ..figures.style import window
 
     p, ranges = case.set(*vary), case.between
-    shown, onsets, plane = window(case.model, vary, ranges, lambda: found["cusps"]), None, " and ".join(vary)
+    shown, onsets, plane = (
+        window(case.model, vary, ranges, lambda: found["cusps"]),
+        None,
+        " and ".join(vary),
+    )
     if undamped or len(found["onsets"]) or not (len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):
-            onsets = ss.onset_curves(p, vary, min(n, 30), damping=False if undamped else None, between=shown)
+            onsets = ss.onset_curves(
+                p, vary, min(n, 30), damping=False if undamped else None, between=shown
+            )
     else:
-        click.echo("the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in", err=True)
+        click.echo(
+            "the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in",
+            err=True,
+        )
     drawing = f"drawing folds{', onsets' if onsets else ''} and cusps in the plane of {plane}"
     figure = partial(ss.figures.bifurcation_figure, p, vary, between=shown, n=n, onsets=onsets)
     drawn(path, drawing, figure, lambda: [[*map(case.axis, vary)]])
@@ -139,30 +169,62 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     names = case.model.two(case.names)
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
     with show_progress(f"searching for onsets {plane}"):
-        found = ss.onset_curves(case.set(*names), names, n, damping=False if undamped else None, between=case.between)
-    drawn(plot, f"drawing onsets {plane}", lambda: ss.figures.stability_figure(found), lambda: [[*map(case.axis, names)]])
+        found = ss.onset_curves(
+            case.set(*names), names, n, damping=False if undamped else None, between=case.between
+        )
+    drawn(
+        plot,
+        f"drawing onsets {plane}",
+        lambda: ss.figures.stability_figure(found),
+        lambda: [[*map(case.axis, names)]],
+    )
     columns = ("criticality", *names, *coordinates, "omega", "lyapunov", "lyapunov_error")
     curves = [case.row({name: getattr(curve, name) for name in columns}) for curve in found.curves]
     # Points at which two conditions hold, and those at which the kind of the onset changes.
-    special = {name: [*getattr(found.points, name), *found.changes[name]] for name in (*names, *coordinates, "error")}
-    kinds, errors = [*found.points.kind, *["GH"] * len(found.changes["error"])], special.pop("error")
+    special = {
+        name: [*getattr(found.points, name), *found.changes[name]]
+        for name in (*names, *coordinates, "error")
+    }
+    kinds, errors = (
+        [*found.points.kind, *["GH"] * len(found.changes["error"])],
+        special.pop("error"),
+    )
     points = case.rows({"kind": kinds, **special}, error=errors)
     told = {
-        "curves": curves, "points": points, "complete": found.complete,
-        "undecided": case.boxes(found.undecided, (*coordinates, *names)), "remarks": case.said(found.remarks),
-    }  # fmt: skip
+        "curves": curves,
+        "points": points,
+        "complete": found.complete,
+        "undecided": case.boxes(found.undecided, (*coordinates, *names)),
+        "remarks": case.said(found.remarks),
+    }
 
     def tables() -> None:
         titles = [span.title for span in case.spans]
-        print_rows("Onsets", [
-            {"curve": number, "points": len(kinds := curve["criticality"]),
-             **{f"{title} {end}": pick(curve[title]) for title in titles for end, pick in (("from", min), ("to", max))},
-             "onset": ", ".join(kind for kind in ("gentle", "dangerous", "undecided") if kind in kinds)}
-            for number, curve in enumerate(curves, 1)
-        ])  # fmt: skip
-        print_rows("Points on them", [{title: row[title] for title in ("kind", *titles)} for row in points])
+        print_rows(
+            "Onsets",
+            [
+                {
+                    "curve": number,
+                    "points": len(kinds := curve["criticality"]),
+                    **{
+                        f"{title} {end}": pick(curve[title])
+                        for title in titles
+                        for end, pick in (("from", min), ("to", max))
+                    },
+                    "onset": ", ".join(
+                        kind for kind in ("gentle", "dangerous", "undecided") if kind in kinds
+                    ),
+                }
+                for number, curve in enumerate(curves, 1)
+            ],
+        )
+        print_rows(
+            "Points on them", [{title: row[title] for title in ("kind", *titles)} for row in points]
+        )
         print_open("Onsets", told)
-        click.echo(f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen")
+        click.echo(
+            f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen"
+        )
 
     return {"parameters": case.told(), **told}, tables
 
@@ -179,12 +241,19 @@ def points_of(case: Case, found: Any, after: bool = False) -> Row:
     elif len(found.vary) == 1:
         names += ["ends", "when"]
         following = case.row(found.after if after else after_if_known(found), "_after")
-    points = case.rows({name: getattr(found, name) for name in names}, **following, error=found.error)
-    searched, *undecided = case.boxes([found.region, *found.undecided], (*case.model.coordinates, *found.vary))
+    points = case.rows(
+        {name: getattr(found, name) for name in names}, **following, error=found.error
+    )
+    searched, *undecided = case.boxes(
+        [found.region, *found.undecided], (*case.model.coordinates, *found.vary)
+    )
     return {
-        "points": points, "complete": bool(found.complete), "searched": searched, "undecided": undecided,
+        "points": points,
+        "complete": bool(found.complete),
+        "searched": searched,
+        "undecided": undecided,
         "remarks": case.said(found.remarks),
-    }  # fmt: skip
+    }
 
 
 def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> None:
@@ -198,14 +267,20 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
         room = [*lengths(after), *lengths(names), "error", *angles, *after[::-1]]
         print_rows(f"{title} along {' and '.join(where)}", shown, room)
     lost = [
-        row for row in rows
-        if row.get("ends") in ("lower", "upper") and any(math.isnan(value) for name, value in row.items() if "_after" in name)
-    ]  # fmt: skip
+        row
+        for row in rows
+        if row.get("ends") in ("lower", "upper")
+        and any(math.isnan(value) for name, value in row.items() if "_after" in name)
+    ]
     if lost:
-        everywhere = math.isinf(next(iter(told["searched"].values()))[0])  # as by closed forms: a search may be undecided
+        everywhere = math.isinf(
+            next(iter(told["searched"].values()))[0]
+        )  # as by closed forms: a search may be undecided
         known = "is left" if told["complete"] and everywhere else "was found"
         nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
-        click.echo(f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} = {nowhere}")
+        click.echo(
+            f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} = {nowhere}"
+        )
     print_open(title, told)
 
 
@@ -228,6 +303,9 @@ def summed(boxes: Sequence[Row]) -> str:
     """How many boxes are undecided, and what holds them all; ``--json`` lists each."""
     titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
     hull = ", ".join(
-        f"{title} in [{min(box[title][0] for box in boxes):.8g}, {max(box[title][1] for box in boxes):.8g}]" for title in titles
+        f"{title} in [{min(box[title][0] for box in boxes):.8g}, {max(box[title][1] for box in boxes):.8g}]"
+        for title in titles
     )
-    return f"{'1 box is' if len(boxes) == 1 else f'{len(boxes)} boxes are'} undecided, within {hull}"
+    return (
+        f"{'1 box is' if len(boxes) == 1 else f'{len(boxes)} boxes are'} undecided, within {hull}"
+    )

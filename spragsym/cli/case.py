@@ -28,7 +28,10 @@ Row: TypeAlias = dict[str, Any]
 Titled: TypeAlias = tuple[str, float]
 #: What is measured of a motion in the unit of its first component; forces; and rates.
 MEASURED = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error")
-FORCES, RATES = ("spring_force", "contact_force"), ("growth", "omega", "eigenvalues", "damped_eigenvalues")
+FORCES, RATES = (
+    ("spring_force", "contact_force"),
+    ("growth", "omega", "eigenvalues", "damped_eigenvalues"),
+)
 #: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in the model's units.
 COUNT, LARGEST = 11, 1e6
 
@@ -76,14 +79,23 @@ class Case:
         """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
         self.require(values, spanned)
-        return (self.model.search if self.ask.get("method") == "search" else self.model).Parameters(**values)
+        return (self.model.search if self.ask.get("method") == "search" else self.model).Parameters(
+            **values
+        )
 
     def require(self, values: Mapping[str, Any], spanned: Sequence[str] = ()) -> None:
         """An error that names the option of a parameter that has no value, and is not one of those that vary."""
-        for name in (name for name, value in values.items() if value is None and name not in spanned):
-            flag, number = options_of(self.model.about, name)[0], "DEGREES" if self.model.is_angle(name) else "NUMBER"
+        for name in (
+            name for name, value in values.items() if value is None and name not in spanned
+        ):
+            flag, number = (
+                options_of(self.model.about, name)[0],
+                "DEGREES" if self.model.is_angle(name) else "NUMBER",
+            )
             varying = f" while {' and '.join(self.names)} varies" if self.spans else ""
-            raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
+            raise click.UsageError(
+                f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}"
+            )
 
     @property
     def between(self) -> Ranges:
@@ -92,7 +104,10 @@ class Case:
 
     def searching(self, *names: str) -> dict[str, Any]:
         """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
-        return {**self.ask, "between": {name: ends for name, ends in self.between.items() if name in names} or None}
+        return {
+            **self.ask,
+            "between": {name: ends for name, ends in self.between.items() if name in names} or None,
+        }
 
     @property
     def span(self) -> Span:
@@ -108,7 +123,9 @@ class Case:
         """An error for a range that is missing."""
         if not self.spans or self.span.ends is None:
             typed = self.span.typed if self.spans else self.model.axes[-1]
-            raise click.UsageError(f"--vary {typed}: from where to where? Give it as {typed}=FROM:TO")
+            raise click.UsageError(
+                f"--vary {typed}: from where to where? Give it as {typed}=FROM:TO"
+            )
 
     def told(self) -> Row:
         """The parameters, angles in degrees."""
@@ -131,7 +148,9 @@ class Case:
             try:
                 chosen[name] = as_number(name, float(value)) / ones[name]
             except (KeyError, ValueError) as error:
-                raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {', '.join(ones)}") from error
+                raise click.UsageError(
+                    f"--state {word}: give NAME=VALUE, NAME one of {', '.join(ones)}"
+                ) from error
         return p.following(**chosen) if chosen else p
 
     def spanning(self, span: Span, values: bool, alone: bool) -> Span:
@@ -145,7 +164,9 @@ class Case:
             return found
         if alone and is_typed(name):
             flag = options_of(self.model.about, name)[0]
-            raise ParameterError(f"{flag} gives {name} a value, and --vary {span.typed} varies it; leave one of the two out")
+            raise ParameterError(
+                f"{flag} gives {name} a value, and --vary {span.typed} varies it; leave one of the two out"
+            )
         allowed, angle = self.model.Parameters.ranges[name], self.model.is_angle(name)
         for end in span.ends:
             value = end / unit
@@ -156,7 +177,9 @@ class Case:
             if not (allowed.contains(value) if values else allowed.low <= value <= allowed.high):
                 own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"
                 limits = in_degrees(allowed) if angle else allowed
-                raise ParameterError(f"--vary {span.typed}: {title} = {end:g}{own} is not in {limits}")
+                raise ParameterError(
+                    f"--vary {span.typed}: {title} = {end:g}{own} is not in {limits}"
+                )
         low, high = span.ends
         return replace(found, ends=(low / unit, high / unit))
 
@@ -165,7 +188,9 @@ class Case:
         found = {}
         for span in spans:
             if span.ends is None:
-                raise ParameterError(f"--within {span.typed} is no range; give it as {self.model.coordinates[0]}=0:1")
+                raise ParameterError(
+                    f"--within {span.typed} is no range; give it as {self.model.coordinates[0]}=0:1"
+                )
             unit, (low, high) = self.of(span.name)[1], span.ends
             found[span.name] = (low / unit, high / unit)
         return found
@@ -210,7 +235,10 @@ class Case:
     def row(self, values: Mapping[str, Any], end: str = "") -> Row:
         """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
         if "stability" in values:
-            values = {**values, "stability": [Stability(code).name.lower() for code in values["stability"]]}
+            values = {
+                **values,
+                "stability": [Stability(code).name.lower() for code in values["stability"]],
+            }
         titles = ((self.of(name, end), value) for name, value in values.items())
         return {title: _scaled(value, size) for (title, size), value in titles}
 
@@ -222,7 +250,9 @@ class Case:
     def varied(self, name: str) -> tuple[str, str, float]:
         """A parameter, or with a file its quantity: the parameter, its title, and what one of it is there."""
         kind = self.kind
-        if name in self.model.parameters and (self.study is None or kind.parameters.get(name) != name):
+        if name in self.model.parameters and (
+            self.study is None or kind.parameters.get(name) != name
+        ):
             return name, *self.parameter(name)
         if name in kind.parameters:
             if self.study is None:
@@ -233,8 +263,12 @@ class Case:
             raise ParameterError(
                 f"--vary {name}: it is a unit of the model, and several parameters change with it; write a file for each value"
             )
-        known = list(dict.fromkeys([*self.model.parameters, *(kind.parameters if self.study else ())]))
-        raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
+        known = list(
+            dict.fromkeys([*self.model.parameters, *(kind.parameters if self.study else ())])
+        )
+        raise click.UsageError(
+            f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}"
+        )
 
     def axis(self, name: str, before: str = "", after: str = "") -> Titled | None:
         """What an axis of a figure says of a parameter or a coordinate, and what one of the model's own is there.
@@ -252,7 +286,12 @@ class Case:
 
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with what they say of parameters and coordinates in the units of the file."""
-        return [text.told(self._named) if self.study is not None and isinstance(text, Remark) else str(text) for text in remarks]
+        return [
+            text.told(self._named)
+            if self.study is not None and isinstance(text, Remark)
+            else str(text)
+            for text in remarks
+        ]
 
     def _named(self, name: str) -> Titled:
         """A parameter, by its quantity, or a coordinate."""
@@ -283,7 +322,9 @@ def is_typed(option: str) -> bool:
 
 
 def in_degrees(allowed: Range, remedy: str = "") -> Range:
-    return replace(allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy)
+    return replace(
+        allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy
+    )
 
 
 def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = True) -> Study:
@@ -293,5 +334,7 @@ def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = T
 
     study = (Study.from_file if warn else read_brake)(path, trust=trust or model or False)
     if model not in (None, study.model):
-        raise ParameterError(f"--model {model}: {path} is about {study.model}; leave one of the two out")
+        raise ParameterError(
+            f"--model {model}: {path} is about {study.model}; leave one of the two out"
+        )
     return study

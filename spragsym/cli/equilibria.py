@@ -50,10 +50,16 @@ def equilibria(case: Case, plot: Path | None) -> Any:
       spragsym equilibria --model cubic_contact --theta0 49
       spragsym equilibria --model mode_coupling --vary mu0=0:1 --plot modes.pdf
     """
-    titles, values = {name: case.parameter(name) for name in case.model.parameters}, dict(case.values)
+    titles, values = (
+        {name: case.parameter(name) for name in case.model.parameters},
+        dict(case.values),
+    )
     if case.spans:
         case.require_ends()
-        values[case.span.name], titles[case.span.name] = case.span.values, (case.span.title, case.span.unit)
+        values[case.span.name], titles[case.span.name] = (
+            case.span.values,
+            (case.span.title, case.span.unit),
+        )
     case.require(values)
     many = [name for name, value in values.items() if np.ndim(value)]
     if plot is not None:
@@ -61,20 +67,36 @@ def equilibria(case: Case, plot: Path | None) -> Any:
     lists = [np.ravel(value).tolist() for value in values.values()]
     size = math.prod(map(len, lists))
     if size > MOST:
-        raise click.UsageError(f"{size} points are more than the {MOST} of a table; in Python ss.equilibria takes any number")
-    with show_progress(f"searching for equilibria of {size} points" if many else "searching for equilibria"):
-        every = [dict(zip(values, combination, strict=True)) for combination in itertools.product(*lists)]  # the first slowest
+        raise click.UsageError(
+            f"{size} points are more than the {MOST} of a table; in Python ss.equilibria takes any number"
+        )
+    with show_progress(
+        f"searching for equilibria of {size} points" if many else "searching for equilibria"
+    ):
+        every = [
+            dict(zip(values, combination, strict=True)) for combination in itertools.product(*lists)
+        ]  # the first slowest
         told = [{title: unit * at[name] for name, (title, unit) in titles.items()} for at in every]
-        points = [{"parameters": at, **one} for at, one in zip(told, _all_states(case, every), strict=True)]
-    return {"points": points} if many else points[0], lambda: _print(case, points, [titles[name][0] for name in many])
+        points = [
+            {"parameters": at, **one}
+            for at, one in zip(told, _all_states(case, every), strict=True)
+        ]
+    return {"points": points} if many else points[0], lambda: _print(
+        case, points, [titles[name][0] for name in many]
+    )
 
 
 def _print(case: Case, points: list[Row], many: list[str]) -> None:
     rows = [
         {title: point["parameters"][title] for title in many}
-        | {name: value for name, value in row.items() if "eigenvalues" not in name and name != "marginal"}
-        for point in points for row in point["equilibria"]
-    ]  # fmt: skip
+        | {
+            name: value
+            for name, value in row.items()
+            if "eigenvalues" not in name and name != "marginal"
+        }
+        for point in points
+        for row in point["equilibria"]
+    ]
     if rows:
         print_rows("", rows, [*lengths(rows[0]), "error"])
     elif all(point["complete"] for point in points):
@@ -96,8 +118,15 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
             "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and numbers for others"
         )
     name, (low, high) = case.span.name, case.between[case.span.name]
-    words = () if case.study is None else (r"frequency Im $\lambda$ (1/s)", r"growth Re $\lambda$ (1/s)")
-    p, axes = case.set(name, **{name: None}), [(case.axis(name), (word, case.of("growth")[1])) for word in words]
+    words = (
+        ()
+        if case.study is None
+        else (r"frequency Im $\lambda$ (1/s)", r"growth Re $\lambda$ (1/s)")
+    )
+    p, axes = (
+        case.set(name, **{name: None}),
+        [(case.axis(name), (word, case.of("growth")[1])) for word in words],
+    )
     figure = partial(ss.figures.eigenvalue_figure, p, name, low=low, high=high)
     drawn(plot, f"drawing eigenvalues over {name}", figure, lambda: axes)
 
@@ -107,8 +136,14 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
 
     All points are asked in one call, and one by one where that does not answer completely; of one alone an error is the answer.
     """
-    p = case.model.Parameters(**{name: np.array([point[name] for point in points]) for name in points[0]})
-    every = {contact: ss.equilibria(p, contact=contact, **case.ask) for contact in case.model.regimes if len(points) > 1}
+    p = case.model.Parameters(
+        **{name: np.array([point[name] for point in points]) for name in points[0]}
+    )
+    every = {
+        contact: ss.equilibria(p, contact=contact, **case.ask)
+        for contact in case.model.regimes
+        if len(points) > 1
+    }
     for at, point in enumerate(points):
         told: Row = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
         for contact, state in case.model.regimes.items():
@@ -125,7 +160,9 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
             told["complete"] &= eq.complete
             for one in eq.undecided:
                 box = zip(one.low, one.high, strict=True)
-                told["undecided"] += case.boxes([box], case.model.coordinates, state=state, reason=one.reason)
+                told["undecided"] += case.boxes(
+                    [box], case.model.coordinates, state=state, reason=one.reason
+                )
             told["remarks"] += [f"{state}: {text}" for text in case.said(eq.remarks)]
         yield told
 
@@ -136,7 +173,16 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
     ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
     """
     count = int(eq.count[point])
-    names = ("stability", "damped", *eq.columns, "eigenvalues", "damped_eigenvalues", "growth", "error", "marginal")
+    names = (
+        "stability",
+        "damped",
+        *eq.columns,
+        "eigenvalues",
+        "damped_eigenvalues",
+        "growth",
+        "error",
+        "marginal",
+    )
     columns = {name: getattr(eq, name)[point][:count] for name in names}
     error, marginal = (columns.pop(name).tolist() for name in ("error", "marginal"))
     return case.rows({"state": [eq.regime] * count, **columns}, error=error, marginal=marginal)
@@ -162,7 +208,9 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     case.require_ends()
     along = case.span
     with show_progress(f"following a state along {along.name}"):
-        found = ss.quasi_static_path(case.following(case.set(along.name), near), along.name, along.values, **case.ask)
+        found = ss.quasi_static_path(
+            case.following(case.set(along.name), near), along.name, along.values, **case.ask
+        )
     words = {name: getattr(found, name) for name in ("stability", "damped", "growth")}
     states = case.rows({along.name: found.values, **words, **found.places})
     jumps = [
@@ -176,8 +224,16 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
     def tables() -> None:
         for title, rows in (("States", states), ("Jumps", jumps)):
             if rows:
-                angles = [name for name in rows[0] if name.startswith("theta") and name.endswith(("_before_deg", "_after_deg"))]
-                print_rows(title, rows, [name for name in (*lengths(rows[0]), "error", *angles) if name != along.title])
+                angles = [
+                    name
+                    for name in rows[0]
+                    if name.startswith("theta") and name.endswith(("_before_deg", "_after_deg"))
+                ]
+                print_rows(
+                    title,
+                    rows,
+                    [name for name in (*lengths(rows[0]), "error", *angles) if name != along.title],
+                )
         if not jumps:
             click.echo("No jumps")
 
@@ -185,7 +241,9 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
 
 
 @o.of_model(statics=True)
-@o.vary("What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}.")
+@o.vary(
+    "What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}."
+)
 @o.followed
 @o.method
 @o.as_json
@@ -217,16 +275,32 @@ def critical(case: Case, near: tuple[str, ...]) -> Any:
             low, high = jump["searched"]
             where = f"from {low:g} to {high:g}" if math.isfinite(high - low) else jump["way"]
             never = "it has jumped already" if jumped else "never"
-            rows.append({"": f"{along.title} at the first jump, {where}", "value": _or(jump[along.title], never)})
+            rows.append(
+                {
+                    "": f"{along.title} at the first jump, {where}",
+                    "value": _or(jump[along.title], never),
+                }
+            )
         shown = _meanings(case, frictions, along.name)
         for name, text in shown.items():
-            rows.append({"": text, "value": _or(frictions[name], "unknown" if frictions[name] is None else "none")})
+            rows.append(
+                {
+                    "": text,
+                    "value": _or(frictions[name], "unknown" if frictions[name] is None else "none"),
+                }
+            )
         print_rows("", rows)
         for remark in remarks:
             if remark.partition(":")[0] not in {*frictions} - {*shown}:
                 click.echo(remark)
 
-    return {"vary": along.title, "jumps": jumps, "jumped": jumped, **frictions, "remarks": remarks}, tables
+    return {
+        "vary": along.title,
+        "jumps": jumps,
+        "jumped": jumped,
+        **frictions,
+        "remarks": remarks,
+    }, tables
 
 
 def _or(value: float | None, word: str) -> float | str:
@@ -235,16 +309,37 @@ def _or(value: float | None, word: str) -> float | str:
 
 def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> Row:
     """Where the state ends first; ``searched`` says from where to where, infinite if that is everywhere."""
-    name, ends, searched, at, error = along.name, along.ends, (math.nan, math.nan), math.nan, math.nan
+    name, ends, searched, at, error = (
+        along.name,
+        along.ends,
+        (math.nan, math.nan),
+        math.nan,
+        math.nan,
+    )
     kind, before = None, dict.fromkeys(case.model.coordinates, math.nan)
     if not jumped:
-        lowest = p.ranges[name].reached(float(ranges(case.model, (name,), {})[0, 0])) if name in case.model.axes else None
+        lowest = (
+            p.ranges[name].reached(float(ranges(case.model, (name,), {})[0, 0]))
+            if name in case.model.axes
+            else None
+        )
         begin, until = ends or (lowest, None)
         falls = way == "down" if ends is None else ends[1] < ends[0]
-        found = told(first_ends(p, name, direction="down" if falls else "up", begin=begin, until=until, **case.ask))
-        searched, at = (float(getattr(p, name)) if begin is None else begin, float(found.until)), float(found.value)
+        found = told(
+            first_ends(
+                p, name, direction="down" if falls else "up", begin=begin, until=until, **case.ask
+            )
+        )
+        searched, at = (
+            (float(getattr(p, name)) if begin is None else begin, float(found.until)),
+            float(found.value),
+        )
         if not math.isnan(at):
-            kind, before, error = "fold", dict(zip(before, found.state.tolist(), strict=True)), float(found.error)
+            kind, before, error = (
+                "fold",
+                dict(zip(before, found.state.tolist(), strict=True)),
+                float(found.error),
+            )
         for end in found.others.values():
             kind, before = end.kind, {name: float(end.before[name]) for name in before}
     row = {"searched": [0.0 if abs(end) <= INSIDE else along.unit * end for end in searched]}
@@ -274,7 +369,11 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
     def fold() -> Any:
         found = ss.critical_friction(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
-        return (float(found), math.degrees(found.theta0), found.kind or None) if found.complete else None
+        return (
+            (float(found), math.degrees(found.theta0), found.kind or None)
+            if found.complete
+            else None
+        )
 
     lowest, at_deg, kind = answer("mu0_lowest", fold, "theta0", "mu0") or (None, None, None)
     varies = None in case.values.values()
@@ -283,18 +382,31 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
         "mu0_lowest": lowest,
         "theta0_lowest_deg": at_deg,
         "kind_lowest": kind,
-        "mu0_cusp": answer("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"),
+        "mu0_cusp": answer(
+            "mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"
+        ),
         "mu_cr": answer("mu_cr", lambda: float(ss.linear_critical_friction(p))),
-    }, case.said(remarks)  # fmt: skip
+    }, case.said(remarks)
 
 
 def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
     """What each friction is, of those that the model has."""
     kind, known = frictions["kind_lowest"], {"theta0", "mu0"} & set(case.model.parameters)
-    place = f" ({'to' if kind == 'infinity' else 'a'} {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
+    place = (
+        f" ({'to' if kind == 'infinity' else 'a'} {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)"
+        if kind
+        else ""
+    )
     if len(known) < 2:
         return {"mu0_jump": "mu0_jump: mu0 of the jump"} if "mu0" in known and vary != "mu0" else {}
     jump = {} if vary == "theta0" else {"mu0_jump": "mu0_jump: mu0 of the jump at this angle"}
-    linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if frictions["mu_cr"] is not None else {}
-    lowest = {"mu0_lowest": f"mu0_lowest: no jump below this mu0{place}", "mu0_cusp": "mu0_cusp: mu0 of the lowest cusp"}
+    linear = (
+        {"mu_cr": "mu_cr, linear sprag model: poles above it"}
+        if frictions["mu_cr"] is not None
+        else {}
+    )
+    lowest = {
+        "mu0_lowest": f"mu0_lowest: no jump below this mu0{place}",
+        "mu0_cusp": "mu0_cusp: mu0 of the lowest cusp",
+    }
     return jump | lowest | linear

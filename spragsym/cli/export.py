@@ -17,11 +17,24 @@ from .output import refuse, write
 @o.command()
 @click.option("--model", "model_name", metavar="NAME|DIR", help=o.TEXT)
 @click.option("--language", type=click.Choice(languages()), default="c", help="Language to write.")
-@o.file("--data", exists=True, metavar="FILE", help="In the units of a file like brake.toml; of an FMU only.")
-@o.file("--out", "-o", folder=True, required=True, help="Folder to write to, made if missing; of an FMU a file.")
+@o.file(
+    "--data",
+    exists=True,
+    metavar="FILE",
+    help="In the units of a file like brake.toml; of an FMU only.",
+)
+@o.file(
+    "--out",
+    "-o",
+    folder=True,
+    required=True,
+    help="Folder to write to, made if missing; of an FMU a file.",
+)
 @o.trust
 @o.force
-def export(model_name: str | None, language: str, data: Path | None, out: Path, trust: bool, force: bool) -> None:
+def export(
+    model_name: str | None, language: str, data: Path | None, out: Path, trust: bool, force: bool
+) -> None:
     """Write the solver in another language, with an example that runs.
 
     The article's solver, generated algebra and a step in time; of another model, and as an FMU, its forces and motion with
@@ -36,7 +49,9 @@ def export(model_name: str | None, language: str, data: Path | None, out: Path, 
     """
     pack = packer(language)
     if data and not pack:
-        raise ParameterError(f"--data: an export to {language} has no units; leave it out, or give --language fmu")
+        raise ParameterError(
+            f"--data: an export to {language} has no units; leave it out, or give --language fmu"
+        )
     probe(out if pack else out / "file", made=True)
     study = study_of(data, model_name, trust) if data else None
     name = study.model if study else model_name or (USUAL if pack else None)
@@ -45,7 +60,9 @@ def export(model_name: str | None, language: str, data: Path | None, out: Path, 
         from ..derive import pages
 
         page = page_of(load(name), pages.SHIPPED)
-        texts = translation.export(page, load(name).name, language, study.in_units() if study else None)
+        texts = translation.export(
+            page, load(name).name, language, study.in_units() if study else None
+        )
     else:
         texts = exported(language)
     files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
@@ -79,7 +96,9 @@ def derive(page: Path, out: Path, force: bool) -> None:
     except FileExistsError as error:
         raise ParameterError(str(error)) from error
     except OSError as error:
-        raise StoreError(f"{out} cannot be written: {error.strerror}; make room, or give another path") from error
+        raise StoreError(
+            f"{out} cannot be written: {error.strerror}; make room, or give another path"
+        ) from error
     click.echo(f"wrote {count} files to {out}/", err=True)
     for name in sorted(path.name for path in out.iterdir() if path.is_file()):
         click.echo(out / name)

@@ -33,14 +33,24 @@ SLIPS = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
 @o.transient
 @o.rtol
 @o.backend("heyoka", "compiled", "scipy")
-@click.option("--error", "estimate_error", is_flag=True, help="Estimate the error by a second run at a tighter tolerance.")
+@click.option(
+    "--error",
+    "estimate_error",
+    is_flag=True,
+    help="Estimate the error by a second run at a tighter tolerance.",
+)
 @o.file("--output", "-o", folder=True, help="Write the motion to FILE.nc or FILE.csv.")
 @o.plot("the motion")
 @o.force
 @o.as_json
 def simulate(
-    case: Case, t_end: float, transient: float | None, output: Path | None, plot: Path | None, **settings: Any
-) -> Any:  # fmt: skip
+    case: Case,
+    t_end: float,
+    transient: float | None,
+    output: Path | None,
+    plot: Path | None,
+    **settings: Any,
+) -> Any:
     """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
@@ -62,13 +72,19 @@ def simulate(
     with show_progress("following the motion"):
         tr: Any = ss.simulate(p, t_end=t_end, **case.start, **settings)
     late, first = tr.after(transient), tr.components[0]
-    summary = case.row({
-        "rms": late.rms(0.0, of=first), "rms_about_mean": late.rms(0.0, of=first, about="mean"),
-        "mean": late.mean(0.0, of=first), "largest": late.largest(0.0, of=first),
-        "period": late.period(0.0), "converged": late.converged(0.0),
-        **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event}, "backend": tr.backend,
-        **({} if tr.error is None else {"error": tr.error.max()}),
-    })  # fmt: skip
+    summary = case.row(
+        {
+            "rms": late.rms(0.0, of=first),
+            "rms_about_mean": late.rms(0.0, of=first, about="mean"),
+            "mean": late.mean(0.0, of=first),
+            "largest": late.largest(0.0, of=first),
+            "period": late.period(0.0),
+            "converged": late.converged(0.0),
+            **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event},
+            "backend": tr.backend,
+            **({} if tr.error is None else {"error": tr.error.max()}),
+        }
+    )
     if output is not None:
         tr.save(output)
 
@@ -77,7 +93,9 @@ def simulate(
 
     def table() -> None:
         for name, value in {"model": case.model.name, **summary}.items():
-            click.echo(f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}")
+            click.echo(
+                f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}"
+            )
 
     return summary, table
 
@@ -89,7 +107,9 @@ def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple
     transient = 0.75 * t_end if transient is None else transient / second
     if transient >= t_end:
         begins, ends = (f"{value * second:.9g}{' s' * of_file}" for value in (transient, t_end))
-        raise ParameterError(f"--transient = {begins} is not below --t-end = {ends}; nothing would be left to measure")
+        raise ParameterError(
+            f"--transient = {begins} is not below --t-end = {ends}; nothing would be left to measure"
+        )
     unit = case.model.about["scales"]["time"].replace("**", "^")
     if t_end > LONGEST:
         limit = f"{LONGEST:g} {unit}" + (f", which is {LONGEST * second:.3g} s" if of_file else "")
@@ -106,7 +126,9 @@ def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple
 @o.quiet
 @o.file("--output", "-o", "store", folder=True, required=True, help="FILE.nc or FILE.csv.")
 @o.force
-def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store: Path, **settings: Any) -> None:
+def sweep(
+    case: Case, t_end: float, transient: float | None, quiet: bool, store: Path, **settings: Any
+) -> None:
     """Simulate over a grid of parameters, to a file.
 
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
@@ -123,16 +145,29 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store:
     from ..motion.sweeps import Regime
 
     case.require(case.values)
-    t_end, transient = _times(case, t_end, transient, "each motion of a sweep is followed to its end")
+    t_end, transient = _times(
+        case, t_end, transient, "each motion of a sweep is followed to its end"
+    )
     p, start = _grid(case)
     with resumed(case.force):
-        options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": store}
+        options = {
+            **start,
+            **settings,
+            "t_end": t_end,
+            "transient": transient,
+            "progress": not quiet,
+            "store": store,
+        }
         result = ss.rms_sweep(p, **options)
     counts = {regime.name.lower(): np.count_nonzero(result.regime == regime) for regime in Regime}
-    click.echo(f"{store}: " + ", ".join(f"{count} {name}" for name, count in counts.items() if count))
+    click.echo(
+        f"{store}: " + ", ".join(f"{count} {name}" for name, count in counts.items() if count)
+    )
     if case.study is not None:
         unit, size = case.study.unit_of("m")
-        click.echo(f"{store}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s")
+        click.echo(
+            f"{store}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s"
+        )
 
 
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
@@ -144,7 +179,9 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 
 
 @o.of_model(kind=o.Numbers, start=True)
-@click.option("--t-end", type=float, default=40_000.0, help="How long to follow it; exponents come after.")
+@click.option(
+    "--t-end", type=float, default=40_000.0, help="How long to follow it; exponents come after."
+)
 @o.backend("heyoka", "scipy")
 @o.workers(1)
 @o.quiet
@@ -165,28 +202,54 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
 
     case.require(case.values)
     if plot is not None and sum(np.size(values) > 1 for values in case.values.values()) != 2:
-        raise ParameterError(f"--plot {plot}: it draws a map over two parameters that vary; give two of them several values")
+        raise ParameterError(
+            f"--plot {plot}: it draws a map over two parameters that vary; give two of them several values"
+        )
     p, start = _grid(case)
     begin = [float(value) for value in start.values()]
     with resumed(case.force):
         found = fate_map(p, start=begin, progress=not quiet, store=store, **settings)
     drawn(plot, "drawing the map", found.plot)
-    click.echo(f"{store}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))
+    click.echo(
+        f"{store}: "
+        + ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
+    )
 
 
 @o.of_model(spanned=0)
-@click.option("--near", metavar="{state}", help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.")
-@o.vary("Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too.")
+@click.option(
+    "--near",
+    metavar="{state}",
+    help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.",
+)
+@o.vary(
+    "Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too."
+)
 @click.option("--points", type=click.IntRange(1), default=200, help="Most points each way.")
-@click.option("--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary.")
+@click.option(
+    "--diagram",
+    "whole",
+    is_flag=True,
+    help="Equilibria too, and cycles from Hopf points and doublings; with --vary.",
+)
 @click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
-@click.option("--digits", type=click.IntRange(1), help="Digits of that proof; more of them prove what repels strongly.")
+@click.option(
+    "--digits",
+    type=click.IntRange(1),
+    help="Digits of that proof; more of them prove what repels strongly.",
+)
 @o.plot("the branch")
 @o.force
 @o.as_json
 def cycles(
-    case: Case, near: str | None, points: int, whole: bool, prove: bool, digits: int | None, plot: Path | None
-) -> Any:  # fmt: skip
+    case: Case,
+    near: str | None,
+    points: int,
+    whole: bool,
+    prove: bool,
+    digits: int | None,
+    plot: Path | None,
+) -> Any:
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with its bifurcations.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
@@ -210,23 +273,43 @@ def cycles(
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
     names = case.model.components
-    ones = np.array([case.of(name)[1] for name in names])  # as a state is typed, and printed to be typed again
+    ones = np.array(
+        [case.of(name)[1] for name in names]
+    )  # as a state is typed, and printed to be typed again
     start = None if near is None else _state(near, names) / ones
-    p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
+    p = case.set(
+        **(
+            {along.name: along.ends[0]}
+            if along and along.ends and case.values[along.name] is None
+            else {}
+        )
+    )
     if whole:
         return _diagram(case, p, [] if start is None else [start], points, plot)
     with show_progress("looking for a cycle"):
         found = ss.cycle(p, start)
-    summary: Row = case.row({
-        "period": found.period, "stable": found.stable, "state": found.state * ones, "multipliers": found.multipliers,
-        "error": found.error, "residual": found.residual, "rms": found.rms, "mean": found.mean,
-        "amplitude": found.amplitude, **found.forces, "crossings": len(found.events), "backend": found.backend,
-    })  # fmt: skip
+    summary: Row = case.row(
+        {
+            "period": found.period,
+            "stable": found.stable,
+            "state": found.state * ones,
+            "multipliers": found.multipliers,
+            "error": found.error,
+            "residual": found.residual,
+            "rms": found.rms,
+            "mean": found.mean,
+            "amplitude": found.amplitude,
+            **found.forces,
+            "crossings": len(found.events),
+            "backend": found.backend,
+        }
+    )
     modes, slips = found.phases, SLIPS if case.model.about["friction"] else {1: "none"}
     phases = case.rows(
-        {"t": modes.t, "duration": modes.duration}, state=["contact" if held else "lift-off" for held in modes.contact],
+        {"t": modes.t, "duration": modes.duration},
+        state=["contact" if held else "lift-off" for held in modes.contact],
         slip=[slips[side] for side in modes.side.tolist()],
-    )  # fmt: skip
+    )
     if prove:
         from .. import precise
 
@@ -234,15 +317,25 @@ def cycles(
             proof = precise.prove_cycle(found, **({} if digits is None else {"digits": digits}))
         summary["proved"] = proof.proved
         if proof.proved:
-            summary |= {f"{name}_proved": str(decimal) for name, decimal in proof.decimals().items()}
+            summary |= {
+                f"{name}_proved": str(decimal) for name, decimal in proof.decimals().items()
+            }
             summary["stable_proved"] = proof.stable
         else:
             summary["reason"] = proof.reason
     branch = {} if along is None else _branch(case, found, points, plot)
 
     def tables() -> None:
-        print_rows("", [{"": name, " ": _shown(value)} for name, value in {"model": case.model.name, **summary}.items()])
-        for title, rows in zip(("Phases", "Branch", "Events"), (phases, *branch.values()), strict=False):
+        print_rows(
+            "",
+            [
+                {"": name, " ": _shown(value)}
+                for name, value in {"model": case.model.name, **summary}.items()
+            ],
+        )
+        for title, rows in zip(
+            ("Phases", "Branch", "Events"), (phases, *branch.values()), strict=False
+        ):
             print_rows(title, rows)
 
     return {**summary, "phases": phases, **branch}, tables
@@ -257,21 +350,46 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
     with show_progress(f"equilibria and cycles along {along.name}"):
         found = diagram(p, along.name, case.between[along.name], starts=starts, points=points)
     up = ": rest, cycles from least to largest"
-    drawn(plot, "drawing the diagram", found.plot, lambda: [(case.axis(found.vary), case.axis(found.name, after=up))])
+    drawn(
+        plot,
+        "drawing the diagram",
+        found.plot,
+        lambda: [(case.axis(found.vary), case.axis(found.name, after=up))],
+    )
     labels = [
-        {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
+        {
+            "label": label.label,
+            title: unit * label.value,
+            found.name: label.height,
+            "of": label.of,
+            "branch": label.branch,
+        }
         for label in found.labels
     ]
 
     def row(of: str, number: int, branch: Any, ends: str) -> Row:
         return {
-            "of": of, "branch": number, "points": len(branch.values), "from": unit * branch.values[0],
-            "to": unit * branch.values[-1], "stable": int(branch.stable.sum()), "ends": ends,
-        }  # fmt: skip
+            "of": of,
+            "branch": number,
+            "points": len(branch.values),
+            "from": unit * branch.values[0],
+            "to": unit * branch.values[-1],
+            "stable": int(branch.stable.sum()),
+            "ends": ends,
+        }
 
-    branches = [row("equilibria", i, branch, branch.mode) for i, branch in enumerate(found.equilibria)]
+    branches = [
+        row("equilibria", i, branch, branch.mode) for i, branch in enumerate(found.equilibria)
+    ]
     for i, branch in enumerate(found.cycles):
-        branches.append(row("cycles", i, branch, "; ".join(case.said(end.how for end in branch.of("end", "homoclinic")))))
+        branches.append(
+            row(
+                "cycles",
+                i,
+                branch,
+                "; ".join(case.said(end.how for end in branch.of("end", "homoclinic"))),
+            )
+        )
     remarks = case.said(found.remarks)
 
     def tables() -> None:
@@ -289,7 +407,9 @@ def _state(text: str, names: Sequence[str]) -> FloatArray:
     except ValueError:
         numbers = []
     if len(numbers) != len(names):
-        raise ParameterError(f"--near {text!r} is not {len(names)} numbers with commas, {', '.join(names)}")
+        raise ParameterError(
+            f"--near {text!r} is not {len(names)} numbers with commas, {', '.join(names)}"
+        )
     return np.array(numbers)
 
 
@@ -315,15 +435,24 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
         lambda: [(case.axis(along.name), up) for up in (case.axis(first, "RMS of "), period)],
     )
     events = branch.events
-    columns = {along.name: branch.values, "period": branch.periods, "rms": branch.rms, "stable": branch.stable}
+    columns = {
+        along.name: branch.values,
+        "period": branch.periods,
+        "rms": branch.rms,
+        "stable": branch.stable,
+    }
     return {
         "branch": case.rows(columns),
         "branch_events": case.rows(
-            {"kind": [event.kind for event in events], along.name: [event.value for event in events]},
-            error=[unit * event.error for event in events], **case.row({"period": [event.cycle.period for event in events]}),
+            {
+                "kind": [event.kind for event in events],
+                along.name: [event.value for event in events],
+            },
+            error=[unit * event.error for event in events],
+            **case.row({"period": [event.cycle.period for event in events]}),
             how=case.said(event.how for event in events),
         ),
-    }  # fmt: skip
+    }
 
 
 def _shown(value: Any) -> Any:

@@ -17,7 +17,16 @@ import numpy as np
 from ..errors import ParameterError
 from ..models.load import USUAL, load
 from ..models.model import Model, options_of
-from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, Range, as_number, as_numbers, degrees, shown
+from ..models.parameters import (
+    FINITE,
+    NOT_NEGATIVE,
+    POSITIVE,
+    Range,
+    as_number,
+    as_numbers,
+    degrees,
+    shown,
+)
 from .case import COUNT, Case, Span, in_degrees, is_typed, study_of
 from .output import print_json, refuse
 
@@ -37,13 +46,21 @@ class Command(click.Command):
     def __init__(self, *args: Any, **more: Any) -> None:
         super().__init__(*args, **more)
         text = inspect.cleandoc(self.help or "")
-        self.help = text if "Exit codes:" in text else f"{text}\n\n\b\nExit codes: 0 done, 1 failed, 2 usage, 130 interrupted."
+        self.help = (
+            text
+            if "Exit codes:" in text
+            else f"{text}\n\n\b\nExit codes: 0 done, 1 failed, 2 usage, 130 interrupted."
+        )
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         values, _, order = self.make_parser(ctx).parse_args(list(args))
         for one in () if ctx.resilient_parsing else order:
             given, times = values[one.name or ""], order.count(one)
-            if times > 1 and not getattr(one, "multiple", False) and (one.secondary_opts or not getattr(one, "is_flag", False)):
+            if (
+                times > 1
+                and not getattr(one, "multiple", False)
+                and (one.secondary_opts or not getattr(one, "is_flag", False))
+            ):
                 raise click.BadParameter(f"it is given {times} times; give it once", ctx, one)
             if "" in (given if isinstance(given, list | tuple) else [given]):
                 raise click.BadParameter("it is empty; leave it out, or give a value", ctx, one)
@@ -55,7 +72,11 @@ class Command(click.Command):
             return super().invoke(ctx)
         except ParameterError as error:
             name, sign, rest = str(error).partition(" = ")
-            flags = {option.name: option.opts for option in self.params if isinstance(option, click.Option)}
+            flags = {
+                option.name: option.opts
+                for option in self.params
+                if isinstance(option, click.Option)
+            }
             if type(error) is not ParameterError or name not in flags or not sign:
                 raise
             raise ParameterError(f"{max(flags[name], key=len)} = {rest}") from error
@@ -102,11 +123,15 @@ class Numbers(Number):
             else:
                 start, stop, count = text.split(":")
                 if not 1 < int(count) <= MOST:
-                    self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone")
+                    self.fail(
+                        f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone"
+                    )
                 with np.errstate(all="ignore"):  # an infinite end, which the range refuses
                     numbers = np.linspace(float(start), float(stop), int(count))
         except ValueError:
-            self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61")
+            self.fail(
+                f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61"
+            )
         as_numbers(_flag(param), numbers, self.allowed)
         return numbers
 
@@ -140,43 +165,63 @@ def vary(text: str, several: bool = False) -> Decorator:
 
 
 within: Decorator = click.option(
-    "--within", type=_span, multiple=True, metavar="NAME=FROM:TO",
+    "--within",
+    type=_span,
+    multiple=True,
+    metavar="NAME=FROM:TO",
     help="Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own; angles in degrees. Repeatable.",
-)  # fmt: skip
+)
 followed: Decorator = click.option(
-    "--state", "near", metavar="NAME=VALUE", multiple=True,
+    "--state",
+    "near",
+    metavar="NAME=VALUE",
+    multiple=True,
     help="Follow the stable state nearest to this coordinate, as x=1.6, in place of the reference state; may be repeated.",
-)  # fmt: skip
+)
 method: Decorator = click.option(
-    "--method", type=click.Choice(["closed", "search"]),
+    "--method",
+    type=click.Choice(["closed", "search"]),
     help="Closed forms that a model brings, or the search that serves every model. Default: what is faster.",
-)  # fmt: skip
+)
 undamped: Decorator = click.option(
-    "--undamped", is_flag=True, help="Onsets by (27), without dampers and the slope of the friction law: where two modes meet."
+    "--undamped",
+    is_flag=True,
+    help="Onsets by (27), without dampers and the slope of the friction law: where two modes meet.",
 )
 rtol: Decorator = click.option("--rtol", type=float, default=1e-10, help="Relative tolerance.")
 t_end: Decorator = click.option(
-    "--t-end", type=Number(POSITIVE), default=2000.0,
+    "--t-end",
+    type=Number(POSITIVE),
+    default=2000.0,
     help="Until when, in {time}; with --data in seconds, as --transient.",
-)  # fmt: skip
+)
 transient: Decorator = click.option(
-    "--transient", type=Number(NOT_NEGATIVE),
+    "--transient",
+    type=Number(NOT_NEGATIVE),
     help="What to leave out of RMS, largest displacement and period. Default: three quarters of --t-end.",
-)  # fmt: skip
+)
 quiet: Decorator = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 trust: Decorator = click.option("--trust", is_flag=True, help=TRUST)
-force: Decorator = click.option("--force", is_flag=True, help="Overwrite files that are in the way.")
-as_json: Decorator = click.option("--json", "json_output", is_flag=True, help="Print JSON instead of a table.")
+force: Decorator = click.option(
+    "--force", is_flag=True, help="Overwrite files that are in the way."
+)
+as_json: Decorator = click.option(
+    "--json", "json_output", is_flag=True, help="Print JSON instead of a table."
+)
 
 
 def file(*flags: str, folder: bool = False, exists: bool = False, **more: Any) -> Decorator:
     """A path; of a file, unless it may be a folder."""
-    return click.option(*flags, type=click.Path(dir_okay=folder, exists=exists, path_type=Path), **more)
+    return click.option(
+        *flags, type=click.Path(dir_okay=folder, exists=exists, path_type=Path), **more
+    )
 
 
 def folder(text: str) -> Decorator:
     """``--out``, where several files are written."""
-    return click.option("--out", "-o", type=click.Path(file_okay=False, path_type=Path), required=True, help=text)
+    return click.option(
+        "--out", "-o", type=click.Path(file_okay=False, path_type=Path), required=True, help=text
+    )
 
 
 def plot(what: str) -> Decorator:
@@ -197,18 +242,27 @@ def backend(*names: str) -> Decorator:
 
 def workers(default: int) -> Decorator:
     """``-j --workers``."""
-    return click.option("--workers", "-j", type=int, default=default, help="Processes; -1 for one a core.")
+    return click.option(
+        "--workers", "-j", type=int, default=default, help="Processes; -1 for one a core."
+    )
 
 
 #: Options that say what a command is about, which are looked at before the others.
 ABOUT = [
-    click.Option(["--model"], metavar="NAME|DIR", help=f"{TEXT} Its parameters become options.", expose_value=False),
     click.Option(
-        ["--data"], metavar="FILE", expose_value=False,
+        ["--model"],
+        metavar="NAME|DIR",
+        help=f"{TEXT} Its parameters become options.",
+        expose_value=False,
+    ),
+    click.Option(
+        ["--data"],
+        metavar="FILE",
+        expose_value=False,
         help="Take the parameters, and the model, from the data of a brake, and answer in the units of that file.",
     ),
     click.Option(["--trust"], is_flag=True, help=TRUST, expose_value=False),
-]  # fmt: skip
+]
 
 
 class OfModel(Command):
@@ -224,9 +278,15 @@ class OfModel(Command):
     """
 
     def __init__(
-        self, *args: Any, kind: Callable[[Range], Any] = Number, start: bool = False, statics: bool = False,
-        values: bool = False, spanned: int = 1, **more: Any,
-    ) -> None:  # fmt: skip
+        self,
+        *args: Any,
+        kind: Callable[[Range], Any] = Number,
+        start: bool = False,
+        statics: bool = False,
+        values: bool = False,
+        spanned: int = 1,
+        **more: Any,
+    ) -> None:
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
         self.values, self.spanned = values, spanned
@@ -236,26 +296,48 @@ class OfModel(Command):
     def _be_about(self, model: Model) -> None:
         self.model = model
         words = {
-            "time": model.about["scales"]["time"].replace("**", "^"), "axes": " and ".join(model.axes),
+            "time": model.about["scales"]["time"].replace("**", "^"),
+            "axes": " and ".join(model.axes),
             "last": "".join(model.axes[-1:]),
-            "coordinate": model.coordinates[0], "state": ",".join(model.components).upper(),
-        }  # fmt: skip
+            "coordinate": model.coordinates[0],
+            "state": ",".join(model.components).upper(),
+        }
         # What varies unless told otherwise: what the help of --vary names as its default.
-        usual, texts = {"{axes}": model.axes, "{last}": model.axes[-1:]}, str([getattr(one, "help", "") for one in self.own])
+        usual, texts = (
+            {"{axes}": model.axes, "{last}": model.axes[-1:]},
+            str([getattr(one, "help", "") for one in self.own]),
+        )
         self.varied = [name for word, names in usual.items() if word in texts for name in names]
         kind, si = self.kind(FINITE), Case(model).si
         start = [
             click.Option(
-                [f"--{name}0", f"{name}0"], type=kind, default=0.0, help=f"Initial {name}{', degrees' * (si[name] == 'rad')}."
+                [f"--{name}0", f"{name}0"],
+                type=kind,
+                default=0.0,
+                help=f"Initial {name}{', degrees' * (si[name] == 'rad')}.",
             )
-            for name in model.components if self.start
-        ]  # fmt: skip
-        self.params = [*self._parameters(), *start, *(_worded(option, words) for option in self.own), *ABOUT]
-        of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
+            for name in model.components
+            if self.start
+        ]
+        self.params = [
+            *self._parameters(),
+            *start,
+            *(_worded(option, words) for option in self.own),
+            *ABOUT,
+        ]
+        of = (
+            ""
+            if model.name == USUAL
+            else f"\n\nOf the model {model.name}: {model.about['summary']}"
+        )
         self.help, self.callback = f"{self.text}{of}", self._work
 
     def make_context(
-        self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
+        self,
+        info_name: str | None,
+        args: list[str],
+        parent: click.Context | None = None,
+        **extra: Any,
     ) -> click.Context:
         """With the options of the model that the arguments name."""
         path, name, about = _value_of(args, "--data"), _value_of(args, "--model"), self
@@ -281,11 +363,18 @@ class OfModel(Command):
                 # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
                 value = value / units.varied(name)[2]
             values[name] = value
-        start = {f"{name}0": given.pop(f"{name}0") / units.of(name)[1] for name in self.model.components if self.start}
+        start = {
+            f"{name}0": given.pop(f"{name}0") / units.of(name)[1]
+            for name in self.model.components
+            if self.start
+        }
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
         asked = given.pop("vary", None) or [Span(name, name) for name in self.varied]
         asked = [asked] if isinstance(asked, Span) else asked
-        spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(asked))
+        spans = tuple(
+            units.spanning(one, self.values, place < self.spanned)
+            for place, one in enumerate(asked)
+        )
         ask, force = {name: one for name, one in ask.items() if one}, given.pop("force", False)
         case = Case(self.model, ctx.obj, values, start, ask, spans, force)
         json_output, plot = given.pop("json_output", False), given.get("plot")
@@ -304,15 +393,27 @@ class OfModel(Command):
     def _parameters(self) -> Iterator[click.Option]:
         for entry in self.model.about["parameters"]:
             name, default = entry["name"], entry["base"]
-            allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
+            allowed, meaning = (
+                self.model.Parameters.ranges[name],
+                f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}",
+            )
             if self.model.is_angle(name):
                 allowed = in_degrees(allowed, f"give the {entry['meaning']} in degrees")
-                meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
+                meaning, default = (
+                    f"{meaning}, degrees",
+                    None if default is None else degrees(default),
+                )
             exact = default is not None and float(f"{default:.7g}") == default
             # Click puts a default that is told in words into parentheses.
             rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
             flags = (*options_of(self.model.about, name), name)
-            yield click.Option(flags, type=self.kind(allowed), default=default, show_default=exact, help=f"{meaning}.{rounded}")
+            yield click.Option(
+                flags,
+                type=self.kind(allowed),
+                default=default,
+                show_default=exact,
+                help=f"{meaning}.{rounded}",
+            )
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them: of statics with the friction that works."""
@@ -321,8 +422,15 @@ class OfModel(Command):
             raise ParameterError(
                 f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
             )
-        values = {name: float(getattr(p, name)) for quantity, name in kind.parameters.items() if quantity in study.quantities}
-        return {name: str(degrees(value) if name in kind.about["angles"] else value) for name, value in values.items()}
+        values = {
+            name: float(getattr(p, name))
+            for quantity, name in kind.parameters.items()
+            if quantity in study.quantities
+        }
+        return {
+            name: str(degrees(value) if name in kind.about["angles"] else value)
+            for name, value in values.items()
+        }
 
 
 #: A command about a model: ``click.command`` with the common options.

@@ -34,7 +34,9 @@ MOST_DIGITS, LEAST_DIGITS = 12, 5
 
 def line_width() -> int:
     """Width of the terminal; 0 in a pipe, where no line is broken."""
-    return shutil.get_terminal_size().columns if sys.stdout is not None and sys.stdout.isatty() else 0
+    return (
+        shutil.get_terminal_size().columns if sys.stdout is not None and sys.stdout.isatty() else 0
+    )
 
 
 def wrapped(text: str, indent: int = 0) -> str:
@@ -58,12 +60,18 @@ def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence
         click.echo("\n".join(lines))
 
 
-def _fitted(columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str]) -> list[list[str]]:
+def _fitted(
+    columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str]
+) -> list[list[str]]:
     """Each column as its name and its cells, together no wider than the line if that can be."""
     written: list[list[str]] = []
-    for left_out, digits in itertools.product(range(len(optional) + 1), range(MOST_DIGITS, LEAST_DIGITS - 1, -1)):
+    for left_out, digits in itertools.product(
+        range(len(optional) + 1), range(MOST_DIGITS, LEAST_DIGITS - 1, -1)
+    ):
         used = ((name, cells) for name, cells in columns if name not in optional[:left_out])
-        written = [[name, *(_written(name, cell, digits) for cell in cells)] for name, cells in used]
+        written = [
+            [name, *(_written(name, cell, digits) for cell in cells)] for name, cells in used
+        ]
         if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(WIDTH, line_width()):
             break
     return written
@@ -72,7 +80,13 @@ def _fitted(columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[
 def _written(name: str, cell: object, digits: int) -> str:
     if not isinstance(cell, float):
         return str(cell)
-    return upward(cell) if name == "error" else f"{cell:.1e}" if name.startswith("growth") else f"{cell:.{digits}g}"
+    return (
+        upward(cell)
+        if name == "error"
+        else f"{cell:.1e}"
+        if name.startswith("growth")
+        else f"{cell:.{digits}g}"
+    )
 
 
 def print_json(thing: Any) -> None:
@@ -96,7 +110,9 @@ def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> 
     found = [str(path) for path in targets if path.exists()]
     if found and not force:
         exist = "exists" if len(found) == 1 else "exist"
-        raise TargetError(f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or give another path")
+        raise TargetError(
+            f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or give another path"
+        )
     for path in targets:
         probe(path, made=made)
 
@@ -104,7 +120,11 @@ def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> 
 def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool:
     """Write texts or bytes to files, but where they are; whether there were others. Refused if a file is in the way."""
     data = {path: held.encode() if isinstance(held, str) else held for path, held in files.items()}
-    changed = {path: held for path, held in data.items() if not (path.is_file() and path.read_bytes() == held)}
+    changed = {
+        path: held
+        for path, held in data.items()
+        if not (path.is_file() and path.read_bytes() == held)
+    }
     refuse(changed, force, made=made)
     for path, held in changed.items():
         put(path, held, made=made)
@@ -124,7 +144,10 @@ def resumed(force: bool) -> Iterator[None]:
 
 
 def drawn(
-    path: Path | None, part: str, make: Callable[[], Any], axes: Callable[[], Iterable[Sequence[Shown | None]]] = tuple
+    path: Path | None,
+    part: str,
+    make: Callable[[], Any],
+    axes: Callable[[], Iterable[Sequence[Shown | None]]] = tuple,
 ) -> None:
     """Draw a figure if its file is asked for; ``axes`` says of each panel what its two axes show, None as it is."""
     if path is None:

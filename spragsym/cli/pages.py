@@ -31,10 +31,18 @@ if TYPE_CHECKING:
 @o.command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
 @click.option("--example", is_flag=True, help="Print a file to begin with.")
-@click.option("--model", metavar="NAME|DIR", help="Model of the example; or the folder that FILE names, whose code may run.")
-@click.option("--trust", is_flag=True, help="Run the code of the folder that FILE names as its model.")
+@click.option(
+    "--model",
+    metavar="NAME|DIR",
+    help="Model of the example; or the folder that FILE names, whose code may run.",
+)
+@click.option(
+    "--trust", is_flag=True, help="Run the code of the folder that FILE names as its model."
+)
 @o.file("--html", metavar="PATH", help="Write one page with pictures.")
-@click.option("--oscillation/--no-oscillation", default=True, help="Follow the motion: how hard it hits.")
+@click.option(
+    "--oscillation/--no-oscillation", default=True, help="Follow the motion: how hard it hits."
+)
 @click.option("--redesign/--no-redesign", default=True, help="Say what to change where it jumps.")
 @click.option(
     "--safety",
@@ -45,9 +53,17 @@ if TYPE_CHECKING:
 @o.force
 @o.as_json
 def report(
-    file: Path | None, example: bool, model: str | None, trust: bool, html: Path | None, oscillation: bool, redesign: bool,
-    safety: float, force: bool, json_output: bool,
-) -> None:  # fmt: skip
+    file: Path | None,
+    example: bool,
+    model: str | None,
+    trust: bool,
+    html: Path | None,
+    oscillation: bool,
+    redesign: bool,
+    safety: float,
+    force: bool,
+    json_output: bool,
+) -> None:
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
     \b
@@ -74,7 +90,9 @@ def report(
     blocks = found.blocks()
 
     def computed() -> str | None:
-        with show_progress("computing the report (--no-oscillation and --no-redesign leave out what takes longest)"):
+        with show_progress(
+            "computing the report (--no-oscillation and --no-redesign leave out what takes longest)"
+        ):
             return next(blocks, None)
 
     for block in iter(computed, None):
@@ -100,21 +118,37 @@ _LINES = 20
     default=Path("explorer.html"),
     help="File to write; a name without an ending gets .html, and in a folder it is explorer.html.",
 )
-@o.file("--data", exists=True, metavar="FILE", help="Begin at your own data, a file like brake.toml.")
-@click.option(
-    "--model", metavar="NAME|DIR", help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {USUAL}]"
+@o.file(
+    "--data", exists=True, metavar="FILE", help="Begin at your own data, a file like brake.toml."
 )
 @click.option(
-    "--onsets", is_flag=True, help="With the map of stability, at the values that the page begins with; takes some seconds."
+    "--model",
+    metavar="NAME|DIR",
+    help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {USUAL}]",
 )
 @click.option(
-    "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
+    "--onsets",
+    is_flag=True,
+    help="With the map of stability, at the values that the page begins with; takes some seconds.",
+)
+@click.option(
+    "--no-open",
+    "unopened",
+    is_flag=True,
+    help="Only write it; otherwise the browser opens it, where there is a display.",
 )
 @o.trust
 @o.method
 @o.force
 def explore(
-    out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, trust: bool, method: str | None, force: bool
+    out: Path,
+    data: Path | None,
+    model: str | None,
+    onsets: bool,
+    unopened: bool,
+    trust: bool,
+    method: str | None,
+    force: bool,
 ) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
@@ -142,11 +176,19 @@ def explore(
     elif not out.suffix:  # by which browsers take a file for a page
         out = out.with_name(f"{out.name}.html")
     probe(out, made=True)
-    write({out: page(chosen.search if method == "search" else chosen, study, onsets)}, force, made=True)
+    write(
+        {out: page(chosen.search if method == "search" else chosen, study, onsets)},
+        force,
+        made=True,
+    )
     click.echo(out)
     if unopened:
         return
-    if sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
+    if (
+        sys.platform in ("win32", "darwin")
+        or os.environ.get("DISPLAY")
+        or os.environ.get("WAYLAND_DISPLAY")
+    ):
         webbrowser.open(out.resolve().as_uri())
     else:
         click.echo(f"there is no display; open {out} in a browser", err=True)
@@ -169,14 +211,25 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
     from ..figures.style import window
 
     if len(model.plane) != 2:
-        raise ParameterError(f"--onsets: {model.name} has no two parameters of its equilibria; leave it out")
+        raise ParameterError(
+            f"--onsets: {model.name} has no two parameters of its equilibria; leave it out"
+        )
     ends = window(model, model.plane, {})
     with show_progress("searching for onsets (--onsets)"):
         found = ss.onset_curves(p, model.plane, _LINES, between=ends)
-    taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
+    taken = (
+        f"--model {shlex.quote(model.where)}"
+        if study is None
+        else f"--data {shlex.quote(study.source)}"
+    )
     taken += " --trust" if study is not None and model.where not in shipped() else ""
-    spans = (one if model.is_angle(one) else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
-    command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
+    spans = (
+        one if model.is_angle(one) else f"{one}={ends[one][0]:g}:{ends[one][1]:g}"
+        for one in model.plane
+    )
+    command = " ".join(
+        ["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"]
+    )
     return picture(lambda ax: draw_onset_curves(found, ax)), command
 
 
@@ -185,8 +238,14 @@ def _units(study: Study) -> dict[str, Any]:
     kind, (length, size), scales = study.kind, study.unit_of("m"), study.scales
     parameters = {
         name: (quantity, *study.unit_of(kind.units[quantity], quantity)[::-1])
-        for quantity, name in kind.parameters.items() if quantity in study.quantities and kind.units[quantity] not in ("rad", "1")
-    }  # fmt: skip
+        for quantity, name in kind.parameters.items()
+        if quantity in study.quantities and kind.units[quantity] not in ("rad", "1")
+    }
     fixed = ", ".join(f"{name} = {study.shown(name)}" for name in kind.bases)
-    units = {"length": (size, length), "time": (scales.time, "s"), "force": (scales.force, "N"), "parameters": parameters}
+    units = {
+        "length": (size, length),
+        "time": (scales.time, "s"),
+        "force": (scales.force, "N"),
+        "parameters": parameters,
+    }
     return {"units": units, "source": f"those of {study.source}, at its {fixed}."}

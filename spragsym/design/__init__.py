@@ -2,5 +2,11 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "certificates", "design_space", "jumps", "margins", "probability", "sampling", "tube_certificates",
-]  # fmt: skip
+    "certificates",
+    "design_space",
+    "jumps",
+    "margins",
+    "probability",
+    "sampling",
+    "tube_certificates",
+]

@@ -24,7 +24,16 @@ from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, raised, scale_of, width_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    quiet,
+    raised,
+    scale_of,
+    width_of,
+)
 from ..progress import doing
 from ..results import Equilibria, Result, Stability
 from ..statics import stability
@@ -96,7 +105,11 @@ class Boxes(ByColumn, ABC):
     @property
     def slight(self) -> FloatArray:
         """What the relative width of each side counts beside its effect on the states."""
-        return SLIGHT * (self.high - self.low) / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
+        return (
+            SLIGHT
+            * (self.high - self.low)
+            / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
+        )
 
     def divisible(self) -> BoolArray:
         """Sides that have floats between their ends."""
@@ -105,7 +118,11 @@ class Boxes(ByColumn, ABC):
     def divided(self, weight: FloatArray, most: int) -> Self:
         """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""
         parts, weight = self._halved(weight)
-        while 0 < len(parts) < self.few and 2 * len(parts) <= most and parts.divisible().any(axis=0).all():
+        while (
+            0 < len(parts) < self.few
+            and 2 * len(parts) <= most
+            and parts.divisible().any(axis=0).all()
+        ):
             parts, weight = parts._halved(weight)
         return parts
 
@@ -113,7 +130,9 @@ class Boxes(ByColumn, ABC):
         side, high, low = halves(self.low, self.high, weight)
         weight = weight.copy()
         weight[side, np.arange(side.size)] *= 0.5
-        return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
+        return replace(self, high=high).then(replace(self, low=low)), np.concatenate(
+            [weight, weight], axis=1
+        )
 
 
 @dataclass(frozen=True)
@@ -157,7 +176,10 @@ class Claim(ABC):
         return self.point(points[:, fails[0]]) if fails.size else None
 
     def run(
-        self, share: Callable[[Any], FloatArray], most: int, kept: Callable[[Any], Any] = lambda parts: parts
+        self,
+        share: Callable[[Any], FloatArray],
+        most: int,
+        kept: Callable[[Any], Any] = lambda parts: parts,
     ) -> Iterator[tuple[Any, BoolArray, int]]:
         """Parts in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
 
@@ -169,7 +191,9 @@ class Claim(ABC):
             order = np.argsort(-share(pending), kind="stable")
             taken = order[: min(self.batch, most - seen)]
             some = kept(pending[taken])
-            with doing("{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)):
+            with doing(
+                "{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)
+            ):
                 some, weight = self.settled(some) if len(some) else (some, some.low)
             seen += taken.size
             last = (share(some) <= 0) | ~some.divisible().any(axis=0)
@@ -183,13 +207,21 @@ class Claim(ABC):
     def at_corners(self) -> FloatArray:
         """Points at which a counterexample is looked for first: the middle and corners of the box, shape (sides, N)."""
         low, high = self.whole.low[:, 0], self.whole.high[:, 0]
-        ends = [(one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)]
-        return np.array([0.5 * (low + high), *itertools.islice(itertools.product(*ends), self.corners)]).T
+        ends = [
+            (one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)
+        ]
+        return np.array(
+            [0.5 * (low + high), *itertools.islice(itertools.product(*ends), self.corners)]
+        ).T
 
     def certificate(self, claim: str, most: int, refute: bool) -> Certificate:
         """Whether it holds for all of the box."""
         volume = self.whole.volume[0]
-        if refute and self.whole.outcome[0] != SAFE and (found := self.refuted(self.at_corners())) is not None:
+        if (
+            refute
+            and self.whole.outcome[0] != SAFE
+            and (found := self.refuted(self.at_corners())) is not None
+        ):
             return Certificate(claim, "refuted", found, 1.0, 1)
         seen, proved, left, decided = 0, 0.0, 0.0, True
         for parts, last, looked in self.run(lambda parts: parts.open_volume / volume, most):
@@ -211,16 +243,20 @@ class Claim(ABC):
 
 def corner_values(
     names: Sequence[str], low: Any, high: Any, units: Mapping[str, Unit] = MappingProxyType({})
-) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+) -> tuple[FloatArray, FloatArray]:
     """Parameters of two corners of a box, and ends of units, each of shape (P, 1)."""
     for what, corner in (("low", low), ("high", high)):
         if corner.shape:
-            raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
+            raise ParameterError(
+                f"{what} has the shape {corner.shape}; give one point, the corner of a box"
+            )
     one = np.array([*low.scalars(*names), *(unit.low for unit in units.values())])
     other = np.array([*high.scalars(*names), *(unit.high for unit in units.values())])
     for name, least, most in zip([*names, *units], one, other, strict=True):
         if least > most:
-            raise ParameterError(f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two")
+            raise ParameterError(
+                f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two"
+            )
     return one[:, None], other[:, None]
 
 
@@ -239,7 +275,9 @@ Test: TypeAlias = Callable[[Balance, Intervals, Roots], BoolArray]
 
 def _one(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
     """Parts with one state at each point."""
-    proved, left = (np.bincount(point, minlength=bounds.shape[-1]) for point in (roots.point, roots.left_point))
+    proved, left = (
+        np.bincount(point, minlength=bounds.shape[-1]) for point in (roots.point, roots.left_point)
+    )
     return np.asarray((proved == 1) & (left == 0))
 
 
@@ -252,8 +290,14 @@ def _none_flutters(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArr
 
 #: For each claim where it holds, and at which points it is refuted: several states, or proved to be none; one proved to flutter.
 STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
-    "one equilibrium": (_one, lambda eq: (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole)),
-    "no flutter": (_none_flutters, lambda eq: ((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1)),
+    "one equilibrium": (
+        _one,
+        lambda eq: (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole),
+    ),
+    "no flutter": (
+        _none_flutters,
+        lambda eq: ((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1),
+    ),
 }
 
 
@@ -275,7 +319,9 @@ class ClaimOfStates(Claim):
         nowhere = np.full((2, self.balance.n, 1), np.inf)
         low, high = corner_values(self.sides, low, high)
         bounds = self.balance.prepared(Intervals.between(low, high))
-        never = claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()  # wherever a state is
+        never = (
+            claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()
+        )  # wherever a state is
         self.whole = Parts(low, high, np.array([never]), nowhere)
 
     def point(self, values: FloatArray) -> ParameterSet:
@@ -296,15 +342,21 @@ class ClaimOfStates(Claim):
             around[:, :, new], whole[new] = region(balance, bounds[:, new])
         found = once_around(
             balance.around,
-            certified_roots.search(balance, around, parts.low, parts.high, budget=BUDGET, narrow=NARROW),
+            certified_roots.search(
+                balance, around, parts.low, parts.high, budget=BUDGET, narrow=NARROW
+            ),
         )
         ends, point = found.every
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
-        kept = in_contact & (np.arange(point.size) < found.point.size)  # of which the root is proved
+        kept = in_contact & (
+            np.arange(point.size) < found.point.size
+        )  # of which the root is proved
         left = ~(beyond | kept)
         states = Roots.at(ends, point=point).opened(kept, left)
         where = np.full(around.shape, -np.inf)
-        np.maximum.at(np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0))
+        np.maximum.at(
+            np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
+        )
         room = ROOM + boxes.MARGIN * np.maximum(width_of(where), 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
         with quiet():
@@ -322,7 +374,9 @@ class ClaimOfStates(Claim):
             for row in np.flatnonzero((parts.low != parts.high).any(axis=1)):
                 low, high = middle[:, point], middle[:, point]
                 low[row], high[row] = parts.low[row, point], parts.high[row, point]
-                pushed = balance.residuals(Intervals.point(q), balance.prepared(Intervals.between(low, high))).width
+                pushed = balance.residuals(
+                    Intervals.point(q), balance.prepared(Intervals.between(low, high))
+                ).width
                 moved = np.einsum("Nij,jN->iN", back, pushed) / scale_of(q)
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
         return out

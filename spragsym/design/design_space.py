@@ -78,7 +78,9 @@ class Space:
 
     def sets(self, z: FloatArray) -> ParameterSet:
         """The same as a set of the model, of the shape of z without its last axis."""
-        values = {name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()}
+        values = {
+            name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()
+        }
         return set_of(self.design.of_model.model_of_class(), values, self.design.followed)
 
     def at(self, name: str, value: float) -> Space:
@@ -86,17 +88,26 @@ class Space:
         design, quantity = self.design, self.design.rises.get(name)
         if quantity is not None:
             return replace(self, design=replace(design, given={**design.given, quantity: value}))
-        return replace(self, design=replace(design, parameters=lambda given: {**design.parameters(given), name: value}))
+        return replace(
+            self,
+            design=replace(
+                design, parameters=lambda given: {**design.parameters(given), name: value}
+            ),
+        )
 
     def slopes(self, z: FloatArray) -> dict[str, FloatArray]:
         """Slopes of each parameter by z at one design: by complex steps, exact to rounding."""
         step = 1e-100
         moved = self.parameters(z + 1j * step * np.eye(z.size))
-        return {name: np.broadcast_to(np.imag(value) / step, z.shape) for name, value in moved.items()}
+        return {
+            name: np.broadcast_to(np.imag(value) / step, z.shape) for name, value in moved.items()
+        }
 
     def made(self, z: FloatArray) -> Any:
         """One design, of the kind of the first."""
-        return self.design.made({name: float(value) for name, value in self.quantities(z).items() if name in self.names})
+        return self.design.made(
+            {name: float(value) for name, value in self.quantities(z).items() if name in self.names}
+        )
 
     def change(self, z: FloatArray) -> dict[str, float]:
         """By how much one design differs from the first, by quantity."""
@@ -105,7 +116,10 @@ class Space:
     @functools.cached_property
     def ends(self) -> Limits:
         """The smallest and the largest value of each quantity that changes."""
-        allowed, clear = [self.design.ranges[name] for name in self.names], _CLEAR * np.maximum(np.abs(self.origin), self.scale)
+        allowed, clear = (
+            [self.design.ranges[name] for name in self.names],
+            _CLEAR * np.maximum(np.abs(self.origin), self.scale),
+        )
         low, high = np.array([(one.low, one.high) for one in allowed]).T
         low = low + clear * [one.open_low for one in allowed]
         return np.minimum(low, self.origin), np.maximum(high - clear, self.origin)
@@ -117,28 +131,40 @@ class Space:
 
 
 def space(
-    base: ParameterSet | PhysicalParameters | Design, scale: Mapping[str, float] | None, change: Iterable[str] | None,
+    base: ParameterSet | PhysicalParameters | Design,
+    scale: Mapping[str, float] | None,
+    change: Iterable[str] | None,
     what: str = "scale",
-) -> Space:  # fmt: skip
+) -> Space:
     """The quantities named in ``change``, or all that have a scale; without a scale each is measured by its own value."""
     design = base if isinstance(base, Design) else _design(base)
     tolerances = dict(scale or {})
-    names = tuple(tolerances if change is None else ([change] if isinstance(change, str) else change))
+    names = tuple(
+        tolerances if change is None else ([change] if isinstance(change, str) else change)
+    )
     for name in (*names, *tolerances):
         if name not in design.given:
             place = "scale" if name in tolerances else what
-            raise ParameterError(f"{name!r} in {place} is not a quantity here; the quantities are {', '.join(design.given)}")
+            raise ParameterError(
+                f"{name!r} in {place} is not a quantity here; the quantities are {', '.join(design.given)}"
+            )
     if not names:
-        raise ParameterError(f"{what} names no quantity that may change; name at least one of {', '.join(design.given)}")
+        raise ParameterError(
+            f"{what} names no quantity that may change; name at least one of {', '.join(design.given)}"
+        )
     origin = np.array([as_number(name, design.given[name]) for name in names])
     if scale is None:
         if (origin == 0).any():
             zero = names[int(np.abs(origin).argmin())]
-            raise ParameterError(f"{zero} = 0 has no relative change; give scale with a tolerance for it")
+            raise ParameterError(
+                f"{zero} = 0 has no relative change; give scale with a tolerance for it"
+            )
         tolerances = dict(zip(names, np.abs(origin).tolist(), strict=True))
     missing = [name for name in names if name not in tolerances]
     if missing:
-        raise ParameterError(f"scale has no entry for {missing[0]!r}, which is to change; give its tolerance")
+        raise ParameterError(
+            f"scale has no entry for {missing[0]!r}, which is to change; give its tolerance"
+        )
     sizes = [as_number(f"scale[{name!r}]", tolerances[name], POSITIVE) for name in names]
     return Space(design, names, origin, np.array(sizes))
 
@@ -147,10 +173,23 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
     """Design variables: the parameters of a set; of a brake all on which the jump depends where friction works fully."""
     if isinstance(base, PhysicalParameters):
         kind = base.kind
-        return Design(base.known, kind.ranges(), kind.groups, lambda changed: replace(base, **changed), Parameters)
+        return Design(
+            base.known,
+            kind.ranges(),
+            kind.groups,
+            lambda changed: replace(base, **changed),
+            Parameters,
+        )
     names = NAMES if isinstance(base, Parameters) else tuple(base.ranges)
     given = dict(zip(names, base.scalars(*names), strict=True))
-    return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base), followed=base.followed)
+    return Design(
+        given,
+        base.ranges,
+        dict,
+        lambda changed: base.replace(**changed),
+        type(base),
+        followed=base.followed,
+    )
 
 
 #: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
@@ -185,7 +224,11 @@ class Border:
         place = np.append(found.state, found.value)
         self.last = place if np.isfinite(place).all() else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.
-        by_z = sum(float(slope) * slopes[name] for name, slope in slopes_of(p, self.vary, found).items() if name in slopes)
+        by_z = sum(
+            float(slope) * slopes[name]
+            for name, slope in slopes_of(p, self.vary, found).items()
+            if name in slopes
+        )
         by_z = by_z - slopes[self.vary]
         if not 0 < float(by_z @ by_z) < np.inf:
             raise ConvergenceError("the state does not end, or no slope is known where it does")
@@ -217,7 +260,9 @@ class Border:
                 ahead, by_z = self.ahead(z)
                 step = _smallest(by_z, float(by_z @ z) - ahead, *self.designs.limits()) - z
                 moved = norm(step)
-                share, best = (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
+                share, best = (
+                    (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
+                )
                 z = z + share * step
                 if moved <= LAST * norm(z):
                     break
@@ -267,7 +312,10 @@ def nearest(member: Member, limits: Limits, improved: Improved) -> FloatArray | 
     found = improved(np.zeros(size))
     if found is None:
         steps = np.array_split(_RADII, -(-_RADII.size // max(1, _OUTWARD // len(rays))))
-        far = next((far for radii in steps if (far := _on_rays(member, rays, limits, radii)) is not None), None)
+        far = next(
+            (far for radii in steps if (far := _on_rays(member, rays, limits, radii)) is not None),
+            None,
+        )
         if far is None:
             return None
         found = _better(member, _turned(member, far, limits), improved)
@@ -289,11 +337,15 @@ def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray
     return border if found is None or norm(found) > norm(border) else found
 
 
-def _on_rays(member: Member, rays: FloatArray, limits: Limits, radii: FloatArray) -> FloatArray | None:
+def _on_rays(
+    member: Member, rays: FloatArray, limits: Limits, radii: FloatArray
+) -> FloatArray | None:
     """The nearest of the members that rays meet at some radii, or where they end before, brought to the border, if any does."""
     lengths = np.minimum(radii[:, None], _reach(rays, limits))
     with doing("designs up to {:.4g} tolerances away", lengths.max()):
-        inside = member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(lengths.shape)
+        inside = member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(
+            lengths.shape
+        )
     if not inside.any():
         return None
     radius = np.where(inside, lengths, np.inf).min(axis=0)
@@ -329,9 +381,14 @@ def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: i
     for _ in range(-(-halvings // int(np.log2(parts)))):
         marks = low + np.linspace(0.0, 1.0, parts + 1)[1:-1, None] * (high - low)
         with doing("designs {:.4g} tolerances away, and nearer ones", high.min()):
-            inside = member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(marks.shape)
+            inside = member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(
+                marks.shape
+            )
         edges = np.concatenate([low[None], marks, high[None]])
-        first = np.argmax(np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0) + 1
+        first = (
+            np.argmax(np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0)
+            + 1
+        )
         low, high = (np.take_along_axis(edges, (first - side)[None], axis=0)[0] for side in (1, 0))
     return high
 

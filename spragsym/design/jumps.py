@@ -34,17 +34,27 @@ HASTY = 60
 
 @question
 def first_ends(
-    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    p: ParameterSet,
+    vary: str | None = None,
+    *,
+    direction: str = "up",
+    begin: float | None = None,
+    until: float | None = None,
     method: Method = "auto",
-) -> Ends:  # fmt: skip
+) -> Ends:
     """Where the followed state of each point ends first, and the state there; arguments as of :func:`jump_value`."""
     return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
 
 
 def jump_value(
-    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    p: ParameterSet,
+    vary: str | None = None,
+    *,
+    direction: str = "up",
+    begin: float | None = None,
+    until: float | None = None,
     method: Method = "auto",
-) -> float | FloatArray:  # fmt: skip
+) -> float | FloatArray:
     """Where the followed state ends first as one parameter moves: the reference state jumps there.
 
     Parameters
@@ -95,14 +105,21 @@ def jump_value(
     >>> np.round(ss.jump_value(ss.load("cubic_contact").Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
     array([0.597422, 0.385931,      nan])
     """
-    found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)).value
+    found = told(
+        first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
+    ).value
     return found if found.ndim else float(found)
 
 
 def jump_gradient(
-    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    p: ParameterSet,
+    vary: str | None = None,
+    *,
+    direction: str = "up",
+    begin: float | None = None,
+    until: float | None = None,
     method: Method = "auto",
-) -> JumpGradient:  # fmt: skip
+) -> JumpGradient:
     """Derivatives of :func:`jump_value` by all parameters.
 
     Parameters
@@ -139,9 +156,13 @@ def jump_gradient(
 
 @question
 def have_jumped(
-    p: ParameterSet, vary: str | None = None, begin: float | FloatArray | None = None, *, hasty: bool = False,
+    p: ParameterSet,
+    vary: str | None = None,
+    begin: float | FloatArray | None = None,
+    *,
+    hasty: bool = False,
     method: Method = "auto",
-) -> FloatArray:  # fmt: skip
+) -> FloatArray:
     """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where that is not known.
 
     It rises from ``begin``, one value for all points or one for each; the lower end of its range where left out. A ``hasty``
@@ -154,25 +175,36 @@ def have_jumped(
     array([0., 1., 1.])
     """
     vary, begin = p.model.rising(vary, begin)
-    return Followed(p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(hasty=hasty)
+    return Followed(p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(
+        hasty=hasty
+    )
 
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
     balance = Balance(p.model)
-    names, shape, states = list(balance.parameters), found.value.shape, found.state.reshape(balance.n, -1)
+    names, shape, states = (
+        list(balance.parameters),
+        found.value.shape,
+        found.state.reshape(balance.n, -1),
+    )
     moving = names.index(vary)
     columns = (found.value if name == vary else getattr(p, name) for name in names)
     with quiet():
-        values = balance.floats(np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns]))
+        values = balance.floats(
+            np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns])
+        )
         at = balance.at(list(states), values, xp=np)
         K, moved = (
-            np.moveaxis(filled(part, (found.value.size,)), -1, 0) for part in (at.stiffness(), balance.by_parameters(at, names))
+            np.moveaxis(filled(part, (found.value.size,)), -1, 0)
+            for part in (at.stiffness(), balance.by_parameters(at, names))
         )
         along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)
         slopes = 0.0 - along / along[moving]
     slopes[moving] += 1.0
-    slopes[:, np.isnan(states).any(axis=0)] = np.nan  # without a fold, whatever the forces depend on
+    slopes[:, np.isnan(states).any(axis=0)] = (
+        np.nan
+    )  # without a fold, whatever the forces depend on
     return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
 
 
@@ -180,7 +212,12 @@ class Followed:
     """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
 
     def __init__(
-        self, p: ParameterSet, vary: str, direction: str, begin: float | FloatArray | None, until: float | FloatArray | None
+        self,
+        p: ParameterSet,
+        vary: str,
+        direction: str,
+        begin: float | FloatArray | None,
+        until: float | FloatArray | None,
     ) -> None:
         if direction not in ("up", "down"):
             raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
@@ -191,7 +228,9 @@ class Followed:
         allowed = model.Parameters.ranges[vary]
         if begin is None and vary in FROM_LOWER_END:
             if self.forward < 0:
-                raise ParameterError(f"direction = 'down': {vary} rises from its lower end; give begin, or direction = 'up'")
+                raise ParameterError(
+                    f"direction = 'down': {vary} rises from its lower end; give begin, or direction = 'up'"
+                )
             begin = allowed.reached(allowed.low)
         if begin is not None:
             p = p.replace(**{vary: as_numbers("begin", begin, allowed)})
@@ -199,11 +238,15 @@ class Followed:
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
         self.balance = Balance(model)
         columns = p.broadcast(*self.balance.parameters)
-        self.fixed = np.stack([np.broadcast_to(column, self.shape).reshape(-1) for column in columns])
+        self.fixed = np.stack(
+            [np.broadcast_to(column, self.shape).reshape(-1) for column in columns]
+        )
         self.begin = self.fixed[self.balance.parameters.index(vary)]
         if until is None:
             far = allowed.reached(float(ranges(model, (vary,), {})[0, int(self.forward > 0)]))
-            until = self.forward * max(self.forward * far, float((self.forward * self.begin).max(initial=-np.inf)))
+            until = self.forward * max(
+                self.forward * far, float((self.forward * self.begin).max(initial=-np.inf))
+            )
         self.until = np.broadcast_to(as_numbers("until", until, allowed), self.shape).reshape(-1)
         if ((self.until - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"
@@ -245,7 +288,9 @@ class Followed:
             for i in rows[~decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 try:
-                    end = first_end(self._points(i), self.vary, span) if span[0] != span[1] else None
+                    end = (
+                        first_end(self._points(i), self.vary, span) if span[0] != span[1] else None
+                    )
                 except ConvergenceError as why:
                     reasons[i] = str(why)
                     continue
@@ -255,18 +300,26 @@ class Followed:
                         z[:n, i] = [end.before[name] for name in self.balance.coordinates]
                     else:
                         others[i] = end
-        z, error, until = (each.reshape((*each.shape[:-1], *self.shape)) for each in (z, error, self.until))
+        z, error, until = (
+            each.reshape((*each.shape[:-1], *self.shape)) for each in (z, error, self.until)
+        )
         return Ends(z[n, ...], error, z[:n], reasons, until, others)
 
     def _points(self, rows: Any) -> ParameterSet:
         """Some points, or one, as parameters that follow the state that was chosen."""
-        return set_of(self.model, dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.near)
+        return set_of(
+            self.model,
+            dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)),
+            self.near,
+        )
 
     def _start(self, rows: Any) -> tuple[Tubes, Place, FloatArray]:
         """Some points, the reference states from which they are followed, where these are known, and up to where."""
         eq = equilibria(self._points(rows))
         slot = reference_state(eq, self.near)
-        states = [eq.coordinates[name][np.arange(rows.size), slot] for name in self.balance.coordinates]
+        states = [
+            eq.coordinates[name][np.arange(rows.size), slot] for name in self.balance.coordinates
+        ]
         z = np.array([*states, self.begin[rows]])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0
@@ -277,12 +330,16 @@ class Followed:
 
     def _folds(
         self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False
-    ) -> tuple[BoolArray, FloatArray, FloatArray]:  # fmt: skip
+    ) -> tuple[BoolArray, FloatArray, FloatArray]:
         """Points at which tubes tell whether there is a fold before the goal, the folds, shape (n + 1, N) or NaN, and errors."""
         forward = self.forward
         rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
         left, at = np.arange(goal.size), start
-        decided, z, error = np.zeros(goal.size, dtype=np.bool_), np.full(start.z.shape, np.nan), np.zeros(goal.size)
+        decided, z, error = (
+            np.zeros(goal.size, dtype=np.bool_),
+            np.full(start.z.shape, np.nan),
+            np.zeros(goal.size),
+        )
         for _ in range(rounds):
             at = tubes[left].followed(at, goal[left])
             arrived = at.sure & (at.v == goal[left])
@@ -292,7 +349,9 @@ class Followed:
                 break
             fold = turned(tubes[left], at, forward, segments)
             # What turns back beyond the goal has come to it.
-            near, far = np.sort([forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0)
+            near, far = np.sort(
+                [forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0
+            )
             found = fold.sure & (far <= 0)
             z[:, left[found]] = fold.z[:, found]
             error[left[found]] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[found]
@@ -324,7 +383,9 @@ class JumpGradient(Named):
             known = np.asarray(values)[~np.isnan(self.value)]
             ends = (f"{known.min():.10g}", f"{known.max():.10g}") if known.size else ("nan", "nan")
             rows.append((self.vary if name == "value" else f"slope by {name}", *ends))
-        return Table(f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows))
+        return Table(
+            f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows)
+        )
 
 
 #: Where θ₀ begins to rise; folds below it are looked for exactly.

@@ -47,9 +47,14 @@ class JumpMargin(Result):
 
 @question
 def jump_margin(
-    p: ParameterSet | PhysicalParameters | Design, scale: Mapping[str, float], *, vary: str | None = None,
-    begin: float | None = None, prove: bool = False, method: Method = "auto",
-) -> JumpMargin:  # fmt: skip
+    p: ParameterSet | PhysicalParameters | Design,
+    scale: Mapping[str, float],
+    *,
+    vary: str | None = None,
+    begin: float | None = None,
+    prove: bool = False,
+    method: Method = "auto",
+) -> JumpMargin:
     """The nearest parameters at which the followed state ends as ``vary`` rises to its value, in the metric of the tolerances.
 
     Parameters
@@ -94,7 +99,9 @@ def jump_margin(
     name, first = model_of(p).rising(vary, begin)
     designs = space(p, scale, None)
     if prove and not isinstance(p, ParameterSet):
-        raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
+        raise ParameterError(
+            "prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances"
+        )
 
     border = Border(designs, name, first)
 
@@ -112,7 +119,9 @@ def jump_margin(
     reach, proved = 2.0 if best is None else norm(best), np.nan
     if prove:
         radii = (share * reach for share in _SHARES if reach)
-        proved = next((radius for radius in radii if safe_within(designs, radius, name, first)), 0.0)
+        proved = next(
+            (radius for radius in radii if safe_within(designs, radius, name, first)), 0.0
+        )
     if best is None:
         return JumpMargin(np.inf, proved, {}, None)
     return JumpMargin(reach, proved, designs.change(best), designs.made(best))
@@ -137,7 +146,9 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
         left = (radius * (1 + 1e-9)) ** 2 - (off**2).sum(axis=0)
         if vary in designs.names:
             k, row = designs.names.index(vary), box.sides.index(vary)
-            parts.low[row] = parts.high[row] = designs.origin[k] + designs.scale[k] * np.sqrt(np.maximum(left, 0.0))
+            parts.low[row] = parts.high[row] = designs.origin[k] + designs.scale[k] * np.sqrt(
+                np.maximum(left, 0.0)
+            )
         return parts[left >= 0]
 
     run = box.run(lambda parts: parts.open_volume, int(_PARTS * box.most), kept=inside)
@@ -172,9 +183,14 @@ class Redesign(Result):
 
 @question
 def redesign(
-    p: ParameterSet | PhysicalParameters | Design, change: str | Iterable[str], target: Mapping[str, float],
-    scale: Mapping[str, float] | None = None, *, begin: float | None = None, method: Method = "auto",
-) -> Redesign:  # fmt: skip
+    p: ParameterSet | PhysicalParameters | Design,
+    change: str | Iterable[str],
+    target: Mapping[str, float],
+    scale: Mapping[str, float] | None = None,
+    *,
+    begin: float | None = None,
+    method: Method = "auto",
+) -> Redesign:
     """The least change of some quantities that keeps the end of the followed state beyond a target.
 
     Parameters
@@ -221,14 +237,25 @@ def redesign(
     model = model_of(p)
     ranges = model.Parameters.ranges
     if not target or not set(target) <= set(ranges):
-        raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
+        raise ParameterError(
+            f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end"
+        )
     designs = space(p, scale, change, "change")
     borders = list[Border]()
     for name, value in target.items():
         if name in designs.names:
-            raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
-        at, lowest = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name])), ranges[name].reached(ranges[name].low)
-        own = lowest if np.isfinite(lowest) else float(designs.parameters(np.zeros(len(designs.names)))[name])
+            raise ParameterError(
+                f"{name} is the target and can't be what changes; leave it out of one of the two"
+            )
+        at, lowest = (
+            designs.at(name, as_number(f"target[{name!r}]", value, ranges[name])),
+            ranges[name].reached(ranges[name].low),
+        )
+        own = (
+            lowest
+            if np.isfinite(lowest)
+            else float(designs.parameters(np.zeros(len(designs.names)))[name])
+        )
         borders.append(Border(at, name, own if begin is None else begin))
 
     def keeps(z: FloatArray) -> BoolArray:
@@ -247,5 +274,8 @@ def redesign(
     best = nearest(keeps, designs.limits(), on_target)
     if best is None:
         return Redesign(np.inf, {}, None, {})
-    jump = {border.vary: float(jump_value(designs.sets(best), border.vary, begin=border.begin)) for border in borders}
+    jump = {
+        border.vary: float(jump_value(designs.sets(best), border.vary, begin=border.begin))
+        for border in borders
+    }
     return Redesign(norm(best), designs.change(best), designs.made(best), jump)

@@ -28,7 +28,11 @@ from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums
 from .tube_certificates import Pieces, Splitting
 
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
-Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]
+Distribution: TypeAlias = (
+    Mapping[str, Any]
+    | tuple[Parameters, Parameters]
+    | tuple[PhysicalParameters, PhysicalParameters]
+)
 
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
@@ -80,17 +84,23 @@ class JumpProbability(Result):
     def sobol(self) -> dict[str, tuple[float, float, float]]:
         """Of each quantity the index of first order, the total one and its half-width; that with the largest total first."""
         names = sorted(self.total, key=lambda name: -np.nan_to_num(self.total[name]))
-        return {name: (self.first[name], self.total[name], self.total_error[name]) for name in names}
+        return {
+            name: (self.first[name], self.total[name], self.total_error[name]) for name in names
+        }
 
     def as_table(self) -> Table:
         """The probability on the line above, and the indices."""
         columns = (self.first, self.first_error, self.total, self.total_error)
-        rows = tuple((f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first)
+        rows = tuple(
+            (f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first
+        )
         ends = f"{self.low:.4g} to {self.high:.4g} with confidence {self.confidence:.4g}"
         low, high = math.floor(1e4 * self.proved[0]) / 1e4, math.ceil(1e4 * self.proved[1]) / 1e4
         proved = f", proved {low:g} to {high:g}" if self.proved != (0.0, 1.0) else ""
         header = ("", "first order", "±", "total", "±") if rows else ()
-        return Table(f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}{proved}", header, rows)
+        return Table(
+            f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}{proved}", header, rows
+        )
 
 
 def estimated(
@@ -109,17 +119,25 @@ def estimated(
     """The probability of any event, 1 or 0 of many points or NaN."""
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
-        raise ParameterError("no quantity of distribution varies; give a range or a distribution for one, or use jump_value")
+        raise ParameterError(
+            "no quantity of distribution varies; give a range or a distribution for one, or use jump_value"
+        )
     together = dependence(varied, correlation)
     as_count("n", n, 2)
     as_count("replicates", replicates, 2)
     if not 0 < confidence < 1:
-        raise ParameterError(f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %")
+        raise ParameterError(
+            f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %"
+        )
     if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
-        raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
+        raise ParameterError(
+            f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out"
+        )
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     tasks = chunks(n, seeds)
-    work = partial(sums, partial(_at_points, variables, together, event), [*together.factors], sobol)
+    work = partial(
+        sums, partial(_at_points, variables, together, event), [*together.factors], sobol
+    )
     done: dict[int, list[float]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _told)
     with advance(progress, len(tasks), 0) as step, closing(results):
@@ -131,8 +149,11 @@ def estimated(
 
 
 def estimate(
-    records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float, titles: Sequence[str]
-) -> JumpProbability:  # fmt: skip
+    records: Sequence[Sequence[float]],
+    replicate: Sequence[int],
+    confidence: float,
+    titles: Sequence[str],
+) -> JumpProbability:
     """From the sums of all chunks, of a function that is 0 or 1; ``titles`` are what indices are of.
 
     Source: the replicates are independent means of one distribution, from whose spread the interval follows (Student); indices of
@@ -162,12 +183,17 @@ def estimate(
     alone, alone_error = _index(2 * table[:, 4::2] / count[:, None], variances, quantile)
     whole, whole_error = _index(table[:, 5::2] / count[:, None], variances, quantile)
     first, total, first_error, total_error = (
-        dict(zip(titles, part.tolist(), strict=True)) for part in (alone, whole, alone_error, whole_error)
+        dict(zip(titles, part.tolist(), strict=True))
+        for part in (alone, whole, alone_error, whole_error)
     )
-    return JumpProbability(mean, low, high, confidence, int(n), missing, first, total, first_error, total_error)
+    return JumpProbability(
+        mean, low, high, confidence, int(n), missing, first, total, first_error, total_error
+    )
 
 
-def _index(values: FloatArray, variances: FloatArray, quantile: float) -> tuple[FloatArray, FloatArray]:
+def _index(
+    values: FloatArray, variances: FloatArray, quantile: float
+) -> tuple[FloatArray, FloatArray]:
     """A ratio to the variance, and the half-width of its interval from the spread over the replicates (linearized)."""
     with np.errstate(invalid="ignore", divide="ignore"):
         variance = variances.mean()
@@ -185,26 +211,37 @@ def variable(name: str, given: Any, allowed: Range) -> Any:
         low, high = float(given.ppf(0.0)), float(given.ppf(1.0))
         if low < allowed.low or not high <= allowed.high:
             reached = f"the distribution of {name} reaches {low if low < allowed.low else high:g}"
-            raise ParameterError(f"{reached}, and {name} must be in {allowed}; truncate it, as by scipy.stats.truncnorm")
+            raise ParameterError(
+                f"{reached}, and {name} must be in {allowed}; truncate it, as by scipy.stats.truncnorm"
+            )
         return given
     if isinstance(given, Sequence) and not isinstance(given, str):
         if len(given) != 2:
-            raise ParameterError(f"{name} has {len(given)} numbers in distribution; a range has two, low and high")
+            raise ParameterError(
+                f"{name} has {len(given)} numbers in distribution; a range has two, low and high"
+            )
         low, high = (as_number(f"{name}[{i}]", value, allowed) for i, value in enumerate(given))
         if low > high:
-            raise ParameterError(f"{name} = ({low:g}, {high:g}) goes down; give the smaller end first")
+            raise ParameterError(
+                f"{name} = ({low:g}, {high:g}) goes down; give the smaller end first"
+            )
         from scipy.stats import uniform
 
         return uniform(low, high - low) if low < high else low
     return as_number(name, given, allowed)
 
 
-def _at_points(variables: Mapping[str, Any], together: Dependence, event: Event, points: FloatArray) -> FloatArray:
+def _at_points(
+    variables: Mapping[str, Any], together: Dependence, event: Event, points: FloatArray
+) -> FloatArray:
     """The event at points of the unit cube."""
     shares = iter(together.shares(points).T)
-    return event({
-        name: np.full(len(points), one) if isinstance(one, float) else one.ppf(next(shares)) for name, one in variables.items()
-    })  # fmt: skip
+    return event(
+        {
+            name: np.full(len(points), one) if isinstance(one, float) else one.ppf(next(shares))
+            for name, one in variables.items()
+        }
+    )
 
 
 def _told(chunk: Chunk) -> str:
@@ -306,7 +343,9 @@ def jump_probability(
         asked, in_si = model_of(distribution), isinstance(distribution[0], PhysicalParameters)
     else:
         asked = model if isinstance(model, Model) else load(model or USUAL)
-        in_si = not {*distribution}.isdisjoint({*quantities(asked.where).units} - {*asked.parameters})
+        in_si = not {*distribution}.isdisjoint(
+            {*quantities(asked.where).units} - {*asked.parameters}
+        )
     asked = asked.search if method == "search" else asked
     kind = quantities(asked.where) if in_si else None
     variables = _variables(asked, kind, distribution)
@@ -314,27 +353,46 @@ def jump_probability(
     event = partial(_ended, asked, kind, vary, begin, method)
     if max_boxes and (correlation or kind):
         said = "quantities in SI" if kind else "correlation"
-        raise ParameterError(f"{said}: a bracket is proved for independent parameters of the model only; leave max_boxes out")
+        raise ParameterError(
+            f"{said}: a bracket is proved for independent parameters of the model only; leave max_boxes out"
+        )
     found = estimated(
-        variables, event, correlation=correlation, n=n, rng=rng, confidence=confidence, sobol=sobol, replicates=replicates,
-        workers=workers, progress=progress,
-    )  # fmt: skip
+        variables,
+        event,
+        correlation=correlation,
+        n=n,
+        rng=rng,
+        confidence=confidence,
+        sobol=sobol,
+        replicates=replicates,
+        workers=workers,
+        progress=progress,
+    )
     if not max_boxes:
         return found
     return replace(found, proved=bracket(asked, variables, vary, begin, max_boxes))
 
 
-def bracket(model: Model, variables: dict[str, Any], vary: str, begin: float, max_boxes: int) -> Span:
+def bracket(
+    model: Model, variables: dict[str, Any], vary: str, begin: float, max_boxes: int
+) -> Span:
     """Probability of what is proved to end, and one minus that of what is proved not to."""
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
     low, high = (model.Parameters(**variables | end) for end in ends)
     goal = float(getattr(high, vary))
     up_to = laws[vary].cdf if vary in laws else lambda value: 1.0 * (value >= goal)
-    return measured(Splitting(low, high, vary, begin), {name: law.cdf for name, law in laws.items()}, (up_to, up_to), max_boxes)
+    return measured(
+        Splitting(low, high, vary, begin),
+        {name: law.cdf for name, law in laws.items()},
+        (up_to, up_to),
+        max_boxes,
+    )
 
 
-def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int) -> Span:
+def measured(
+    box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int
+) -> Span:
     """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds of those of what moves."""
 
     def of_free(pieces: Pieces) -> FloatArray:
@@ -344,7 +402,9 @@ def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Sh
 
     least, most = 0.0, 1.0
     box.sharp = True
-    run = box.run(lambda pieces: of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)), max_boxes)
+    run = box.run(
+        lambda pieces: of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)), max_boxes
+    )
     for pieces, last, _ in run:
         done = pieces[last]
         least += float((of_free(done) * (1.0 - up_to[1](done.top))).sum())
@@ -364,7 +424,9 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
     if isinstance(distribution, tuple):
         low, high, *more = distribution
         if more or type(low) is not type(high):
-            raise ParameterError("distribution: the corners of a box are two Parameters or two PhysicalParameters")
+            raise ParameterError(
+                "distribution: the corners of a box are two Parameters or two PhysicalParameters"
+            )
         given = {name: (getattr(low, name), getattr(high, name)) for name in names}
     else:
         given = dict(distribution)
@@ -376,19 +438,30 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
     for name in given:
         if name not in ranges:
             what = "a quantity here" if kind else f"a parameter of {model.name}"
-            raise ParameterError(f"{name!r} in distribution is not {what}; there are {', '.join(ranges)}")
+            raise ParameterError(
+                f"{name!r} in distribution is not {what}; there are {', '.join(ranges)}"
+            )
     missing = [name for name in ranges if name not in given]
     if missing:
-        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
+        raise ParameterError(
+            f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies"
+        )
     return {name: variable(name, given[name], allowed) for name, allowed in ranges.items()}
 
 
 def _ended(
-    model: Model, kind: Quantities | None, vary: str, begin: float, method: Method, values: Mapping[str, Any]
+    model: Model,
+    kind: Quantities | None,
+    vary: str,
+    begin: float,
+    method: Method,
+    values: Mapping[str, Any],
 ) -> FloatArray:
     """1 where the state ends, 0 where it does not, NaN where that is not known."""
     # On units that the states do not depend on, as the mass, neither does the friction.
-    p = model.Parameters(**(values if kind is None else kind.groups({**dict.fromkeys(kind.bases, 1.0), **values})))
+    p = model.Parameters(
+        **(values if kind is None else kind.groups({**dict.fromkeys(kind.bases, 1.0), **values}))
+    )
     if kind is not None and {*kind.of_the_law} & {*values}:
         p = p.replace(mu0=model.friction(p))
     return have_jumped(p, vary, begin, method=method)

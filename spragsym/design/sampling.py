@@ -32,16 +32,24 @@ def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
     """``n`` points or a few more, in sequences of a power of two each, one a seed."""
     each = 1 << max(int(np.ceil(np.log2(max(n / len(seeds), 2)))), 1)
     size = min(each, max(1 << 12, min(1 << 15, each // 8)))
-    return [Chunk(i, seed, begin, size) for i, seed in enumerate(seeds) for begin in range(0, each, size)]
+    return [
+        Chunk(i, seed, begin, size)
+        for i, seed in enumerate(seeds)
+        for begin in range(0, each, size)
+    ]
 
 
-def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk) -> list[float]:
+def sums(
+    function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk
+) -> list[float]:
     """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each group of variables two for its indices."""
     from scipy.stats import qmc
 
     variables = sum(map(len, groups))
     # SciPy goes forward in sequences of up to 32 bits only.
-    sequence = qmc.Sobol((2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=32)
+    sequence = qmc.Sobol(
+        (2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=32
+    )
     if chunk.begin:
         sequence.fast_forward(chunk.begin)
     points = sequence.random(chunk.size)
@@ -53,7 +61,12 @@ def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chu
     # All at once: what follows states is as slow for few as for many.
     values = np.reshape(function(np.concatenate(sets)), (len(sets), chunk.size))
     unknown, values = np.isnan(values), np.nan_to_num(values)
-    result = [float(own * chunk.size), float(unknown[:own].sum()), float(values[:own].sum()), float((values[:own] ** 2).sum())]
+    result = [
+        float(own * chunk.size),
+        float(unknown[:own].sum()),
+        float(values[:own].sum()),
+        float((values[:own] ** 2).sum()),
+    ]
     for value in values[own:]:
         result += [float(values[1] @ (value - values[0])), float(((values[0] - value) ** 2).sum())]
     return result
@@ -62,7 +75,12 @@ def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chu
 #: Pairs of quantities → how they are correlated, from −1 to 1.
 Correlation: TypeAlias = Mapping[tuple[str, str], float]
 
-_ALLOWED = Range(-1.0, 1.0, closed_high=True, remedy="1 where one decides the other, 0 where they have nothing in common")
+_ALLOWED = Range(
+    -1.0,
+    1.0,
+    closed_high=True,
+    remedy="1 where one decides the other, 0 where they have nothing in common",
+)
 #: Eigenvalue of a correlation matrix that counts as 0.
 _SINGULAR = 1e-12
 #: The least share that has a normal score to speak of.
@@ -94,7 +112,9 @@ class Dependence:
             kept = factor[:, np.abs(factor).max(axis=0) > _SINGULAR**0.5]
             kept = kept if kept.shape[1] < len(group) else np.eye(len(group))
             scores = np.array(list(product((-1.0, 1.0), repeat=kept.shape[1]))) @ kept.T
-            parts.append(np.unique(0.5 + 0.5 * np.sign(np.where(np.abs(scores) < 1e-9, 0.0, scores)), axis=0))
+            parts.append(
+                np.unique(0.5 + 0.5 * np.sign(np.where(np.abs(scores) < 1e-9, 0.0, scores)), axis=0)
+            )
         order = np.argsort([i for group in self.factors for i in group])
         return np.array([np.concatenate([[], *choice])[order] for choice in product(*parts)])
 
@@ -118,14 +138,21 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
 
     matrix = np.eye(len(names))
     for pair, given in (correlation or {}).items():
-        if not (isinstance(pair, tuple) and len(pair) == 2 and pair[0] != pair[1] and set(pair) <= set(names)):
+        if not (
+            isinstance(pair, tuple)
+            and len(pair) == 2
+            and pair[0] != pair[1]
+            and set(pair) <= set(names)
+        ):
             raise ParameterError(
                 f"correlation of {pair!r}: give two of the quantities that vary, {', '.join(names) or 'of which there are none'}"
             )
         i, j = (names.index(name) for name in pair)
         if matrix[i, j]:
             raise ParameterError(f"correlation of {pair!r} is there twice; keep one of the two")
-        matrix[i, j] = matrix[j, i] = as_number(f"correlation of {', '.join(pair)}", given, _ALLOWED)
+        matrix[i, j] = matrix[j, i] = as_number(
+            f"correlation of {', '.join(pair)}", given, _ALLOWED
+        )
     _, label = connected_components(coo_array(matrix != 0), directed=False)
     factors = {}
     for one in dict.fromkeys(label.tolist()):

@@ -17,7 +17,17 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..questions import Method, question
 from ..statics.balance import BalanceInUnits
 from ..statics.reference_state import taken_up
-from .certificates import ENDS, OPEN, SAFE, STATES, Boxes, Certificate, Claim, ClaimOfStates, corner_values
+from .certificates import (
+    ENDS,
+    OPEN,
+    SAFE,
+    STATES,
+    Boxes,
+    Certificate,
+    Claim,
+    ClaimOfStates,
+    corner_values,
+)
 
 #: The least step of a tube over a wide part, over the whole way. One that needs smaller ones is halved instead.
 WIDE = 2.0**-6
@@ -42,7 +52,9 @@ class Pieces(Boxes):
     @property
     def outcome(self) -> IntArray:
         """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
-        return np.where(self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN))
+        return np.where(
+            self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN)
+        )
 
     def divisible(self) -> BoolArray:
         """Sides of the free parameters that have floats between their ends."""
@@ -58,16 +70,27 @@ class Splitting(Claim):
     sharp = False
     whole: Pieces
 
-    def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
+    def __init__(
+        self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None
+    ) -> None:
         model = low.model
         self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
         self.balance = BalanceInUnits(model, units or {})
-        names, ends = self.balance.parameters, corner_values(model.parameters, low, high, self.balance.units)
+        names, ends = (
+            self.balance.parameters,
+            corner_values(model.parameters, low, high, self.balance.units),
+        )
         least = ends[0][names.index(vary), 0]
         if begin > least:
-            raise ParameterError(f"begin = {begin:g} is above low.{vary} = {least:g}; begin where {vary} is lower")
+            raise ParameterError(
+                f"begin = {begin:g} is above low.{vary} = {least:g}; begin where {vary} is lower"
+            )
         matter = {*self.balance.balanced, *self.balance.scaling} - {vary}
-        self.free = tuple(name for name, *end in zip(names, *ends, strict=True) if name in matter and end[0] != end[1])
+        self.free = tuple(
+            name
+            for name, *end in zip(names, *ends, strict=True)
+            if name in matter and end[0] != end[1]
+        )
         self.sides = (*self.free, vary)
         self.tubes = Tubes.of_points(self.balance, vary, ends[0], self.free)
         self.rows = self.tubes.moving
@@ -75,7 +98,9 @@ class Splitting(Claim):
         middle = 0.5 * (one + other)[:-1]
         start = self._beginning(middle[:, 0])
         start = replace(start, by_p=self._over(one, other).tangents(start.z)[1])
-        self.whole = Pieces(one, other, start, np.stack([middle, middle]), np.full(1, -np.inf), np.full(1, np.inf))
+        self.whole = Pieces(
+            one, other, start, np.stack([middle, middle]), np.full(1, -np.inf), np.full(1, np.inf)
+        )
 
     def _over(self, low: FloatArray, high: FloatArray) -> Tubes:
         """Tubes for parts of the box."""
@@ -92,7 +117,11 @@ class Splitting(Claim):
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
         """Whether the state that is taken up at one point becomes, while all moves to another, the one that is taken up there."""
-        return bool(self._linked(one[:, None], self._beginning(one), other[:, None], self._beginning(other))[0])
+        return bool(
+            self._linked(
+                one[:, None], self._beginning(one), other[:, None], self._beginning(other)
+            )[0]
+        )
 
     def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at a point of the box."""
@@ -103,7 +132,9 @@ class Splitting(Claim):
 
     def points(self, values: FloatArray) -> Pieces:
         """Points of the box, shape (free + 1, N), as pieces of it."""
-        return replace(self.whole[np.zeros(values.shape[1], dtype=np.int64)], low=values, high=values)
+        return replace(
+            self.whole[np.zeros(values.shape[1], dtype=np.int64)], low=values, high=values
+        )
 
     # ---------------------------------------------------------------------------------------------------- decisions
 
@@ -120,7 +151,9 @@ class Splitting(Claim):
         weight += np.where(np.isfinite(moves), moves, 0.0) * width
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:
-            safe[rows], top[rows], moves = passed(tubes[rows], reached[rows], goal[rows], self.sharp)
+            safe[rows], top[rows], moves = passed(
+                tubes[rows], reached[rows], goal[rows], self.sharp
+            )
             weight[:, rows] = width[:, rows] * moves
         base = pieces.base[np.arange(len(pieces))]
         base.put(start.sure, start[start.sure])
@@ -138,7 +171,9 @@ class Splitting(Claim):
         held = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(axis=0)
         same = held & here.lies_in(pieces.base, shift, turned)
         rows = np.flatnonzero(here.sure & pieces.base.sure & ~same)
-        same[rows] = self._linked(middle[:, rows], pieces.base[rows], tubes.centre[:, rows], here[rows])
+        same[rows] = self._linked(
+            middle[:, rows], pieces.base[rows], tubes.centre[:, rows], here[rows]
+        )
         return tubes, replace(here, sure=same)
 
     def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> BoolArray:
@@ -161,30 +196,52 @@ class Splitting(Claim):
 
 @question
 def claims(
-    low: ParameterSet, high: ParameterSet, claim: str, *, vary: str | None, begin: float | None,
-    units: Mapping[str, Unit] | None = None, method: Method = "auto",
-) -> Claim:  # fmt: skip
+    low: ParameterSet,
+    high: ParameterSet,
+    claim: str,
+    *,
+    vary: str | None,
+    begin: float | None,
+    units: Mapping[str, Unit] | None = None,
+    method: Method = "auto",
+) -> Claim:
     """A claim of :func:`certify` about a box of parameters."""
     model = low.model
     if claim in STATES:
         if vary is not None:
-            raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
+            raise ParameterError(
+                f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out"
+            )
         if units:
-            raise ParameterError(f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them")
+            raise ParameterError(
+                f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them"
+            )
         return ClaimOfStates(low, high, claim)
     if claim != "no jump":
-        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
+        raise ParameterError(
+            f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}"
+        )
     vary, begin = model.rising(vary, begin)
-    box = Splitting(low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"]))
+    box = Splitting(
+        low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"])
+    )
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]
     return box
 
 
 def certify(
-    low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
-    max_boxes: int | None = None, refute: bool = True, units: Mapping[str, Unit] | None = None, method: Method = "auto",
-) -> Certificate:  # fmt: skip
+    low: ParameterSet,
+    high: ParameterSet,
+    claim: str = "no jump",
+    *,
+    vary: str | None = None,
+    begin: float | None = None,
+    max_boxes: int | None = None,
+    refute: bool = True,
+    units: Mapping[str, Unit] | None = None,
+    method: Method = "auto",
+) -> Certificate:
     """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
     Parameters
@@ -242,4 +299,6 @@ def certify(
     'proved'
     """
     box = claims(low, high, claim, vary=vary, begin=begin, units=units, method=method)
-    return box.certificate(claim, box.most if max_boxes is None else as_count("max_boxes", max_boxes), refute)
+    return box.certificate(
+        claim, box.most if max_boxes is None else as_count("max_boxes", max_boxes), refute
+    )

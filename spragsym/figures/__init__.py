@@ -27,7 +27,13 @@ except ModuleNotFoundError as error:
     raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
 
 from ..results import Result, Stability
-from .bifurcation_sets import figure_11, figure_12, figure_14, figure_cusp_friction, figure_false_double_root
+from .bifurcation_sets import (
+    figure_11,
+    figure_12,
+    figure_14,
+    figure_cusp_friction,
+    figure_false_double_root,
+)
 from .curves import (
     Branch,
     branches,
@@ -39,9 +45,32 @@ from .curves import (
     plot_eigenvalues,
     plot_equilibria,
 )
-from .cycles import branch_figure, diagram_figure, fate_map_figure, figure_cycles, figure_cycles_plane
-from .equilibrium_curves import figure_4, figure_5, figure_6, figure_8, figure_9, figure_10, figure_13
-from .motions import draw_motion, draw_phase, draw_spectrum, figure_3, figure_7, figure_rms_map, figure_sensitivity, motion_figure
+from .cycles import (
+    branch_figure,
+    diagram_figure,
+    fate_map_figure,
+    figure_cycles,
+    figure_cycles_plane,
+)
+from .equilibrium_curves import (
+    figure_4,
+    figure_5,
+    figure_6,
+    figure_8,
+    figure_9,
+    figure_10,
+    figure_13,
+)
+from .motions import (
+    draw_motion,
+    draw_phase,
+    draw_spectrum,
+    figure_3,
+    figure_7,
+    figure_rms_map,
+    figure_sensitivity,
+    motion_figure,
+)
 from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, stability_figure
 from .report_pages import draw_operating_point, draw_rising, draw_shares, report_page
 from .style import BLACK, FORMATS, Sheet, as_drawn, own_axes, styled, write
@@ -50,11 +79,26 @@ from .style import BLACK, FORMATS, Sheet, as_drawn, own_axes, styled, write
 FIGURES: dict[str, Callable[..., Sheet]] = {
     drawn.__name__.removeprefix("figure_").replace("_", "-"): drawn
     for drawn in (
-        figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_9, figure_10, figure_11, figure_12, figure_13,
+        figure_3,
+        figure_4,
+        figure_5,
+        figure_6,
+        figure_7,
+        figure_8,
+        figure_9,
+        figure_10,
+        figure_11,
+        figure_12,
+        figure_13,
         figure_14,
-        figure_cusp_friction, figure_cycles, figure_cycles_plane, figure_false_double_root, figure_rms_map, figure_sensitivity,
+        figure_cusp_friction,
+        figure_cycles,
+        figure_cycles_plane,
+        figure_false_double_root,
+        figure_rms_map,
+        figure_sensitivity,
     )
-}  # fmt: skip
+}
 
 __all__ = [
     "FIGURES",
@@ -132,7 +176,9 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
 
 def _points(points: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
     ax, model = own_axes(ax), points.parameters.model
-    across, up = points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
+    across, up = (
+        points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
+    )
     name_axes(ax, model, across, up)
     return mark_folds(points, up, ax=ax, **options)
 
@@ -150,7 +196,14 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     for kind, mark in _MARKS.items():
         here = rows["stability"] == kind
         if here.any():
-            style = {"linestyle": "none", "marker": mark, "color": BLACK, "markersize": 3, "label": kind.name.lower(), **options}
+            style = {
+                "linestyle": "none",
+                "marker": mark,
+                "color": BLACK,
+                "markersize": 3,
+                "label": kind.name.lower(),
+                **options,
+            }
             lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **style)
     return lines
 
@@ -161,9 +214,15 @@ def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, **options: 
 
 def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
     """The first column of numbers over another that varies, or over the row."""
-    columns = [(name, np.ravel(column)) for name, column in result.data().items() if column.dtype.kind in "fiu"]
+    columns = [
+        (name, np.ravel(column))
+        for name, column in result.data().items()
+        if column.dtype.kind in "fiu"
+    ]
     if not columns:
-        raise ParameterError(f"{type(result).__name__} has no columns of numbers, so that there is nothing to draw; print it")
+        raise ParameterError(
+            f"{type(result).__name__} has no columns of numbers, so that there is nothing to draw; print it"
+        )
     if len(columns) == 1:
         columns.insert(0, ("row", np.arange(columns[0][1].size)))
     (across, x), (up, y), *_ = columns
@@ -173,9 +232,16 @@ def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
 
 
 _FIGURES: Mapping[str, Callable[..., Any]] = {
-    "Diagram": diagram_figure, "CycleBranch": branch_figure, "FateMap": fate_map_figure,
-}  # fmt: skip
+    "Diagram": diagram_figure,
+    "CycleBranch": branch_figure,
+    "FateMap": fate_map_figure,
+}
 _DRAWN: Mapping[str, Callable[..., Any]] = {
-    "Path": draw_path, "Points": _points, "Onsets": _points, "Equilibria": _equilibria,
-    "BifurcationSet": draw_bifurcation_set, "OnsetCurves": draw_onset_curves, "Trajectory": _motion,
-}  # fmt: skip
+    "Path": draw_path,
+    "Points": _points,
+    "Onsets": _points,
+    "Equilibria": _equilibria,
+    "BifurcationSet": draw_bifurcation_set,
+    "OnsetCurves": draw_onset_curves,
+    "Trajectory": _motion,
+}

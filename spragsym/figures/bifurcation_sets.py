@@ -58,9 +58,13 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
     p = Parameters.article()
     lines = []
     for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
-        up = ss.quasi_static_path(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
+        up = ss.quasi_static_path(
+            p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201)
+        )
         pieces = passages(up)
-        lines += [(on_surface(mu0, np.full(mu0.size, np.radians(angle)), x), color) for mu0, x in pieces]
+        lines += [
+            (on_surface(mu0, np.full(mu0.size, np.radians(angle)), x), color) for mu0, x in pieces
+        ]
         for (mu0, x), (_, landed) in itertools.pairwise(pieces):
             ends = [angle, angle], [mu0[-1], mu0[-1]], [x[-1], landed[0]]
             ax.plot(*ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
@@ -83,7 +87,9 @@ def figure_12() -> Sheet:
     figure, ax = single(SINGLE, 2.7)
     for name, angle in PATHS_DEG.items():
         line_at(ax, angle, width=0.6)
-        write_along(ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY)
+        write_along(
+            ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY
+        )
     return figure.describe(
         f"""Figure 12. Bifurcation set over inclination and friction, {BASE_TEXT}: three equilibria in
         contact
@@ -97,20 +103,34 @@ def figure_12() -> Sheet:
 def figure_14(*, detail: float = 1.0) -> Sheet:
     """Surface and bifurcation set at σ = 1, with flutter."""
     figure = Sheet(figsize=(DOUBLE, 3.3))
-    space, plane = space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
+    space, plane = (
+        space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95),
+        figure.add_axes((0.64, 0.16, 0.345, 0.74)),
+    )
     p = Parameters.article(sigma=1.0)
     onsets = ss.flutter_boundary(p)
     flutter = [
-        on_surface(*(column[onsets.curve == number] for column in (onsets.mu0, onsets.theta0, onsets.x)))
+        on_surface(
+            *(column[onsets.curve == number] for column in (onsets.mu0, onsets.theta0, onsets.x))
+        )
         for number in np.unique(onsets.curve)
     ]
     shown = table_of_lines(flutter)
     tables = {
         "a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail),
-        "b": _regions(plane, p, {(40, 0.13): "3", (150, 0.13): "3", (98, 0.75): "1"}), "a_flutter": shown, "b_flutter": shown,
-    }  # fmt: skip
+        "b": _regions(plane, p, {(40, 0.13): "3", (150, 0.13): "3", (98, 0.75): "1"}),
+        "a_flutter": shown,
+        "b_flutter": shown,
+    }
     for line in flutter:
-        plane.plot(line[:, 0], line[:, 1], color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
+        plane.plot(
+            line[:, 0],
+            line[:, 1],
+            color=GREEN,
+            linewidth=1.2,
+            linestyle=LINES[Stability.FLUTTER],
+            zorder=3,
+        )
     for x in (6, 157):
         write_along(plane, "flutter", x, 0.85, color=GREEN)
     figure.text(0.02, 0.95, "(a)", va="center")
@@ -132,10 +152,17 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
         write_along(ax, text, *place, ha="center", fontsize=10)
     theta0, mu0 = np.degrees(found.cusps.theta0[0]), found.cusps.mu0[0]
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
-    return stacked([{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves], "curve")
+    return stacked(
+        [{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves],
+        "curve",
+    )
 
 
-_SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
+_SHEET_COLORS = {
+    Stability.STABLE: "#b3d9f0",
+    Stability.DIVERGENT: "#f7b78f",
+    Stability.FLUTTER: "#96dcc0",
+}
 #: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under which it is seen.
 _ASPECT, _RANGE, _ELEVATION, _AZIMUTH = (1.25, 1.1, 0.9), (180.0, 1.0, 4.0), 24.0, -118.0
 #: Columns of points.
@@ -153,16 +180,25 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
     found = ss.surface(p, _directions(p, theta0, n), theta0[:, None])
     friction, x, within = found.mu0, found.x, np.clip(found.mu0, *MU0_RANGE)
     kept = friction == within
-    for side in (1, -1) * 4:  # vertices beyond an end of the range come back to it, on the line to a neighbour within
+    for side in (
+        1,
+        -1,
+    ) * 4:  # vertices beyond an end of the range come back to it, on the line to a neighbour within
         beside, there = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
         moves = (friction != within) & (beside == np.clip(beside, *MU0_RANGE))
         share = (within - friction) / np.where(moves, beside - friction, np.inf)
         friction, x = np.where(moves, within, friction), x + share * (there - x)
     vertices = np.stack(
-        [np.broadcast_to(theta0_deg[:, None], x.shape), np.where(friction == within, friction, np.nan), x], axis=-1
+        [
+            np.broadcast_to(theta0_deg[:, None], x.shape),
+            np.where(friction == within, friction, np.nan),
+            x,
+        ],
+        axis=-1,
     )
     cells, inside = (
-        np.stack([columns[:-1, :-1], columns[1:, :-1], columns[1:, 1:], columns[:-1, 1:]], axis=2) for columns in (vertices, kept)
+        np.stack([columns[:-1, :-1], columns[1:, :-1], columns[1:, 1:], columns[:-1, 1:]], axis=2)
+        for columns in (vertices, kept)
     )
     whole = np.isfinite(cells).all(axis=(2, 3)) & inside.any(axis=2)
     return cells[whole], found.stability[:-1, :-1][whole]
@@ -171,7 +207,9 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
 def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     """For each θ₀ directions in contact, evenly spaced on the surface as it is shown."""
     kappa, sigma = p.scalars("kappa", "sigma")
-    start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))  # contact is sin θ above it
+    start = np.arcsin(
+        np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0)
+    )  # contact is sin θ above it
     u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
     share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
     theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
@@ -182,21 +220,34 @@ def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     steps = np.hypot(np.diff(shown, axis=1), weight * np.diff(found.x, axis=1))
     length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)
     even = np.linspace(0.0, 1.0, n)
-    return np.array([np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)])
+    return np.array(
+        [np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)]
+    )
 
 
 def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
     """Axes in three dimensions, for print."""
-    ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False, proj_type="ortho", elev=_ELEVATION, azim=_AZIMUTH)
+    ax: Any = figure.add_axes(
+        place,
+        projection="3d",
+        computed_zorder=False,
+        proj_type="ortho",
+        elev=_ELEVATION,
+        azim=_AZIMUTH,
+    )
     ax.tick_params(pad=-2)
     ax.zaxis.set_rotate_label(False)
     ax.set_box_aspect(_ASPECT, zoom=zoom)
-    angle_axis(ax, step=45, ylabel=r"$\mu_0$", ylim=MU0_RANGE, zlim=(-2, 2), zticks=np.arange(-2, 3, 1))
+    angle_axis(
+        ax, step=45, ylabel=r"$\mu_0$", ylim=MU0_RANGE, zlim=(-2, 2), zticks=np.arange(-2, 3, 1)
+    )
     ax.set_zlabel(LABELS["x"], rotation=90)
     return ax
 
 
-def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float) -> Table:
+def draw_surface(
+    ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float
+) -> Table:
     """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a sheet thin dashes."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
@@ -221,8 +272,16 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
         polygons.append(ribbon)
         faces.append(np.repeat(to_rgba_array(color), len(ribbon), axis=0))
     every = np.concatenate(faces)
-    ax.add_collection3d(Poly3DCollection(np.concatenate(polygons), facecolors=every, edgecolors=every, linewidths=0.3,
-                                         rasterized=True, zorder=1))  # fmt: skip
+    ax.add_collection3d(
+        Poly3DCollection(
+            np.concatenate(polygons),
+            facecolors=every,
+            edgecolors=every,
+            linewidths=0.3,
+            rasterized=True,
+            zorder=1,
+        )
+    )
     cusps = np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x
     ax.plot(*cusps, "o", markersize=4, color=BLACK, zorder=5)
     return table_of_lines(folds)
@@ -230,12 +289,23 @@ def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]]
 
 def table_of_lines(lines: Iterable[FloatArray]) -> Table:
     """The points of lines that are shown."""
-    return stacked([dict(zip(POINT, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines], "curve", POINT)
+    return stacked(
+        [dict(zip(POINT, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines],
+        "curve",
+        POINT,
+    )
 
 
 def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:
     """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that the line breaks there."""
-    return np.stack([np.degrees(theta0), np.where((mu0 >= MU0_RANGE[0]) & (mu0 <= MU0_RANGE[1]), mu0, np.nan), x], axis=-1)
+    return np.stack(
+        [
+            np.degrees(theta0),
+            np.where((mu0 >= MU0_RANGE[0]) & (mu0 <= MU0_RANGE[1]), mu0, np.nan),
+            x,
+        ],
+        axis=-1,
+    )
 
 
 #: Parameter → (range shown, the article's samples, an interval that holds the critical value, frictions on a logarithmic axis).
@@ -273,13 +343,29 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     for value in samples:
         friction = float(ss.critical_friction(p.replace(**{name: value})))
         filled = BLUE if friction < mu0 else "white"
-        ax.plot(value, friction, "o", markersize=4.5, color=BLUE, markerfacecolor=filled, zorder=3, clip_on=False)
+        ax.plot(
+            value,
+            friction,
+            "o",
+            markersize=4.5,
+            color=BLUE,
+            markerfacecolor=filled,
+            zorder=3,
+            clip_on=False,
+        )
     critical = ss.critical_value(p, name, bracket)
     line_at(ax, critical, VERMILION)
     if ticks:
         ax.set(xscale="log", yscale="log")
         plain_ticks(ax.yaxis, ticks)
-        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, VERMILION, transform=ax.get_xaxis_transform())
+        write_along(
+            ax,
+            f"{critical:.3g}",
+            critical * 1.12,
+            0.06,
+            VERMILION,
+            transform=ax.get_xaxis_transform(),
+        )
     else:
         ax.set(ylim=(0, 0.9))
         write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, VERMILION)
@@ -303,7 +389,9 @@ def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
 def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Smallest relative distance of two roots of the quartic in L and of that in t = tan(θ/2)."""
     given = _given(p, theta0)
-    return _gap(_equilibrium.contact_quartic(*given[:-1])), _gap(_equilibrium.t_quartic(*_equilibrium.f_coefficients(*given)))
+    return _gap(_equilibrium.contact_quartic(*given[:-1])), _gap(
+        _equilibrium.t_quartic(*_equilibrium.f_coefficients(*given))
+    )
 
 
 def false_double_roots(p: Parameters) -> FloatArray:
@@ -321,7 +409,11 @@ def figure_false_double_root() -> Sheet:
     figure, (axes,) = panels(1, 2, DOUBLE, 2.6, sharey=True)
     p = Parameters.article()
     true, false = np.degrees(ss.folds(p).theta0), np.degrees(false_double_roots(p))
-    near = [centre + side * np.geomspace(1e-8, 10, 150) for centre in (*true, *false) for side in (-1, 1)]
+    near = [
+        centre + side * np.geomspace(1e-8, 10, 150)
+        for centre in (*true, *false)
+        for side in (-1, 1)
+    ]
     angles = np.unique(np.concatenate([np.linspace(0.5, 179.5, 400), *near]))
     angles = angles[(angles > 0.1) & (angles < 179.9)]
     gaps = root_gaps(p, np.radians(angles))
@@ -341,5 +433,6 @@ def figure_false_double_root() -> Sheet:
         quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both have a double
         root at the two folds; that in L has another where two different equilibria share the length
         σ/(σ + α), and where x and y can't be recovered from it.""",
-        a={"theta0_deg": angles, "gap_L": gaps[0]}, b={"theta0_deg": angles, "gap_t": gaps[1]},
-    )  # fmt: skip
+        a={"theta0_deg": angles, "gap_L": gaps[0]},
+        b={"theta0_deg": angles, "gap_t": gaps[1]},
+    )

@@ -82,9 +82,15 @@ def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
 
 
 def branches(
-    p: ParameterSet, vary: str | None = None, low: float | None = None, high: float | None = None, *,
-    contact: bool = True, damping: bool = False, n: int = 200,
-) -> list[Branch]:  # fmt: skip
+    p: ParameterSet,
+    vary: str | None = None,
+    low: float | None = None,
+    high: float | None = None,
+    *,
+    contact: bool = True,
+    damping: bool = False,
+    n: int = 200,
+) -> list[Branch]:
     """All equilibrium curves of any model as one parameter varies, cut at folds, and where their stability changes.
 
     Parameters
@@ -113,17 +119,24 @@ def branches(
 
 def curves_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
-) -> Iterator[Branch]:  # fmt: skip
+) -> Iterator[Branch]:
     """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds.
 
     A curve between two cuts is split by stability; at a fold it is extended to the exact point.
     """
     for eq, at, cuts in chains_between(p, vary, ends, turns, damping, n):
-        columns = {vary: getattr(eq.parameters, vary)[at[0]], **{name: getattr(eq, name)[at] for name in eq.columns}}
+        columns = {
+            vary: getattr(eq.parameters, vary)[at[0]],
+            **{name: getattr(eq, name)[at] for name in eq.columns},
+        }
         kinds = eq.stability[at]
         if damping:  # where the sign of the growth is not proved, the type by (27) stays
             sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
-            grows = np.where(np.abs(fastest.imag) <= REAL * np.abs(fastest), Stability.DIVERGENT, Stability.FLUTTER)
+            grows = np.where(
+                np.abs(fastest.imag) <= REAL * np.abs(fastest),
+                Stability.DIVERGENT,
+                Stability.FLUTTER,
+            )
             kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
         for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
             folds, count = np.flatnonzero(getattr(turns, vary) == cut), eq.count[side]
@@ -131,9 +144,13 @@ def curves_between(
                 continue
             fold = {name: getattr(turns, name)[folds[0]] for name in columns}
             away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
-            if at[1][side] in np.argsort(np.hypot.reduce(away))[:2]:  # one of the two states that meet there
+            if (
+                at[1][side] in np.argsort(np.hypot.reduce(away))[:2]
+            ):  # one of the two states that meet there
                 place = side % (kinds.size + 1)
-                columns = {name: np.insert(column, place, fold[name]) for name, column in columns.items()}
+                columns = {
+                    name: np.insert(column, place, fold[name]) for name, column in columns.items()
+                }
                 kinds = np.insert(kinds, place, kinds[side])
         for part in runs(kinds):
             states = picked(columns, part)
@@ -142,7 +159,7 @@ def curves_between(
 
 def chains_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
-) -> Iterator[tuple[Equilibria, States, Span]]:  # fmt: skip
+) -> Iterator[tuple[Equilibria, States, Span]]:
     """Equilibria between two cuts, those of one curve by their indices into the columns, and the two cuts."""
     inner: list[float] = []  # folds and onsets of flutter, as far as these are known
     if turns is not None:
@@ -150,11 +167,18 @@ def chains_between(
         with suppress(SpragsymError):
             inner += getattr(ss.flutter_onsets(p, vary, damping=damping), vary).tolist()
     low, high = ends
-    for begin, end in itertools.pairwise([low, *sorted({value for value in inner if low < value < high}), high]):
+    for begin, end in itertools.pairwise(
+        [low, *sorted({value for value in inner if low < value < high}), high]
+    ):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
-        eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
-        curve, numbers = np.zeros(eq.stability.shape, dtype=int), itertools.count(1)  # of each state the number of its curve
+        eq = ss.equilibria(
+            p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None
+        )
+        curve, numbers = (
+            np.zeros(eq.stability.shape, dtype=int),
+            itertools.count(1),
+        )  # of each state the number of its curve
         for place, pairs in enumerate([{}, *linked(p, vary, eq, turns)]):
             before = {other: curve[place - 1, one] for one, other in pairs.items()}
             for slot in range(eq.count[place]):
@@ -175,7 +199,9 @@ def _range(
     inset = 1e-4 if allowed.open_low else 0.0
     low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
     if not allowed.low <= low < high <= allowed.high:
-        raise ParameterError(f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first")
+        raise ParameterError(
+            f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first"
+        )
     return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
 
 
@@ -212,16 +238,35 @@ def mark_folds(
     along = getattr(turns, turns.vary[0])
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
-    x, y = as_drawn(model, turns.vary[0], along[inside]), as_drawn(model, quantity, getattr(turns, quantity)[inside])
-    style = {"linestyle": "none", "marker": "o", "markersize": 3.4, "color": BLACK, "zorder": 3, **options}
+    x, y = (
+        as_drawn(model, turns.vary[0], along[inside]),
+        as_drawn(model, quantity, getattr(turns, quantity)[inside]),
+    )
+    style = {
+        "linestyle": "none",
+        "marker": "o",
+        "markersize": 3.4,
+        "color": BLACK,
+        "zorder": 3,
+        **options,
+    }
     return own_axes(ax).plot(x, y, **style)
 
 
 def plot_equilibria(
-    p: ParameterSet, quantity: str | None = None, vary: str | None = None, *,
-    low: float | None = None, high: float | None = None, contact: bool = True, damping: bool = False,
-    ax: Axes | None = None, color: str = BLACK, n: int = 200, **options: Any,
-) -> list[Line2D]:  # fmt: skip
+    p: ParameterSet,
+    quantity: str | None = None,
+    vary: str | None = None,
+    *,
+    low: float | None = None,
+    high: float | None = None,
+    contact: bool = True,
+    damping: bool = False,
+    ax: Axes | None = None,
+    color: str = BLACK,
+    n: int = 200,
+    **options: Any,
+) -> list[Line2D]:
     """All equilibrium curves of any model as a parameter varies, folds marked.
 
     Parameters
@@ -260,7 +305,9 @@ def plot_equilibria(
     quantity = quantity or model.coordinates[0]
     one_of("quantity", quantity, columns_of(model))
     name_axes(ax, model, vary, quantity)
-    lines = draw_branches(curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options)
+    lines = draw_branches(
+        curves_between(p, vary, ends, turns, damping, n), quantity, ax=ax, color=color, **options
+    )
     if turns is not None:
         lines += mark_folds(turns, quantity, ax=ax, color=color)
     return lines
@@ -270,7 +317,9 @@ def table_of(curves: Iterable[Branch]) -> Table:
     """Branches as columns, one after the other."""
     tables = list[Table]()
     for curve in curves:
-        columns = {titled(curve.model, name): curve.shown(name) for name in (curve.vary, *curve.states)}
+        columns = {
+            titled(curve.model, name): curve.shown(name) for name in (curve.vary, *curve.states)
+        }
         tables.append({"stability": curve.stability.name.lower(), **columns})
     return stacked(tables, "branch")
 
@@ -292,7 +341,10 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     stops = np.searchsorted(forward * values, forward * jumps[:, 0], side="right")
     whole = np.insert(np.stack([values, getattr(path, quantity)], axis=1), stops, jumps, axis=0)
     pieces = np.split(whole, stops[::2] + np.arange(1, stops.size, 2))
-    return [(as_drawn(model, path.vary, piece[:, 0]), as_drawn(model, quantity, piece[:, 1])) for piece in pieces]
+    return [
+        (as_drawn(model, path.vary, piece[:, 0]), as_drawn(model, quantity, piece[:, 1]))
+        for piece in pieces
+    ]
 
 
 @styled
@@ -327,14 +379,27 @@ def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> A
     way = x[-1] - x[0]
     i = np.clip(np.count_nonzero((x - (x[0] + share * way)) * way < 0), 1, x.size - 1)
     near = (x[i] + 1e-3 * (x[i - 1] - x[i]), y[i] + 1e-3 * (y[i - 1] - y[i]))
-    props = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9, "linewidth": 0.8}
+    props = {
+        "arrowstyle": "-|>",
+        "color": color,
+        "shrinkA": 0,
+        "shrinkB": 0,
+        "mutation_scale": 9,
+        "linewidth": 0.8,
+    }
     return ax.annotate("", (x[i], y[i]), near, arrowprops=props)
 
 
 def plot_eigenvalues(
-    p: ParameterSet, vary: str | None = None, *, low: float | None = None, high: float | None = None, contact: bool = True,
-    axes: tuple[Axes, Axes] | None = None, n: int = 200,
-) -> list[Line2D]:  # fmt: skip
+    p: ParameterSet,
+    vary: str | None = None,
+    *,
+    low: float | None = None,
+    high: float | None = None,
+    contact: bool = True,
+    axes: tuple[Axes, Axes] | None = None,
+    n: int = 200,
+) -> list[Line2D]:
     """Imaginary and real parts of the eigenvalues λ of all equilibria of any model as a parameter varies.
 
     Black by the full linearization, det(λ² M + λ C + K) = 0, and red where that λ grows by more than 1e-4 of its size; grey by
@@ -378,9 +443,14 @@ def plot_eigenvalues(
 
 @styled
 def eigenvalue_figure(
-    p: ParameterSet, vary: str | None = None, *, low: float | None = None, high: float | None = None, contact: bool = True,
+    p: ParameterSet,
+    vary: str | None = None,
+    *,
+    low: float | None = None,
+    high: float | None = None,
+    contact: bool = True,
     n: int = 200,
-) -> Sheet:  # fmt: skip
+) -> Sheet:
     """Frequencies above growth rates, as a figure; arguments as :func:`plot_eigenvalues`."""
     figure, axes = panels(2, 1, SINGLE, 4.2, sharex=True)
     vary = model_of(p).one(vary)
@@ -400,7 +470,9 @@ def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
     for row in range(1, len(out)):
         ahead = out[row - 1]
         if row > 1:
-            ahead = ahead + (ahead - out[row - 2]) * (values[row] - values[row - 1]) / (values[row - 1] - values[row - 2])
+            ahead = ahead + (ahead - out[row - 2]) * (values[row] - values[row - 1]) / (
+                values[row - 1] - values[row - 2]
+            )
         off = np.abs(ahead[:, None] - every[row])
         if np.isfinite(off).all():
             out[row] = every[row, linear_sum_assignment(off)[1]]
@@ -408,7 +480,13 @@ def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
 
 
 def _drawn(
-    axes: Sequence[Axes], p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool, n: int
+    axes: Sequence[Axes],
+    p: ParameterSet,
+    vary: str | None,
+    low: float | None,
+    high: float | None,
+    contact: bool,
+    n: int,
 ) -> tuple[list[Line2D], Table, Table]:
     """The lines, and tables of frequencies and of growth rates: of each λ with damping, then of each without."""
     vary, ends, turns = _range(p, vary, low, high, contact)
@@ -416,9 +494,15 @@ def _drawn(
     nowhere = complex(np.nan, np.nan)
     for eq, at, _ in chains_between(p, vary, ends, turns, False, n):
         values = getattr(eq.parameters, vary)[at[0]]
-        damped, undamped = (_followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues))
+        damped, undamped = (
+            _followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues)
+        )
         growing = np.where(damped.real > NEUTRAL * np.abs(damped), damped, nowhere)
-        for every, color, width in ((undamped, GREY, 0.7), (damped, BLACK, 1.1), (growing, VERMILION, 1.5)):
+        for every, color, width in (
+            (undamped, GREY, 0.7),
+            (damped, BLACK, 1.1),
+            (growing, VERMILION, 1.5),
+        ):
             upper = np.where(every.imag >= 0, every, nowhere)
             for ax, part in zip(axes, (upper.imag, upper.real), strict=True):
                 lines += ax.plot(as_drawn(model, vary, values), part, color=color, linewidth=width)
@@ -434,10 +518,18 @@ def _drawn(
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)
     axes[1].set_xlabel(label(model, vary))
     imag, real = (
-        stacked([
-            {vary: values} | {f"{name}_{i}": getattr(of, part) for name, one in both.items() for i, of in enumerate(one.T, 1)}
-            for values, both in courses
-        ], "curve")
+        stacked(
+            [
+                {vary: values}
+                | {
+                    f"{name}_{i}": getattr(of, part)
+                    for name, one in both.items()
+                    for i, of in enumerate(one.T, 1)
+                }
+                for values, both in courses
+            ],
+            "curve",
+        )
         for part in ("imag", "real")
-    )  # fmt: skip
+    )
     return lines, imag, real

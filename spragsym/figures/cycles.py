@@ -86,13 +86,21 @@ def figure_cycles() -> Sheet:
     # The branches that ``python -m validation.cycle_search`` found, with how they were looked for.
     found = json.loads(shipped_text("spragsym.figures", "cycles.json"))
     for curve in rest:  # |x| is the root mean square
-        ax.plot(curve.shown("theta0"), np.abs(curve.x), color=BLACK, linestyle=LINES[curve.stability], linewidth=1.0)
+        ax.plot(
+            curve.shown("theta0"),
+            np.abs(curve.x),
+            color=BLACK,
+            linestyle=LINES[curve.stability],
+            linewidth=1.0,
+        )
     colours: dict[str, str] = {}
     columns, events = list[Table](), list[tuple[Any, ...]]()
     for line in found["branches"]:
         family, _, doubled = line["name"].partition(",")
         colour = colours.setdefault(family, COLOURS[len(colours) % len(COLOURS)])
-        theta0, periods, heights, is_stable = (np.array(line[name]) for name in ("theta0", "period", "rms", "stable"))
+        theta0, periods, heights, is_stable = (
+            np.array(line[name]) for name in ("theta0", "period", "rms", "stable")
+        )
         angles, stable = np.degrees(theta0), is_stable == 1
         draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
@@ -103,13 +111,31 @@ def figure_cycles() -> Sheet:
         for kind, at, length, rms, how in line["events"]:
             events.append((line["name"], kind, np.degrees(at), length, rms, how))
             if kind in MARKERS:
-                ax.plot(np.degrees(at), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
-        columns.append({"branch": line["name"], "theta0_deg": angles, "period": periods,
-                        "rms_x": heights, "stable": is_stable})  # fmt: skip
+                ax.plot(
+                    np.degrees(at),
+                    rms,
+                    MARKERS[kind],
+                    color=colour,
+                    markersize=3,
+                    markerfacecolor="white",
+                )
+        columns.append(
+            {
+                "branch": line["name"],
+                "theta0_deg": angles,
+                "period": periods,
+                "rms_x": heights,
+                "stable": is_stable,
+            }
+        )
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
-    fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)))
+    fate = fate_boundary(
+        Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0))
+    )
     places = np.degrees(fate.value), first_fold(Parameters.article()), first_fold(_sliding())
-    for line_place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
+    for line_place, colour, style in zip(
+        places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True
+    ):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
     return figure.describe(
@@ -122,15 +148,16 @@ def figure_cycles() -> Sheet:
         Cycles were looked for from {found["starts"]} starts at each of {len(found["inclinations_deg"])} inclinations, along
         their branches, and from stable doublings; they are not proved to be all, and branches that end in the open were not
         followed farther. Numbers: a period on the stable part. Some unstable cycles lie above the frame.""",
-        a_equilibria=table_of(rest), a_branches=stacked(columns),
+        a_equilibria=table_of(rest),
+        a_branches=stacked(columns),
         a_events=dict(zip(names, zip(*events, strict=True), strict=True)),
         a_lines={"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": places},
-    )  # fmt: skip
+    )
 
 
 def draw_stretches(
     ax: Axes, values: FloatArray, heights: FloatArray, stable: BoolArray, colour: str, width: float
-) -> None:  # fmt: skip
+) -> None:
     """A branch: full where stable, dashed where not, without a gap between."""
     for part in runs(stable):
         style = "-" if stable[part][0] else (0, (3, 1.5))
@@ -153,7 +180,14 @@ def draw_cycles(
     at = [*changes]
     values = np.insert(branch.values, at, [event.value for event in changes.values()])
     curve = np.insert(heights, at, [height_of(event.cycle) for event in changes.values()])
-    draw_stretches(ax, units[0] * values, units[1] * curve, np.insert(branch.stable, at, branch.stable[at]), colour, 1.3)
+    draw_stretches(
+        ax,
+        units[0] * values,
+        units[1] * curve,
+        np.insert(branch.stable, at, branch.stable[at]),
+        colour,
+        1.3,
+    )
 
 
 @styled
@@ -162,7 +196,9 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     require_kind("branch", branch, CycleBranch, "one of ss.cycle_branch(...)")
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     field = branch.cycles[0].field
-    (along, unit), (first, one) = (shown(field, name) for name in (branch.vary, field.coordinates[0]))
+    (along, unit), (first, one) = (
+        shown(field, name) for name in (branch.vary, field.coordinates[0])
+    )
     for ax, size, heights, height_of, up in (
         (left, one, branch.rms, attrgetter("rms"), f"RMS of {first}"),
         (right, 1.0, branch.periods, attrgetter("period"), "period"),
@@ -175,7 +211,11 @@ def branch_figure(branch: CycleBranch) -> Sheet:
                 ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")
     return figure.describe(
         "A branch of cycles: full where stable, dashed where not; circles are period doublings, squares folds, bars grazings.",
-        a={branch.vary: branch.values, f"rms_{field.coordinates[0]}": branch.rms, "stable": branch.stable},
+        a={
+            branch.vary: branch.values,
+            f"rms_{field.coordinates[0]}": branch.rms,
+            "stable": branch.stable,
+        },
         b={branch.vary: branch.values, "period": branch.periods},
     )
 
@@ -203,20 +243,29 @@ def _along(vary: str) -> CycleBranch:
 @styled
 def figure_cycles_plane(
     *, frictions: tuple[float, ...] = FRICTIONS, curves: tuple[str, ...] = tuple(CURVES)
-) -> Sheet:  # fmt: skip
+) -> Sheet:
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
     figure, ax = single(DOUBLE, 3.6)
     followed = functools.cache(_along)
     for name in curves:
         vary, kind, nearest, points, text, place = CURVES[name]
         event = min(followed(vary).of(kind), key=lambda event: abs(event.value - nearest))
-        found = cycle_events(event, ("theta0", "mu0"), to={"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)}, points=points)
+        found = cycle_events(
+            event, ("theta0", "mu0"), to={"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)}, points=points
+        )
         angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
         colour = BLUE if kind == "period_doubling" else VERMILION
         ax.plot(angles, friction, color=colour)
         write_along(ax, text, *place, color=colour)
-        figure.tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
-    still = [{"theta0_deg": np.degrees(one.theta0), "mu0": one.mu0} for one in ss.bifurcation_set(Parameters.article()).curves]
+        figure.tables[f"a_{name}"] = {
+            "theta0_deg": angles,
+            "mu0": friction,
+            "period": found.periods,
+        }
+    still = [
+        {"theta0_deg": np.degrees(one.theta0), "mu0": one.mu0}
+        for one in ss.bifurcation_set(Parameters.article()).curves
+    ]
     for folds in still:
         ax.plot(*folds.values(), color=GREY, linewidth=0.9)
     fates = {"theta0_deg": list[float](), "mu0": list[float]()}
@@ -234,13 +283,18 @@ def figure_cycles_plane(
         equilibria, at μ₀. Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed.
         At 42° this cycle is stable for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
         changes its fate, about 3° before the fold of the equilibria at every friction. Other cycles have curves of their own.""",
-        a_statics=stacked(still), a_fates=fates,
-    )  # fmt: skip
+        a_statics=stacked(still),
+        a_fates=fates,
+    )
 
 
 #: Kinds of a map that have one colour, and its name.
-PLAIN = {Kind.REST: ("#d9d9d9", "rest"), Kind.CHAOTIC: (VERMILION, "chaotic"), Kind.LIFT_OFF: (SKY, "lift-off"),
-         Kind.UNDECIDED: ("white", "undecided")}  # fmt: skip
+PLAIN = {
+    Kind.REST: ("#d9d9d9", "rest"),
+    Kind.CHAOTIC: (VERMILION, "chaotic"),
+    Kind.LIFT_OFF: (SKY, "lift-off"),
+    Kind.UNDECIDED: ("white", "undecided"),
+}
 
 
 @styled
@@ -250,34 +304,53 @@ def fate_map_figure(found: FateMap) -> Sheet:
     shape, model = found.kind.shape, found.model
     varied = [name for name, values in found.inputs.items() if values.size > 1]
     if len(varied) != 2 or found.kind.size != math.prod(found.inputs[name].size for name in varied):
-        raise ParameterError(f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters")
-    every = {name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel()) for name in varied}
+        raise ParameterError(
+            f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters"
+        )
+    every = {
+        name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel())
+        for name in varied
+    }
     across, up = map(np.unique, every.values())
-    place = np.unique([*every.values()][::-1], axis=1, return_index=True)[1].reshape(up.size, across.size)  # once each
+    place = np.unique([*every.values()][::-1], axis=1, return_index=True)[1].reshape(
+        up.size, across.size
+    )  # once each
     kind, period = found.kind.ravel()[place], found.period.ravel()[place]
     figure, ax = single(DOUBLE, 3.2)
     patches = []
     for code, (colour, word) in PLAIN.items():
         if (kind == code).any():
             patches.append(Patch(facecolor=colour, edgecolor=GREY, label=word))
-        ax.pcolormesh(across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
-    image = ax.pcolormesh(across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
+        ax.pcolormesh(
+            across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour])
+        )
+    image = ax.pcolormesh(
+        across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm()
+    )
     undecided, irregular = found.kind == Kind.UNDECIDED, found.exponent > found.exponent_error
-    for marker, colour, size, here in (("x", GREY, 3, undecided & ~irregular), ("+", VERMILION, 5, undecided & irregular)):
-        ax.plot(*(values[here.ravel()] for values in every.values()), marker, color=colour, markersize=size)
+    for marker, colour, size, here in (
+        ("x", GREY, 3, undecided & ~irregular),
+        ("+", VERMILION, 5, undecided & irregular),
+    ):
+        ax.plot(
+            *(values[here.ravel()] for values in every.values()),
+            marker,
+            color=colour,
+            markersize=size,
+        )
     if (kind == Kind.CYCLE).any():
         figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
     ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
     return figure.describe(
-        f"""What the motion comes to by τ = {found.t_end:g}, over {' and '.join(varied)}: {counts}. Cycles, by their colour the
+        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(varied)}: {counts}. Cycles, by their colour the
         period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is told by the 95 %
         intervals of Lyapunov exponents, as far as the motion was followed; crosses are undecided, upright
         ones in colour with an exponent above its 95 % interval: irregular so far.""",
         a={titled(model, name): values for name, values in every.items()}
         | {"kind": found.kind.ravel(), "period": found.period.ravel()},
-    )  # fmt: skip
+    )
 
 
 #: Of labels; those that are not here are left to the table.
@@ -291,20 +364,36 @@ def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
     require_kind("found", found, Diagram, "one of ss.diagram(...)")
     figure, ax = single(DOUBLE, 3.6)
-    (title, height), units = zip(*(shown(found.model, name) for name in (found.vary, found.name)), strict=True)
+    (title, height), units = zip(
+        *(shown(found.model, name) for name in (found.vary, found.name)), strict=True
+    )
     unit, one = units
     for i, rest in enumerate(found.equilibria):
         colour = BLACK if rest.mode == "contact" else GREY
         draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
-        figure.tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
+        figure.tables[f"equilibria_{i + 1}"] = {
+            found.vary: rest.values,
+            found.name: rest.states[:, 0],
+            "stable": rest.stable,
+        }
     for i, branch in enumerate(found.cycles):
         colour = COLOURS[i % len(COLOURS)]
         draw_cycles(ax, branch, units, branch.highest, lambda cycle: cycle.state[0], colour)
-        draw_cycles(ax, branch, units, branch.lowest, lambda cycle: cycle.state[0] - 2 * cycle.amplitude, colour)
+        draw_cycles(
+            ax,
+            branch,
+            units,
+            branch.lowest,
+            lambda cycle: cycle.state[0] - 2 * cycle.amplitude,
+            colour,
+        )
         figure.tables[f"cycles_{i + 1}"] = {
-            found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
+            found.vary: branch.values,
+            "period": branch.periods,
+            "lowest": branch.lowest,
+            "highest": branch.highest,
             "stable": branch.stable,
-        }  # fmt: skip
+        }
     limits = [unit * end for end in found.to]
     ax.set(xlim=limits, xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
     ax.margins(y=0.12)
@@ -315,11 +404,17 @@ def diagram_figure(found: Diagram) -> Sheet:
         name, at = one_label.label, (unit * one_label.value, one * one_label.height)
         if name not in LABEL_MARKERS:
             continue
-        ax.plot(*at, LABEL_MARKERS[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4)
+        ax.plot(
+            *at, LABEL_MARKERS[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
+        )
         x, y = inside.transform(at)
-        if not any(name == other and abs(x - left) + abs(y - low) < CLOSE for other, left, low in named):
+        if not any(
+            name == other and abs(x - left) + abs(y - low) < CLOSE for other, left, low in named
+        ):
             named.append((name, x, y))
-            ax.annotate(name, at, xytext=_aside(one_label, (x, y)), textcoords="offset points", fontsize=7)
+            ax.annotate(
+                name, at, xytext=_aside(one_label, (x, y)), textcoords="offset points", fontsize=7
+            )
     if not (found.equilibria or found.cycles):
         say(ax, "no equilibria and no cycles found here")
     columns = {"label": "label", found.vary: "value", found.name: "height"}
@@ -328,7 +423,10 @@ def diagram_figure(found: Diagram) -> Sheet:
         where stable, dashed where not. LP folds and H Hopf points of equilibria; of cycles LPC folds, PD period doublings, NS
         tori, BPC crossings, HC homoclinic ends. Cycles are those that were followed from Hopf points, starts and doublings: there
         may be others.""",
-        labels={title: np.array([getattr(one, name) for one in found.labels]) for title, name in columns.items()},
+        labels={
+            title: np.array([getattr(one, name) for one in found.labels])
+            for title, name in columns.items()
+        },
     )
 
 
@@ -336,4 +434,7 @@ def _aside(label: Label, place: tuple[float, float]) -> tuple[float, float]:
     """Where the text of a label stands, in points: inside of the frame."""
     if label.label == "H":
         return (-11.0, 5.0)
-    return (-16.0 if place[0] > 0.93 else 4.0, -10.0 if place[1] > 0.93 or label.of == "equilibria" else 4.0)
+    return (
+        -16.0 if place[0] > 0.93 else 4.0,
+        -10.0 if place[1] > 0.93 or label.of == "equilibria" else 4.0,
+    )

@@ -13,7 +13,16 @@ import spragsym as ss
 from ..assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters
 from ..results import Path
-from .curves import LABELS, Branch, branches, draw_branches, draw_path, mark_folds, passages, table_of
+from .curves import (
+    LABELS,
+    Branch,
+    branches,
+    draw_branches,
+    draw_path,
+    mark_folds,
+    passages,
+    table_of,
+)
 from .style import (
     BASE_TEXT,
     BLACK,
@@ -74,8 +83,13 @@ def figure_5() -> Sheet:
     for row, (mu0, lowest) in enumerate(((0.5, (-0.1, 0.01)), (0.7, (-0.23, 0.08)))):
         p = Parameters.article(mu0=mu0)
         curves = branches(p)
-        for ax, name, letter, ylim in zip(axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True):
-            figure.tables[letter], (figure.tables[f"{letter}_linear"], _) = table_of(curves), draw_linear(ax, p, name)
+        for ax, name, letter, ylim in zip(
+            axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True
+        ):
+            figure.tables[letter], (figure.tables[f"{letter}_linear"], _) = (
+                table_of(curves),
+                draw_linear(ax, p, name),
+            )
             draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
     for ax, place in zip(axes[:, 0], (86, 92), strict=True):
@@ -101,12 +115,21 @@ def draw_linear(ax: Axes, p: Parameters, name: str) -> tuple[Table, FloatArray]:
     ax.plot(angles, getattr(model, name), color=BLUE, linewidth=1.0)
     for pole in poles:
         line_at(ax, pole, BLUE, 0.6)
-    return {"theta0_deg": angles.T.ravel(), "x_linear": model.x.T.ravel(), "y_linear": model.y.T.ravel()}, poles
+    return {
+        "theta0_deg": angles.T.ravel(),
+        "x_linear": model.x.T.ravel(),
+        "y_linear": model.y.T.ravel(),
+    }, poles
 
 
 def draw_panel(
-    ax: Axes, p: Parameters | None, curves: Iterable[Branch], name: str = "x", color: str = BLACK, **limits: Any
-) -> None:  # fmt: skip
+    ax: Axes,
+    p: Parameters | None,
+    curves: Iterable[Branch],
+    name: str = "x",
+    color: str = BLACK,
+    **limits: Any,
+) -> None:
     """Curves over the inclination, and the folds of a set of parameters."""
     draw_branches(curves, name, ax=ax, color=color)
     if p is not None:
@@ -133,11 +156,15 @@ def figure_9() -> Sheet:
     values = (0.007, 0.07, 0.7)
     labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((40, -0.27), (82, -0.01))]
     figure, ax = _family(9, "alpha", values, labels)
-    low, high = np.degrees(ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0).tolist()
+    low, high = np.degrees(
+        ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0
+    ).tolist()
     _flutter(ax, low, high, -0.14, 8)
     inset = _magnified(ax, "alpha", values)
     _flutter(inset, low, high, -0.002, 7)
-    for value, place, color in zip(values, ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
+    for value, place, color in zip(
+        values, ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True
+    ):
         write_along(inset, rf"$\alpha = {value:g}$", *place, color=color, fontsize=7)
     figure.caption += (
         f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "
@@ -156,7 +183,9 @@ def figure_10() -> Sheet:
     return figure
 
 
-def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]) -> tuple[Sheet, Axes]:
+def _family(
+    number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]
+) -> tuple[Sheet, Axes]:
     """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
     figure, ax = single(SINGLE, 2.9)
     tables = []
@@ -166,7 +195,9 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[
         draw_panel(ax, p, curves, color=color, ylim=(-2.2, 2.4))
         _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
         tables.append({name: value, **table_of(curves)})
-    others = ", ".join(part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name]))
+    others = ", ".join(
+        part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name])
+    )
     sheet = figure.describe(
         f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {
             ", ".join(f"{value:g}" for value in values)
@@ -176,7 +207,9 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[
     return sheet, ax
 
 
-def _point_at(ax: Axes, text: str, target: tuple[float, float], place: tuple[float, float], color: str = BLACK) -> None:
+def _point_at(
+    ax: Axes, text: str, target: tuple[float, float], place: tuple[float, float], color: str = BLACK
+) -> None:
     """A label with a thin line from it to a point of a curve; the line starts beside the text or above it."""
     leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
     ax.annotate(text, target, place, color=color, fontsize=8, va="center", arrowprops=leader)
@@ -186,7 +219,9 @@ def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
     """Axes within others that show small deformation only, where the curves of the outer ones coincide."""
     inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
-        draw_branches(branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0)
+        draw_branches(
+            branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0
+        )
     angle_axis(inset, step=60, ylabel=LABELS["x"], ylim=(-0.02, 0.068), yticks=(0.0, 0.03, 0.06))
     inset.tick_params(labelsize=7)
     for axis in (inset.xaxis, inset.yaxis):
@@ -197,10 +232,26 @@ def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
 
 def _flutter(ax: Axes, low: float, high: float, level: float, fontsize: int) -> None:
     """A bracket below a curve from one θ₀ in degrees to another, between which it flutters."""
-    ax.annotate("", (low, level), (high, level), arrowprops={"arrowstyle": "|-|, widthA=0.2, widthB=0.2", "linewidth": 0.7,
-                                                             "shrinkA": 0, "shrinkB": 0})  # fmt: skip
-    ax.annotate("flutter", ((low + high) / 2, level), (0, -3), textcoords="offset points", ha="center", va="top",
-                fontsize=fontsize)  # fmt: skip
+    ax.annotate(
+        "",
+        (low, level),
+        (high, level),
+        arrowprops={
+            "arrowstyle": "|-|, widthA=0.2, widthB=0.2",
+            "linewidth": 0.7,
+            "shrinkA": 0,
+            "shrinkB": 0,
+        },
+    )
+    ax.annotate(
+        "flutter",
+        ((low + high) / 2, level),
+        (0, -3),
+        textcoords="offset points",
+        ha="center",
+        va="top",
+        fontsize=fontsize,
+    )
 
 
 @styled
@@ -210,7 +261,9 @@ def figure_6() -> Sheet:
     p = Parameters.article(mu0=0.7)
     curves = branches(p)
     values = np.radians(np.linspace(0.5, 179.5, 359))
-    rising, falling = _both_ways(left, p, curves, values, [(0.55,), (0.35, 0.9)], [(40, 0.45), (58, 1.5)])
+    rising, falling = _both_ways(
+        left, p, curves, values, [(0.55,), (0.35, 0.9)], [(40, 0.45), (58, 1.5)]
+    )
     angle_axis(left, ylabel=LABELS["x"], ylim=(-2.1, 2.3))
     linear, (low, high) = draw_linear(right, p, "x")
     right.axvspan(low, high, color=SKY, alpha=0.25, linewidth=0)
@@ -222,8 +275,11 @@ def figure_6() -> Sheet:
         from where that ends it returns without a jump. Thin line: rising, broad line: falling. (b) Linear
         model: between its poles, shaded, there is no steady sliding in contact. {LINES_TEXT}
         {RANGE_TEXT}""",
-        a=table_of(curves), b=linear, a_rising=rising, a_falling=falling,
-    )  # fmt: skip
+        a=table_of(curves),
+        b=linear,
+        a_rising=rising,
+        a_falling=falling,
+    )
 
 
 @styled
@@ -235,9 +291,15 @@ def figure_13() -> Sheet:
         p = Parameters.article(theta0=np.radians(angle))
         curves = branches(p, "mu0", *MU0_RANGE)
         rising, falling = _both_ways(ax, p, curves, np.linspace(*MU0_RANGE, 401), [(0.5,)] * 2, at)
-        ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
+        ax.set(
+            xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1)
+        )
         remark(ax, rf"$\theta_0 = {angle:g}^\circ$")
-        figure.tables |= {letter: table_of(curves), f"{letter}_rising": rising, f"{letter}_falling": falling}
+        figure.tables |= {
+            letter: table_of(curves),
+            f"{letter}_rising": rising,
+            f"{letter}_falling": falling,
+        }
     return figure.describe(
         f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at θ₀ = 60°: a
         jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {BASE_TEXT}.
@@ -246,9 +308,13 @@ def figure_13() -> Sheet:
 
 
 def _both_ways(
-    ax: Axes, p: Parameters, curves: Sequence[Branch], values: FloatArray, arrows: Sequence[tuple[float, ...]],
+    ax: Axes,
+    p: Parameters,
+    curves: Sequence[Branch],
+    values: FloatArray,
+    arrows: Sequence[tuple[float, ...]],
     places: Sequence[tuple[float, float]],
-) -> list[Table]:  # fmt: skip
+) -> list[Table]:
     """All equilibria, and the reference state followed up, and where that ends back; tables of both ways.
 
     The way back is a broad line and the way up a thin one on it: both are seen where they coincide.
@@ -259,7 +325,9 @@ def _both_ways(
     back = ss.quasi_static_path(p.following(x=float(up.x[-1])), vary, values[::-1])
     draw_path(back, ax=ax, color=BLUE, arrows=arrows[1], linewidth=3.2, alpha=0.45, zorder=2.1)
     draw_path(up, ax=ax, color=VERMILION, arrows=arrows[0])
-    for word, path, color, place in zip(("rising", "falling"), (up, back), (VERMILION, BLUE), places, strict=True):
+    for word, path, color, place in zip(
+        ("rising", "falling"), (up, back), (VERMILION, BLUE), places, strict=True
+    ):
         write_along(ax, f"${symbol(vary)}$ {word}", *place, color=color)
         tables.append(table_of_path(path))
     mark_folds(ss.folds(p, vary), ax=ax, high=values[-1])

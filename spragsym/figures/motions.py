@@ -54,14 +54,22 @@ from .style import (
 def figure_3() -> Sheet:
     """Friction over the speed of the mass, and contact force over its displacement."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.3)
-    speed = np.unique(np.concatenate([np.linspace(-0.5, 1.5, 401), V + np.linspace(-1e-9, 1e-9, 2)]))
+    speed = np.unique(
+        np.concatenate([np.linspace(-0.5, 1.5, 401), V + np.linspace(-1e-9, 1e-9, 2)])
+    )
     friction = laws.friction(speed, 1.0, V, D)
     left.axhline(0, color=GREY, linewidth=0.5)
     for part in (speed < V, speed > V):
         left.plot(speed[part], friction[part], color=BLACK)
     line_at(left, V)
     write_along(left, r"$x' = V$", V + 0.04, -0.12)
-    left.set(xlabel=r"$x'$", ylabel=r"$\mu/\mu_0$", xlim=(-0.5, 1.5), ylim=(-1.15, 1.15), xticks=np.arange(-0.5, 1.6, 0.5))
+    left.set(
+        xlabel=r"$x'$",
+        ylabel=r"$\mu/\mu_0$",
+        xlim=(-0.5, 1.5),
+        ylim=(-1.15, 1.15),
+        xticks=np.arange(-0.5, 1.6, 0.5),
+    )
     y = np.array([-0.1, 0.0, 0.1])
     contact = contact_force(
         MODEL, (0.0, y), MODEL.arguments(Parameters.article(theta0=1.0), "motion")
@@ -69,13 +77,20 @@ def figure_3() -> Sheet:
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06)
     write_along(right, "lift-off", 0.05, 0.009, ha="center")
-    right.set(xlabel=r"$y$", ylabel=r"$n$", xlim=(-0.1, 0.1), ylim=(-0.008, 0.105), xticks=np.arange(-0.1, 0.11, 0.05))
+    right.set(
+        xlabel=r"$y$",
+        ylabel=r"$n$",
+        xlim=(-0.1, 0.1),
+        ylim=(-0.008, 0.105),
+        xticks=np.arange(-0.1, 0.11, 0.05),
+    )
     return figure.describe(
         f"""Figure 3. (a) Regularized friction coefficient (10) over the speed of the mass, for a belt speed
         V = {V} and a steepness d = {D:g}, which are our assumption: the article states neither. (b) Contact
         force (11). All quantities are dimensionless.""",
-        a={"vx": speed, "mu_over_mu0": friction}, b={"y": y, "n": contact},
-    )  # fmt: skip
+        a={"vx": speed, "mu_over_mu0": friction},
+        b={"y": y, "n": contact},
+    )
 
 
 @styled
@@ -102,12 +117,20 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
         steepness d = {D:g}, the rest at the start and the window in time are our assumption: the article
         states none of them. The dotted line is the fold. Beyond it a large and a small motion compete; near
         54° rounding decides which of them is reached.""",
-        a={"tau": t, "x": x}, b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
-    )  # fmt: skip
+        a={"tau": t, "x": x},
+        b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
+    )
 
 
-def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
-                labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
+def draw_motion(
+    motion: Trajectory,
+    of: str | None = None,
+    ax: Axes | None = None,
+    *,
+    length: float = 1.0,
+    time: float = 1.0,
+    labels: tuple[str, str] | None = None,
+) -> Any:
     """A component of a motion over time; returns the line.
 
     Parameters
@@ -132,33 +155,59 @@ def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = Non
     return line
 
 
-def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = None, length: float = 1.0, speed: float = 1.0,
-               labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
+def draw_phase(
+    motion: Trajectory,
+    ax: Axes | None = None,
+    *,
+    of: str | None = None,
+    length: float = 1.0,
+    speed: float = 1.0,
+    labels: tuple[str, str] | None = None,
+) -> Any:
     """x′ over x, the first coordinate or another, and the speed of the belt along it as a line; returns the curve."""
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, names = own_axes(ax), motion.model.coordinates
     place, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
     name, rate = names[place], motion.model.rates[place]
-    (line,) = ax.plot(length * states[place], speed * states[len(names) + place], color=BLUE, linewidth=0.8)
+    (line,) = ax.plot(
+        length * states[place], speed * states[len(names) + place], color=BLUE, linewidth=0.8
+    )
     friction = motion.model.about["friction"]
     if friction is not None and friction["along"] == name and friction["belt"] is not None:
-        ax.axhline(speed * float(getattr(motion.p, friction["belt"])), color=GREY, linewidth=0.6, linestyle=":")
+        ax.axhline(
+            speed * float(getattr(motion.p, friction["belt"])),
+            color=GREY,
+            linewidth=0.6,
+            linestyle=":",
+        )
     across, up = labels or (axis_label(motion.model, name), axis_label(motion.model, rate))
     ax.set(xlabel=across, ylabel=up)
     return line
 
 
-def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, frequency: float = 1.0,
-                  labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
+def draw_spectrum(
+    motion: Trajectory,
+    of: str = "x",
+    ax: Axes | None = None,
+    *,
+    length: float = 1.0,
+    frequency: float = 1.0,
+    labels: tuple[str, str] | None = None,
+) -> Any:
     """Amplitudes over frequency, as far as they matter; returns the line."""
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax = own_axes(ax)
     found = motion.spectrum(0.0, of=of)
-    (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
+    (line,) = ax.plot(
+        frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9
+    )
     # Of a motion that stays at rest none is large.
     last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
     unit = in_letters(motion.model.quantities["t"][0])
-    across, up = labels or (rf"frequency $\times\ {unit}$", f"amplitude of {axis_label(motion.model, of)}")
+    across, up = labels or (
+        rf"frequency $\times\ {unit}$",
+        f"amplitude of {axis_label(motion.model, of)}",
+    )
     end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None), xlabel=across, ylabel=up)
     return line
@@ -205,7 +254,10 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         moved = f"belt speed {float(getattr(motion.p, friction['belt'])) * length / time:.4g} mm/s"
     else:
         entries = [entry for entry in model.about["parameters"] if entry["role"] == "motion"]
-        moved = ", ".join(f"{each['meaning']} {each['name']} = {float(getattr(motion.p, each['name'])):g}" for each in entries)
+        moved = ", ".join(
+            f"{each['meaning']} {each['name']} = {float(getattr(motion.p, each['name'])):g}"
+            for each in entries
+        )
     return figure.describe(
         f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right, after the time
         {after}: its rate over it, with the speed of the belt dotted, and its spectrum."""
@@ -217,7 +269,9 @@ _STEP_OF_RMS = 0.3
 
 
 @styled
-def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int = 2, workers: Workers = 1) -> Sheet:
+def figure_rms_map(
+    *, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int = 2, workers: Workers = 1
+) -> Sheet:
     """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set.
 
     Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its neighbour.
@@ -248,32 +302,47 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
 
 def _divided(
     p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers
-) -> tuple[FloatArray, FloatArray, FloatArray, Table]:  # fmt: skip
+) -> tuple[FloatArray, FloatArray, FloatArray, Table]:
     """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table of what was computed."""
     tables: list[Table] = []
     for level in range(levels + 1):
         ends = (180.0, step_deg / 2**level), (MU0_RANGE[1], step_mu0 / 2**level)
         # Middles of equal cells from 0 on; the last cell may reach beyond the end.
-        angles, frictions = (step * np.arange(0.5, round(top / step), dtype=np.float64) for top, step in ends)
+        angles, frictions = (
+            step * np.arange(0.5, round(top / step), dtype=np.float64) for top, step in ends
+        )
         if level == 0:
-            rms, asked = np.zeros((frictions.size, angles.size)), np.ones((frictions.size, angles.size), dtype=bool)
+            rms, asked = (
+                np.zeros((frictions.size, angles.size)),
+                np.ones((frictions.size, angles.size), dtype=bool),
+            )
         else:
-            rms, asked = (cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms)))
+            rms, asked = (
+                cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms))
+            )
         row, column = np.nonzero(asked)
         where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
         sweep = rms_sweep(where, rtol=1e-8, workers=workers)
         rms[row, column] = sweep.rms
-        tables.append({
-            "theta0_deg": angles[column], "mu0": frictions[row], "rms_x": sweep.rms, "regime": sweep.regime,
-            "level": level,
-        })  # fmt: skip
+        tables.append(
+            {
+                "theta0_deg": angles[column],
+                "mu0": frictions[row],
+                "rms_x": sweep.rms,
+                "regime": sweep.regime,
+                "level": level,
+            }
+        )
     return angles, frictions, rms, stacked(tables)
 
 
 def _beside_a_step(rms: FloatArray) -> BoolArray:
     """Cells that differ from a neighbour, beside or above, by a step."""
     cross = ndimage.generate_binary_structure(2, 1)
-    above, below = ndimage.maximum_filter(rms, footprint=cross) - rms, rms - ndimage.minimum_filter(rms, footprint=cross)
+    above, below = (
+        ndimage.maximum_filter(rms, footprint=cross) - rms,
+        rms - ndimage.minimum_filter(rms, footprint=cross),
+    )
     return np.maximum(above, below) > _STEP_OF_RMS
 
 
@@ -299,10 +368,20 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         ax.legend(loc="upper left", handlelength=1.2, borderaxespad=0.1)
     ax = axes[2]
     coarse = p.replace(theta0=np.radians(np.arange(26.0, 60.0, 2.0 * step_deg)))
-    jumps = sensitivity(coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), creeps, refine=4, workers=workers)
+    jumps = sensitivity(
+        coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), creeps, refine=4, workers=workers
+    )
     places = np.degrees(jumps.theta0)
     for place, creep, color in zip(places.T, creeps, _SHADES, strict=True):
-        ax.semilogx(jumps.V, place, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
+        ax.semilogx(
+            jumps.V,
+            place,
+            color=color,
+            marker="o",
+            markersize=3,
+            linewidth=0.9,
+            label=f"$d = {creep:.3g}$",
+        )
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)

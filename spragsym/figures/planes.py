@@ -40,7 +40,9 @@ from .style import (
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
     """Columns of curves, one after the other, and their numbers."""
     every = (*found.vary, *names)
-    return stacked([{name: getattr(curve, name) for name in every} for curve in found.curves], "curve", every)
+    return stacked(
+        [{name: getattr(curve, name) for name in every} for curve in found.curves], "curve", every
+    )
 
 
 def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
@@ -48,7 +50,9 @@ def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
     return [as_drawn(model, name, getattr(of, name)) for name in vary]
 
 
-def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK) -> list[Any]:
+def draw_bifurcation_set(
+    found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK
+) -> list[Any]:
     """Curves of folds and cusps in the plane of two parameters, undecided stretches of lines shaded; returns the artists.
 
     Parameters
@@ -61,7 +65,11 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
     """
     require_kind("found", found, BifurcationSet, "one of ss.bifurcation_set(...)")
     ax, model = own_axes(ax), found.cusps.parameters.model
-    artists = [line for curve in found.curves for line in ax.plot(*_places(model, found.vary, curve), color=color)]
+    artists = [
+        line
+        for curve in found.curves
+        for line in ax.plot(*_places(model, found.vary, curve), color=color)
+    ]
     artists += ax.plot(*_places(model, found.vary, found.cusps), "o", color=BLACK, markersize=3.5)
     return [*artists, *_plane(ax, model, found)]
 
@@ -88,7 +96,9 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     for curve in found.curves:
         across, up = _places(model, found.vary, curve)
         for part in runs(curve.criticality):
-            artists += ax.plot(across[part], up[part], styles[str(curve.criticality[part][0])], color=color)
+            artists += ax.plot(
+                across[part], up[part], styles[str(curve.criticality[part][0])], color=color
+            )
     changes = [as_drawn(model, name, found.changes[name]) for name in found.vary]
     for labels, places, marker, aside in (
         (["GH"] * len(changes[0]), changes, "o", (3, 3)),
@@ -96,7 +106,9 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     ):
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
-            artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
+            artists.append(
+                ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small")
+            )
     _span(ax, model, found.vary, found.between)
     return [*artists, *_plane(ax, model, found)]
 
@@ -105,7 +117,9 @@ def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[
     """Names of the axes, and stretches of the lines that were searched of which it is not known what they hold."""
     across, up = found.vary
     ax.set(xlabel=label(model, across), ylabel=label(model, up))
-    ends = zip(found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False)  # closed forms have none
+    ends = zip(
+        found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False
+    )  # closed forms have none
     places = (as_drawn(model, name, of.T) for name, of in ends)
     return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
@@ -142,7 +156,9 @@ def stability_figure(found: OnsetCurves) -> Sheet:
 
 
 def _open(found: BifurcationSet | OnsetCurves) -> str:
-    return f" {len(found.undecided)} boxes on its lines are undecided." if len(found.undecided) else ""
+    return (
+        f" {len(found.undecided)} boxes on its lines are undecided." if len(found.undecided) else ""
+    )
 
 
 def _no(what: str, complete: bool) -> str:
@@ -150,7 +166,11 @@ def _no(what: str, complete: bool) -> str:
 
 
 def draw_plane(
-    ax: Axes, p: ParameterSet, between: Ranges, vary: Sequence[str] | None = None, n: int | None = None
+    ax: Axes,
+    p: ParameterSet,
+    between: Ranges,
+    vary: Sequence[str] | None = None,
+    n: int | None = None,
 ) -> tuple[BifurcationSet, bool]:
     """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model that counts in closed form."""
     model = model_of(p)
@@ -160,7 +180,11 @@ def draw_plane(
     draw_bifurcation_set(found, ax, color=VERMILION)
     _span(ax, model, vary, between)
     (left, right), (low, high) = (map(p.ranges[name].reached, between[name]) for name in vary)
-    inside = dict(zip(vary, (np.linspace(left, right, 400), np.linspace(low, high, 240)[:, None]), strict=True))
+    inside = dict(
+        zip(
+            vary, (np.linspace(left, right, 400), np.linspace(low, high, 240)[:, None]), strict=True
+        )
+    )
     try:
         count = ss.count(p.replace(**inside), method="closed")
     except ModelError:
@@ -173,9 +197,13 @@ def draw_plane(
 
 @styled
 def bifurcation_figure(
-    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Ranges | None = None, n: int = 60,
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
+    *,
+    between: Ranges | None = None,
+    n: int = 60,
     onsets: OnsetCurves | None = None,
-) -> Sheet:  # fmt: skip
+) -> Sheet:
     """The bifurcation set of any model in the plane of two parameters, as a figure.
 
     Parameters
@@ -197,14 +225,28 @@ def bifurcation_figure(
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):
-        say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
-    fixed = [one["name"] for one in model.about["parameters"] if one["role"] == "both" and one["name"] not in found.vary]
-    at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(fixed, p.scalars(*fixed), strict=True))
+        say(
+            ax,
+            _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete),
+        )
+    fixed = [
+        one["name"]
+        for one in model.about["parameters"]
+        if one["role"] == "both" and one["name"] not in found.vary
+    ]
+    at = ", ".join(
+        f"{LETTERS.get(name, name)} = {value:g}"
+        for name, value in zip(fixed, p.scalars(*fixed), strict=True)
+    )
     return figure.describe(
-        f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{
+        f"""Bifurcation set of {model.name}{
+            f" at {at}" if at else ""
+        }: two equilibria in contact meet on the lines{
             ", three in contact in the shaded regions and one elsewhere" if shaded else ""
         };
-        dots are cusps.{_open(found)}{" Oscillation sets in on the black or grey lines." if onsets else ""}""",
+        dots are cusps.{_open(found)}{
+            " Oscillation sets in on the black or grey lines." if onsets else ""
+        }""",
         a=_table(found, *model.coordinates),
         **({"onsets": _table(onsets, "omega")} if onsets else {}),
     )

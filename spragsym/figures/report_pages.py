@@ -47,8 +47,20 @@ from .style import (
 from .style import picture as content
 
 #: Letters of a picture in a page: text in the page's own family, 13.6 pixels as its captions.
-_AS_TEXT: Any = {"svg.fonttype": "none", "font.family": "sans-serif", "mathtext.fontset": "dejavusans"} | dict.fromkeys(
-    ("font.size", "axes.labelsize", "axes.titlesize", "xtick.labelsize", "ytick.labelsize", "legend.fontsize"), 10.2
+_AS_TEXT: Any = {
+    "svg.fonttype": "none",
+    "font.family": "sans-serif",
+    "mathtext.fontset": "dejavusans",
+} | dict.fromkeys(
+    (
+        "font.size",
+        "axes.labelsize",
+        "axes.titlesize",
+        "xtick.labelsize",
+        "ytick.labelsize",
+        "legend.fontsize",
+    ),
+    10.2,
 )
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
@@ -62,7 +74,8 @@ def report_page(report: Report) -> str:
     data = [
         (
             f"{name}, {study.kind.meanings[name]}",
-            study.shown(name) + f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" * one.varies,
+            study.shown(name)
+            + f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" * one.varies,
         )
         for name, one in study.quantities.items()
     ]
@@ -71,10 +84,17 @@ def report_page(report: Report) -> str:
     last = {"What to do next": headed.pop("What to do next")}
     title = about.pop("title") or "Sprag-slip report"
     return filled(
-        "spragsym.figures", "report.html", "the page of a report", title=title, about=", ".join(filter(None, about.values())),
-        verdict=report.verdict, warnings=report.warnings, drawn=pictures(report),
-        headed=(headed | {"Data": data} | last).items(), mechanism=study.kind.drawing,
-    )  # fmt: skip
+        "spragsym.figures",
+        "report.html",
+        "the page of a report",
+        title=title,
+        about=", ".join(filter(None, about.values())),
+        verdict=report.verdict,
+        warnings=report.warnings,
+        drawn=pictures(report),
+        headed=(headed | {"Data": data} | last).items(),
+        mechanism=study.kind.drawing,
+    )
 
 
 def pictures(report: Report) -> Rows:
@@ -86,7 +106,8 @@ def pictures(report: Report) -> Rows:
         yield from _stability_map(report)
     if odds is not None and not all(np.isnan(one[1]) for one in odds.sobol.values()):
         caption = (
-            "Which tolerance decides whether it jumps: Sobol' indices, dark alone, light with interactions; bars: 95 % intervals."
+            "Which tolerance decides whether it jumps: Sobol' indices, dark alone, "
+            "light with interactions; bars: 95 % intervals."
         )
         yield picture(partial(draw_shares, odds.sobol)), caption
     if report.oscillation is not None and report.oscillation.alive:
@@ -100,15 +121,30 @@ def _planes(report: Report) -> Rows:
     if "theta0" in p.model.parameters and study.of_friction:
         angles, jump = study.quantities["theta0"], math.nan if jump is None else jump
         caption = "On the lines two states of sliding meet; where it is shaded there are three."
-        caption += " Cross: the friction at which the reference state jumps at this angle." if jump < math.inf else ""
+        caption += (
+            " Cross: the friction at which the reference state jumps at this angle."
+            if jump < math.inf
+            else ""
+        )
         with suppress(SpragsymError):
             yield (
-                picture(partial(draw_operating_point, p, (angles.low, angles.high), (low, high), jump, n=_LINES)),
+                picture(
+                    partial(
+                        draw_operating_point,
+                        p,
+                        (angles.low, angles.high),
+                        (low, high),
+                        jump,
+                        n=_LINES,
+                    )
+                ),
                 f"Where the brake works (dot) and its tolerances (box). {caption}",
             )
     unit, size = unit_of(study)
     # Angles are drawn in degrees by the picture itself.
-    options: dict[str, Any] = dict(length=size if unit == "mm" else 1.0, label=f"{first['name']} in {unit}", n=_VALUES)
+    options: dict[str, Any] = dict(
+        length=size if unit == "mm" else 1.0, label=f"{first['name']} in {unit}", n=_VALUES
+    )
     rises = "the friction"
     if not study.of_friction:
         rises, scale = study.rises.quantity, study.rise_scale
@@ -130,7 +166,11 @@ def _stability_map(report: Report) -> Rows:
     if "theta0" not in p.model.parameters or not study.moves:
         return
     (low, _, high), angles = study.friction, study.quantities["theta0"]
-    known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
+    known = (
+        (value for value in report.folds["mu0"].mu0.tolist() if value < 3)
+        if "mu0" in report.folds
+        else ()
+    )
     top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
     with suppress(SpragsymError):
         onsets = ss.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
@@ -150,9 +190,17 @@ def _stability_map(report: Report) -> Rows:
 
 
 def _of_motion(report: Report, lives: Any) -> Rows:
-    (unit, size), time, name = unit_of(report.study), report.study.scales.time, report.study.kind.model.coordinates[0]
+    (unit, size), time, name = (
+        unit_of(report.study),
+        report.study.scales.time,
+        report.study.kind.model.coordinates[0],
+    )
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
-    up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)
+    up, speed = (
+        ("speed along the belt in m/s", 1e-3 * size / time)
+        if unit == "mm"
+        else (f"rate of {name} in deg/s", size / time)
+    )
     phase = partial(draw_phase, motion, length=size, speed=speed, labels=(f"{name} in {unit}", up))
     caption = f"The oscillation: {up.partition(' in ')[0]} over {name}, one closed curve a cycle. Dotted: the speed of the belt."
     yield picture(phase), caption
@@ -181,9 +229,14 @@ _MORE = 0.15
 
 
 def draw_operating_point(
-    p: ParameterSet, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan"), ax: Axes | None = None, *,
+    p: ParameterSet,
+    theta0: tuple[float, float],
+    mu0: tuple[float, float],
+    jump: float = float("nan"),
+    ax: Axes | None = None,
+    *,
     n: int = 60,
-) -> Any:  # fmt: skip
+) -> Any:
     """The bifurcation set of any model over inclination and friction, the point where a brake works, its tolerances and its jump.
 
     Parameters
@@ -210,24 +263,45 @@ def draw_operating_point(
 
 def mark_brake(
     ax: Axes, p: ParameterSet, theta0: Span, mu0: Span, jump: float = float("nan")
-) -> Any:  # fmt: skip
+) -> Any:
     """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where it jumps, if it does."""
     radians, friction = p.scalars("theta0", "mu0")
     angle = np.degrees(radians)
     low, high = np.degrees(theta0)
-    ax.add_patch(Rectangle((low, mu0[0]), high - low, mu0[1] - mu0[0], facecolor=SKY, edgecolor=BLUE, linewidth=0.8, alpha=0.6,
-                           zorder=3))  # fmt: skip
+    ax.add_patch(
+        Rectangle(
+            (low, mu0[0]),
+            high - low,
+            mu0[1] - mu0[0],
+            facecolor=SKY,
+            edgecolor=BLUE,
+            linewidth=0.8,
+            alpha=0.6,
+            zorder=3,
+        )
+    )
     (point,) = ax.plot(angle, friction, "o", color=BLUE, markersize=4.5, zorder=5)
     if np.isfinite(jump):
         ax.plot(angle, jump, marker="x", color=BLACK, markersize=5, zorder=5)
-        ax.annotate(f"jump at {jump:.3f}", (angle, jump), (6, -2), textcoords="offset points", va="top")
+        ax.annotate(
+            f"jump at {jump:.3f}", (angle, jump), (6, -2), textcoords="offset points", va="top"
+        )
     return point
 
 
 def draw_rising(
-    p: ParameterSet, ends: tuple[float, float], ax: Axes | None = None, *, vary: str = "mu0", begin: float = 0.0,
-    length: float = 1.0, label: str | None = None, size: float = 1.0, across: str = r"friction $\mu$", n: int = 200,
-) -> Any:  # fmt: skip
+    p: ParameterSet,
+    ends: tuple[float, float],
+    ax: Axes | None = None,
+    *,
+    vary: str = "mu0",
+    begin: float = 0.0,
+    length: float = 1.0,
+    label: str | None = None,
+    size: float = 1.0,
+    across: str = r"friction $\mu$",
+    n: int = 200,
+) -> Any:
     """The states of any model over the loading parameter, the one followed as it does, and the range of its tolerance shaded.
 
     Parameters
@@ -258,14 +332,28 @@ def draw_rising(
     ax, first = own_axes(ax), model.coordinates[0]
     allowed, end = p.ranges[vary], ranges(model, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
-    least, far = (_TOP, _FAR) if vary == "mu0" else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
+    least, far = (
+        (_TOP, _FAR)
+        if vary == "mu0"
+        else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
+    )
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
-    known = [value + _MORE * abs(value) for value in getattr(turns, vary).tolist() if begin < value < far]
+    known = [
+        value + _MORE * abs(value) for value in getattr(turns, vary).tolist() if begin < value < far
+    ]
     top = min(max(least, further, *known), high)
     top = top if top > begin else end  # nothing is applied yet, and nothing ends
-    draw_branches(curves_between(p, vary, (begin, top), turns, True, n), first, ax=ax, color=GREY, linewidth=0.8)
+    draw_branches(
+        curves_between(p, vary, (begin, top), turns, True, n),
+        first,
+        ax=ax,
+        color=GREY,
+        linewidth=0.8,
+    )
     artists: list[Any] = []
-    with suppress(ConvergenceError):  # where branches can't be told apart there are the states alone
+    with suppress(
+        ConvergenceError
+    ):  # where branches can't be told apart there are the states alone
         path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, low=begin, high=top)
@@ -289,7 +377,14 @@ def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | No
     names = list(indices)[::-1]
     first, total, error = np.nan_to_num([indices[name] for name in names]).reshape(-1, 3).T
     places = np.arange(len(names))
-    ax.barh(places, total, xerr=error, color=SKY, height=0.62, error_kw={"elinewidth": 0.8, "ecolor": GREY})
+    ax.barh(
+        places,
+        total,
+        xerr=error,
+        color=SKY,
+        height=0.62,
+        error_kw={"elinewidth": 0.8, "ecolor": GREY},
+    )
     bars = ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)
     ax.set_yticks(places, [f"${symbol(name)}$" if name.isidentifier() else name for name in names])
     ax.set(xlabel="share of the variance of “it jumps”", xlim=(0, 1.05))

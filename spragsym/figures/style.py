@@ -33,8 +33,14 @@ SINGLE, DOUBLE = 3.5, 7.0
 
 #: Okabe and Ito's colours.
 BLACK, BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE = (
-    "#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00",
-)  # fmt: skip
+    "#000000",
+    "#0072B2",
+    "#D55E00",
+    "#009E73",
+    "#CC79A7",
+    "#56B4E9",
+    "#E69F00",
+)
 GREY = "#6b6b6b"
 
 #: How a kind of equilibrium is drawn.
@@ -104,14 +110,18 @@ def house_style() -> Iterator[None]:
     with matplotlib.rc_context(style):
         yield
         interactive = matplotlib.is_interactive()
-    matplotlib.interactive(interactive)  # which a notebook turns on when pyplot is first imported, perhaps in here
+    matplotlib.interactive(
+        interactive
+    )  # which a notebook turns on when pyplot is first imported, perhaps in here
 
 
 #: Decorator: run a function with the house style, and leave the global one as it was.
 styled = house_style()
 
 
-def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Sheet, NDArray[Any]]:
+def panels(
+    rows: int, columns: int, width: float, height: float, **options: Any
+) -> tuple[Sheet, NDArray[Any]]:
     """An empty figure of rows × columns panels, lettered if there are several; sizes in inches."""
     figure = Sheet(figsize=(width, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, **options)
@@ -133,8 +143,15 @@ def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()
     What stands in place of a column is in every row.
     """
     rows = [np.broadcast_arrays(*table.values()) for table in tables]
-    columns = {name: np.concatenate(parts or ([],)) for name, *parts in zip(tables[0] if tables else names, *rows, strict=True)}
-    return {number: np.repeat(np.arange(len(rows)), [row[0].size for row in rows]), **columns} if number else columns
+    columns = {
+        name: np.concatenate(parts or ([],))
+        for name, *parts in zip(tables[0] if tables else names, *rows, strict=True)
+    }
+    return (
+        {number: np.repeat(np.arange(len(rows)), [row[0].size for row in rows]), **columns}
+        if number
+        else columns
+    )
 
 
 def runs(kinds: NDArray[Any]) -> list[slice]:
@@ -152,9 +169,16 @@ def own_axes(ax: Axes | None) -> Axes:
     return pyplot.gca()
 
 
-def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, **more: Any) -> None:
+def angle_axis(
+    ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, **more: Any
+) -> None:
     """θ₀ in degrees along x, and more settings of the axes."""
-    ax.set(xlim=(low, high), xticks=np.arange(low, high + step / 2, step), xlabel=r"$\theta_0$ (deg)", **more)
+    ax.set(
+        xlim=(low, high),
+        xticks=np.arange(low, high + step / 2, step),
+        xlabel=r"$\theta_0$ (deg)",
+        **more,
+    )
 
 
 def remark(ax: Axes, text: str) -> None:
@@ -162,14 +186,18 @@ def remark(ax: Axes, text: str) -> None:
     ax.set_title(text, loc="right", color=GREY)
 
 
-def line_at(ax: Axes, place: float, color: str = GREY, width: float = 0.7, style: str = ":", **options: Any) -> None:
+def line_at(
+    ax: Axes, place: float, color: str = GREY, width: float = 0.7, style: str = ":", **options: Any
+) -> None:
     """A thin line upwards, dotted unless told otherwise."""
     ax.axvline(place, color=color, linewidth=width, linestyle=style, **options)
 
 
 def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any) -> Any:
     """A direct label in data coordinates."""
-    return ax.text(x, y, text, **{"color": color, "fontsize": 8, "ha": "left", "va": "center", **options})
+    return ax.text(
+        x, y, text, **{"color": color, "fontsize": 8, "ha": "left", "va": "center", **options}
+    )
 
 
 def say(ax: Axes, text: str) -> None:
@@ -193,7 +221,9 @@ PATHS_DEG = {"a": 60.0, "b": 40.0}
 #: Parameters that the captions repeat, in the article's letters.
 LETTERS = {"alpha": "α", "beta": "β", "kappa": "κ", "mu0": "μ₀", "sigma": "σ", "theta0": "θ₀"}
 
-BASE_TEXT = ", ".join(f"{LETTERS[name]} = {ARTICLE[name]:g}" for name in ("kappa", "alpha", "sigma", "beta"))
+BASE_TEXT = ", ".join(
+    f"{LETTERS[name]} = {ARTICLE[name]:g}" for name in ("kappa", "alpha", "sigma", "beta")
+)
 
 LINES_TEXT = "Stable solid, divergent dashed, flutter dash-dotted; dots are folds."
 
@@ -208,22 +238,45 @@ ROOM = 1.25
 
 #: Names that are letters.
 GREEK = {
-    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
-}  # fmt: skip
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "zeta",
+    "eta",
+    "theta",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "rho",
+    "sigma",
+    "tau",
+    "phi",
+    "psi",
+}
 
 
 def symbol(name: str) -> str:
     """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
     base, _, index = name.partition("_")
     if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
-        return f"{symbol(numbered[1])}_{numbered[2]}" if not index else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
+        return (
+            f"{symbol(numbered[1])}_{numbered[2]}"
+            if not index
+            else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
+        )
     return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
 
 
 def axis_label(model: Model, name: str) -> str:
     """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
     unit = model.quantities[name][0]
-    written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
+    written = (
+        rf"{symbol(model.coordinates[model.rates.index(name)])}'"
+        if name in model.rates
+        else symbol(name)
+    )
     if unit in ("1", "rad"):
         return f"${written}$" if unit == "1" else f"${written}$ (rad)"
     letters = in_letters(unit)
@@ -233,7 +286,11 @@ def axis_label(model: Model, name: str) -> str:
 def in_letters(scale: str) -> str:
     """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
     merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
-    return re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged).replace("**", "^").replace("*", r"\,")
+    return (
+        re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged)
+        .replace("**", "^")
+        .replace("*", r"\,")
+    )
 
 
 def label(model: Model, name: str) -> str:
@@ -245,7 +302,11 @@ def label(model: Model, name: str) -> str:
 
 def shown(known: Model | Field, name: str) -> Shown:
     """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
-    return (f"${symbol(name)}$ (deg)", math.degrees(1.0)) if known.is_angle(name) else (f"${symbol(name)}$", 1.0)
+    return (
+        (f"${symbol(name)}$ (deg)", math.degrees(1.0))
+        if known.is_angle(name)
+        else (f"${symbol(name)}$", 1.0)
+    )
 
 
 def as_drawn(model: Model, name: str, values: Any) -> Any:
@@ -262,7 +323,11 @@ def with_unit(model: Model, name: str) -> str:
     """Axis label with the unit of the model."""
     if model.is_angle(name):
         return label(model, name)
-    scale = "1" if name in model.parameters else model.quantities.get(name, (model.about["scales"]["length"],))[0]
+    scale = (
+        "1"
+        if name in model.parameters
+        else model.quantities.get(name, (model.about["scales"]["length"],))[0]
+    )
     return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
 
 
@@ -291,7 +356,9 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
             axis.set_major_formatter(lambda value, _: f"{one * value:.6g}")
 
 
-def window(model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[], Points] | None = None) -> Ranges:
+def window(
+    model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[], Points] | None = None
+) -> Ranges:
     """Ranges to show: those given, the parameter's own, or of one without end as far as its base value, 1 and all cusps need."""
     out = dict(between)
     for name in vary:

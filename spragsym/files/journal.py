@@ -35,7 +35,9 @@ def path_of(target: Path) -> Path:
 
 
 @contextmanager
-def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
+def journal(
+    target: Path, fingerprint: str, total: int
+) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Finished points of an earlier run to ``target``, and a function that stores one more.
 
     Every line is out of this process before the next task is asked for. The journal is removed when the body ends well, which
@@ -62,7 +64,9 @@ def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[i
         if os.name == "posix":
             path.unlink()  # while it is locked, so that no other process has it
     if os.name != "posix":
-        with suppress(OSError):  # an open file can't be removed there; the process that has it open sees that the work is done
+        with suppress(
+            OSError
+        ):  # an open file can't be removed there; the process that has it open sees that the work is done
             path.unlink()
 
 
@@ -83,21 +87,27 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
         while True:
             file = stack.enter_context(FileIO(path, "a+"))
             with suppress(FileNotFoundError):
-                if not _locked(file, path) or os.path.samestat(os.fstat(file.fileno()), path.stat()):
+                if not _locked(file, path) or os.path.samestat(
+                    os.fstat(file.fileno()), path.stat()
+                ):
                     file.seek(0)
                     return file, file.readall() or b""
             file.close()  # it was renamed or removed between opening and locking
     except StoreError:
         raise
     except OSError as error:
-        raise StoreError(f"{path} cannot be read and written: {error.strerror}; give another path") from error
+        raise StoreError(
+            f"{path} cannot be read and written: {error.strerror}; give another path"
+        ) from error
 
 
 def _locked(file: FileIO, path: Path) -> bool:
     """Lock the file, and return whether the file system supports locks; where it does not, a warning says so."""
     try:
         if not lock_descriptor(file.fileno(), blocking=False):
-            raise StoreError(f"{path} is being written by {_holder(path)}; wait for it to end, or give another path")
+            raise StoreError(
+                f"{path} is being written by {_holder(path)}; wait for it to end, or give another path"
+            )
     except OSError as error:
         if error.errno not in _NO_LOCKS:
             raise
@@ -145,8 +155,12 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
     ours = owner == fingerprint or bool(points)
     if not ours and owner is not None and damaged:
         # The lines of another sweep have checksums that only its fingerprint can tell from damage.
-        raise ParameterError(f"{path} belongs to another sweep, or to other code; remove it to start anew, or give another path")
-    if not ours and owner is None and not head.startswith(data):  # else a kill or a full disk has left a part of the first line
+        raise ParameterError(
+            f"{path} belongs to another sweep, or to other code; remove it to start anew, or give another path"
+        )
+    if (
+        not ours and owner is None and not head.startswith(data)
+    ):  # else a kill or a full disk has left a part of the first line
         raise StoreError(
             f"{path} is damaged, no journal, or one of an older version: its first line is not as it is written, and no "
             "other line is a point of this sweep; remove it to start anew, or give another path"
@@ -159,8 +173,14 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
             DamageWarning,
             stacklevel=2,
         )
-    file.truncate(len(data) - len(cut) if ours else 0)  # without the beginning of a line that a killed process left
-    _append(file, path, (b"" if ours else head) + _line("", {"pid": os.getpid(), "host": socket.gethostname()}))
+    file.truncate(
+        len(data) - len(cut) if ours else 0
+    )  # without the beginning of a line that a killed process left
+    _append(
+        file,
+        path,
+        (b"" if ours else head) + _line("", {"pid": os.getpid(), "host": socket.gethostname()}),
+    )
     return points
 
 
@@ -174,7 +194,9 @@ def _append(file: FileIO, path: Path, line: bytes) -> None:
             file.truncate(end)
         if not isinstance(error, OSError):
             raise
-        raise StoreError(f"{path} cannot be written: {error.strerror}; make room, or give another path") from error
+        raise StoreError(
+            f"{path} cannot be written: {error.strerror}; make room, or give another path"
+        ) from error
 
 
 # -------------------------------------------------------------------------------------------------- who has it
@@ -182,7 +204,9 @@ def _append(file: FileIO, path: Path, line: bytes) -> None:
 
 def _holder(path: Path) -> str:
     """The process that holds a journal, as far as the file tells."""
-    time.sleep(0.1)  # the other process may have opened it just now, and not have written its name yet
+    time.sleep(
+        0.1
+    )  # the other process may have opened it just now, and not have written its name yet
     writer: dict[str, Any] = {}
     with suppress(OSError), path.open("rb", buffering=0) as file:
         file.seek(1)  # on Windows nobody else may read the first byte
@@ -194,4 +218,6 @@ def _holder(path: Path) -> str:
     here = writer["host"] == socket.gethostname()
     if here and writer["pid"] == os.getpid():
         return f"another thread of this process ({writer['pid']})"
-    return f"process {writer['pid']} on {'this machine' if here else 'the machine'} ({writer['host']})"
+    return (
+        f"process {writer['pid']} on {'this machine' if here else 'the machine'} ({writer['host']})"
+    )

@@ -54,9 +54,12 @@ def xarray() -> Any:
 
 
 def dataset(
-    data: Mapping[str, Any], coords: Mapping[str, Any], attributes: Mapping[str, Any], explained: Explained,
+    data: Mapping[str, Any],
+    coords: Mapping[str, Any],
+    attributes: Mapping[str, Any],
+    explained: Explained,
     codes: Mapping[str, type[IntEnum]],
-) -> Any:  # fmt: skip
+) -> Any:
     """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of ``codes``."""
     made = xarray().Dataset(data, coords=coords, attrs=attributes)
     for name in made.variables:
@@ -64,7 +67,10 @@ def dataset(
         made[name].attrs = {key: text for key, text in told if text}
     for name, kinds in codes.items():
         words = " ".join(kind.name.lower() for kind in kinds)
-        made[name].attrs |= {"flag_values": np.array(list(kinds), dtype=np.int8), "flag_meanings": words}
+        made[name].attrs |= {
+            "flag_values": np.array(list(kinds), dtype=np.int8),
+            "flag_meanings": words,
+        }
     return made
 
 
@@ -92,7 +98,9 @@ def check_target(path: FilePath, bytes_needed: int) -> Path:
     """Where a path leads; raise, before any work, if a file can't be written there."""
     target = resolved(path)
     if target.suffix not in (".nc", ".csv"):
-        raise ParameterError(f"{target} ends neither in .nc nor in .csv; the ending says which file is meant")
+        raise ParameterError(
+            f"{target} ends neither in .nc nor in .csv; the ending says which file is meant"
+        )
     if target.suffix == ".nc":
         xarray()
     return probe(target, bytes_needed)
@@ -102,9 +110,12 @@ def check_target(path: FilePath, bytes_needed: int) -> Path:
 
 
 def write(
-    path: Path, dataset: Callable[[], Any], columns: Mapping[str, Any], attrs: Mapping[str, Any],
+    path: Path,
+    dataset: Callable[[], Any],
+    columns: Mapping[str, Any],
+    attrs: Mapping[str, Any],
     explained: Explained,
-) -> None:  # fmt: skip
+) -> None:
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes.
 
     ``explained`` has unit and meaning of columns.
@@ -126,7 +137,9 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Explai
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-    text.writelines("# {} [{}]: {}\n".format(name, *explained.get(name, ("", ""))) for name in columns)
+    text.writelines(
+        "# {} [{}]: {}\n".format(name, *explained.get(name, ("", ""))) for name in columns
+    )
     writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
     return _sealed(text.getvalue().encode())
 
@@ -153,14 +166,19 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     if path.suffix != ".nc":
         return _read_csv(content)
     with xarray().open_dataset(io.BytesIO(content), engine="h5netcdf") as dataset:
-        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
+        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(
+            dataset.attrs
+        )
 
 
 def read_own(path: Path, key: str) -> dict[str, Any]:
     """Columns of the file that a call of this fingerprint wrote; a TargetError for any other one."""
     columns, attributes = read(path)
     if attributes.get("fingerprint") != key:
-        model, source = attributes.get("model", "some model"), attributes.get("source", "another program")
+        model, source = (
+            attributes.get("model", "some model"),
+            attributes.get("source", "another program"),
+        )
         raise TargetError(
             f"{path} exists, a result of {model} by {source}, for other parameters or settings or of other code; remove it, "
             "or give another path"
@@ -190,10 +208,14 @@ def _verified(path: Path) -> bytes:
 
 def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
     lines = data.decode().splitlines(keepends=True)
-    comments, table = ([line for line in lines if line.startswith("#") == comment] for comment in (True, False))
+    comments, table = (
+        [line for line in lines if line.startswith("#") == comment] for comment in (True, False)
+    )
     attrs = dict(line[2:].rstrip("\n").split(": ", 1) for line in comments)
     header, *rows = csv.reader(table)
-    columns = dict(zip(header, zip(*rows, strict=True) if rows else [()] * len(header), strict=True))
+    columns = dict(
+        zip(header, zip(*rows, strict=True) if rows else [()] * len(header), strict=True)
+    )
     return {name: np.array(values) for name, values in columns.items()}, attrs
 
 
@@ -212,9 +234,15 @@ def resolved(path: FilePath) -> Path:
             target.stat()  # raises what Python from 3.13 on no longer says when it resolves
         if target.exists() and not target.is_file() and not target.is_dir():
             raise ParameterError(f"{path} is a device or a pipe; give the name of a file")
-    except (OSError, RuntimeError, ValueError) as error:  # a link that leads to itself, a name too long, a NUL within
+    except (
+        OSError,
+        RuntimeError,
+        ValueError,
+    ) as error:  # a link that leads to itself, a name too long, a NUL within
         reason = getattr(error, "strerror", None) or error
-        raise ParameterError(f"{os.fspath(path)[:200]!r} leads nowhere ({reason}); give another path") from error
+        raise ParameterError(
+            f"{os.fspath(path)[:200]!r} leads nowhere ({reason}); give another path"
+        ) from error
     return target
 
 
@@ -240,7 +268,9 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
         ) from error
     if free < bytes_needed:
         needed, there = (f"{math.ceil(size / 1e6)} MB" for size in (bytes_needed, free))
-        raise ParameterError(f"{target}: about {needed} are needed and {there} are free; make room, or write to another disk")
+        raise ParameterError(
+            f"{target}: about {needed} are needed and {there} are free; make room, or write to another disk"
+        )
     return target
 
 
@@ -256,12 +286,16 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         _remove_left(target.parent)
         _replace(target, data.encode() if isinstance(data, str) else data)
         _settle(target.parent)
-    except PermissionError as error:  # on Windows also while a spreadsheet shows the file that was there
+    except (
+        PermissionError
+    ) as error:  # on Windows also while a spreadsheet shows the file that was there
         raise StoreError(
             f"{target} cannot be written: {error.strerror}; close what has it open, or give a path where you may write"
         ) from error
     except OSError as error:
-        raise StoreError(f"{target} cannot be written: {error.strerror}; make room, or give another path") from error
+        raise StoreError(
+            f"{target} cannot be written: {error.strerror}; make room, or give another path"
+        ) from error
 
 
 def _replace(target: Path, data: bytes) -> None:
@@ -293,7 +327,13 @@ def _beside(folder: Path) -> Path:
 
 def _opened(path: Path) -> int:
     """A new file, never one that is there, nor what a link leads to."""
-    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+    flags = (
+        os.O_WRONLY
+        | os.O_CREAT
+        | os.O_EXCL
+        | getattr(os, "O_NOFOLLOW", 0)
+        | getattr(os, "O_BINARY", 0)
+    )
     return os.open(path, flags, 0o666)
 
 

@@ -24,13 +24,17 @@ def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file")
         raise ParameterError(f"{shown} is a folder; give {what}")
     try:
         # A pipe that nobody writes to is at its end at once, if it is not waited for when it is opened.
-        number = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+        number = os.open(
+            path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+        )
         if hasattr(os, "set_blocking"):
             os.set_blocking(number, True)
         with open(number, "rb") as file:
             data = file.read(largest + 1)
     except ValueError as error:  # a NUL in a name
-        raise ParameterError(f"{shown!r} can't be the name of a file: {error}; give {what}") from error
+        raise ParameterError(
+            f"{shown!r} can't be the name of a file: {error}; give {what}"
+        ) from error
     except OSError as error:
         raise ParameterError(f"{shown} can't be read: {error.strerror}; give {what}") from error
     if len(data) > largest:
@@ -38,16 +42,22 @@ def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file")
     return data
 
 
-def text_of(path: FilePath, largest: int = BY_HAND, what: str = "another file", remedy: str = "") -> str:
+def text_of(
+    path: FilePath, largest: int = BY_HAND, what: str = "another file", remedy: str = ""
+) -> str:
     """The text of a file in UTF-8, with a mark at its beginning or without, or in UTF-16 with one, as PowerShell writes it.
 
     Errors are those of :func:`contents`, and one for bytes that are no text.
     """
     data = contents(path, largest, what)
     try:
-        return data.decode("utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig")
+        return data.decode(
+            "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
+        )
     except UnicodeDecodeError as error:
-        raise ParameterError(f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}") from error
+        raise ParameterError(
+            f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}"
+        ) from error
 
 
 def shipped_text(package: str, name: str) -> str:
@@ -61,5 +71,10 @@ def filled(package: str, name: str, what: str, **values: Any) -> str:
         from jinja2 import Environment, StrictUndefined
     except ModuleNotFoundError as error:
         raise MissingExtraError(what, "jinja2", "plot") from error
-    made = Environment(autoescape=name.endswith(".html"), undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
+    made = Environment(
+        autoescape=name.endswith(".html"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        keep_trailing_newline=True,
+    )
     return made.from_string(shipped_text(package, name)).render(values)

@@ -63,9 +63,12 @@ _FAR = 17.0
 
 
 def bifurcation_set(
-    p: Parameters, vary: Sequence[str] | None = None, n: int | None = None, *,
+    p: Parameters,
+    vary: Sequence[str] | None = None,
+    n: int | None = None,
+    *,
     between: Ranges | None = None,
-) -> BifurcationSet:  # fmt: skip
+) -> BifurcationSet:
     """The closed form of :func:`spragsym.bifurcation_set` in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0.
 
     Notes
@@ -88,7 +91,9 @@ def bifurcation_set(
     on_them = on_them.select(ahead)
     found, begin = [], directions(fixed)
     places = np.concatenate([on_them.theta, *_on_borders(p, between)])
-    t = np.concatenate([np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(places / 2))])
+    t = np.concatenate(
+        [np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(places / 2))]
+    )
     for points in curves(Condition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n):
         curve = _curve(points, fixed)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
@@ -121,7 +126,9 @@ def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
     """The parts of curves within ranges."""
     for curve in curves:
         inside = _within(between, curve)
-        for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(-1, 2):
+        for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(
+            -1, 2
+        ):
             part = picked(curve.values, slice(begin, end))
             yield Curve(part | {name: np.clip(part[name], *ends) for name, ends in between.items()})
 
@@ -138,7 +145,9 @@ def _compare(curves: list[Curve], p: Parameters) -> None:
         crossings = sum(int(np.count_nonzero(np.diff(curve.mu0 > mu0))) for curve in curves)
         proved = folds(p.replace(mu0=mu0)).theta0.size
         if crossings != proved:
-            raise _indistinct(float(p.kappa), f"at mu0 = {mu0} they have {crossings} where {proved} are proved")
+            raise _indistinct(
+                float(p.kappa), f"at mu0 = {mu0} they have {crossings} where {proved} are proved"
+            )
 
 
 def _indistinct(kappa: float, reason: str) -> ConvergenceError:
@@ -158,13 +167,27 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
         curvature = np.sign(kernel.f_curvature(c, s, *trig))
         changes = _catastrophe.unfolding(c, s, c0, s0, mu0, *fixed)
         after = on_circle(kernel.landing(t, trig, np.sqrt))
-        (_, x, y), (_, x_after, y_after) = (kernel.state_of(*at[:2], c0, s0, *fixed) for at in ((c, s), after))
-    by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
-    return Curve({
-        "theta0": theta0, "mu0": mu0, "theta": 2 * np.arctan(t), "x": x, "y": y, "upper": curvature > 0,
-        "when_theta0": by_angle, "when_mu0": by_friction, "theta_after": np.arctan2(after.sine, after.cosine),
-        "x_after": x_after, "y_after": y_after,
-    })  # fmt: skip
+        (_, x, y), (_, x_after, y_after) = (
+            kernel.state_of(*at[:2], c0, s0, *fixed) for at in ((c, s), after)
+        )
+    by_angle, by_friction = (
+        (curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2]
+    )
+    return Curve(
+        {
+            "theta0": theta0,
+            "mu0": mu0,
+            "theta": 2 * np.arctan(t),
+            "x": x,
+            "y": y,
+            "upper": curvature > 0,
+            "when_theta0": by_angle,
+            "when_mu0": by_friction,
+            "theta_after": np.arctan2(after.sine, after.cosine),
+            "x_after": x_after,
+            "y_after": y_after,
+        }
+    )
 
 
 #: A step in θ₀, radians, over which neighbours are not joined where their number changes.
@@ -201,7 +224,9 @@ class _Columns(ByColumn):
         c, s, _ = on_circle(t)
         coefficients = np.stack(np.broadcast_arrays(*condition.polynomial(c, s, fixed)), axis=-1)
         coefficients /= np.abs(coefficients).max(axis=-1, keepdims=True)
-        theta0 = 2 * np.arctan(_positive_roots(coefficients, condition.number and condition.number(t))).T
+        theta0 = (
+            2 * np.arctan(_positive_roots(coefficients, condition.number and condition.number(t))).T
+        )
         return cls(t, theta0, condition.friction(c, s, theta0, fixed))
 
     def goes_on(self, other: _Columns, step: float) -> BoolArray:
@@ -226,7 +251,9 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
     real = polished(coefficients, np.sort(np.where(inside, roots.real, np.nan), axis=-1))
     if number is not None:
         return np.maximum(real, 0.0)
-    residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(by_power(np.abs(coefficients)), real)
+    residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(
+        by_power(np.abs(coefficients)), real
+    )
     return np.sort(np.where(residual < _RESIDUAL, real, np.nan), axis=-1)
 
 
@@ -242,11 +269,15 @@ def curves(condition: Condition, fixed: Fixed, t: FloatArray, step: float) -> It
             open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + _FINEST))
             if not open_.any():
                 break
-            columns = columns.then(_Columns.at(np.sqrt(before.t * after.t)[open_], condition, fixed))
+            columns = columns.then(
+                _Columns.at(np.sqrt(before.t * after.t)[open_], condition, fixed)
+            )
             columns = columns[np.argsort(columns.t)]
         there = np.isfinite(columns.mu0) & (columns.mu0 >= -_NONE)
     number = np.where(there, np.cumsum(there).reshape(there.shape) - 1, -1)
-    points = np.stack([np.broadcast_to(columns.t, there.shape), columns.theta0, np.maximum(columns.mu0, 0.0)])[:, there]
+    points = np.stack(
+        [np.broadcast_to(columns.t, there.shape), columns.theta0, np.maximum(columns.mu0, 0.0)]
+    )[:, there]
     for chain in walked(_links(columns, number, step)):
         if chain.size > 1:
             yield points[:, chain]
@@ -261,7 +292,10 @@ def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
     for place in np.flatnonzero(~on):
         both = slice(place, place + 2)
         some = number[:, both] >= 0
-        who, pairs = number[:, both][some].tolist(), _pairs(columns.theta0[:, both][some], np.nonzero(some)[1])
+        who, pairs = (
+            number[:, both][some].tolist(),
+            _pairs(columns.theta0[:, both][some], np.nonzero(some)[1]),
+        )
         link(links, ((who[one], who[other]) for one, other in pairs))
     return links
 
@@ -273,7 +307,9 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
     near meet in between, and others end at θ₀ = 0 or π.
     """
     free, every = set(range(side.size)), itertools.combinations(range(side.size), 2)
-    for _, far, *pair in sorted((side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every):
+    for _, far, *pair in sorted(
+        (side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every
+    ):
         if far < _STEP and free.issuperset(pair):
             free.difference_update(pair)
             yield pair[0], pair[1]
@@ -316,7 +352,9 @@ def directions(fixed: Fixed) -> Directions:
     at = np.array([float((root.low + root.high) / 2) for root in found])
     beside = np.append(at, 1.0)
     low = np.concatenate([beside * (1 - _BESIDE), beside * (1 + _BESIDE), list(map(float, inside))])
-    return Directions(np.append(low, 1 / low), np.append(at, 1 / at[::-1]), np.array(number + number[-2::-1]))
+    return Directions(
+        np.append(low, 1 / low), np.append(at, 1 / at[::-1]), np.array(number + number[-2::-1])
+    )
 
 
 def _number(t: Fraction, exact: Fixed) -> int:
@@ -328,7 +366,11 @@ def _events(exact: Fixed) -> list[Root]:
     """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
     conditions, bits = _conditions(exact), _BITS
     while True:
-        found = sorted(root for condition in conditions for root in real_roots(condition, Fraction(0), Fraction(1), bits))
+        found = sorted(
+            root
+            for condition in conditions
+            for root in real_roots(condition, Fraction(0), Fraction(1), bits)
+        )
         after = [*(root.low for root in found[1:]), Fraction(1)]
         if all(root.high < low for root, low in zip(found, after, strict=False)):
             return found
@@ -342,7 +384,9 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
     def values(s: Fraction) -> tuple[Fraction, ...]:
         if exact.alpha:
             return tuple(_catastrophe.fold_events(s, *exact))
-        return tuple(_catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta))
+        return tuple(
+            _catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta)
+        )
 
     def one(place: int, s: Fraction) -> Fraction:
         return values(s)[place]
@@ -353,6 +397,8 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
         if in_sine:  # else the same at every θ
             condition = polynomials.squarefree(of_sine_in_t(in_sine))
             for other in [(-1, 1), *found]:
-                condition = polynomials.without(condition, polynomials.common_divisor(condition, other))
+                condition = polynomials.without(
+                    condition, polynomials.common_divisor(condition, other)
+                )
             found.append(condition)
     return found

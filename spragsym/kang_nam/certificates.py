@@ -30,9 +30,14 @@ from .quartic.solver import count, equilibria
 
 
 def claims(
-    low: Parameters, high: Parameters, claim: str, *, vary: str | None = None, begin: float | None = None,
+    low: Parameters,
+    high: Parameters,
+    claim: str,
+    *,
+    vary: str | None = None,
+    begin: float | None = None,
     units: Mapping[str, Unit] | None = None,
-) -> Claim:  # fmt: skip
+) -> Claim:
     """The closed form of :func:`spragsym.design.tube_certificates.claims`, for friction that rises.
 
     Notes
@@ -44,7 +49,11 @@ def claims(
     measures = checked_units(units, tuple(Parameters.ranges), ("theta0",))
     powers = [one for unit in measures.values() for one in unit.powers.items() if one[0] in NAMES]
     whole = all(name != "mu0" and power == int(power) for name, power in powers)
-    if claim not in CLAIMS or not whole or not (vary is None or (vary == "mu0" and claim == "no jump")):
+    if (
+        claim not in CLAIMS
+        or not whole
+        or not (vary is None or (vary == "mu0" and claim == "no jump"))
+    ):
         raise NotInClosedForm
     return _Closed(low, high, claim, measures)
 
@@ -59,7 +68,9 @@ class _Closed(Claim):
     batch, most, corners = 2048, 20_000, 512
     whole: Boxes
 
-    def __init__(self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]) -> None:
+    def __init__(
+        self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]
+    ) -> None:
         self.prove, self.false = CLAIMS[claim]
         matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(NAMES)}
         self.sides = (*NAMES, *matter)
@@ -73,7 +84,9 @@ class _Closed(Claim):
         width = parts.high - parts.low
         known = ((width > 0) & (weight > 0)).any(axis=0)
         # The widest where none is known to matter.
-        return replace(parts, holds=holds), np.where(known, weight, width / np.maximum(parts.high, 1e-300))
+        return replace(parts, holds=holds), np.where(
+            known, weight, width / np.maximum(parts.high, 1e-300)
+        )
 
     def point(self, values: FloatArray) -> Parameters:
         return Parameters(**self.whole.parameters(values))
@@ -134,14 +147,19 @@ def _followed_with(boxes: Boxes, margin: float) -> Proved:
         middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
         *_, first, later, result = with_and_without_friction(middle)
         # A direction below the state at μ₀ = 0, one above it, and one above the state at the largest friction.
-        lowest, start = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
+        lowest, start = (
+            _moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin)
+            for side in (-1, 1)
+        )
         highest = _moved(boxes, middle, later, margin)
         result &= (lowest.value - lowest.reach() > 0) & (highest.value + highest.reach() < math.pi)
     weight = np.zeros_like(boxes.low)
     for check in (_ends_hold, _rises, _is_small):
         some = np.flatnonzero(result)
         if some.size:
-            result[some], weight[:, some] = check(boxes[some], lowest[some], start[some], highest[some])
+            result[some], weight[:, some] = check(
+                boxes[some], lowest[some], start[some], highest[some]
+            )
     return result, weight
 
 
@@ -153,8 +171,11 @@ def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margi
 
 
 def _change(
-    boxes: Boxes, values: dict[str, Any], theta: FloatArray, term: Callable[[FloatArray], FloatArray] = np.positive
-) -> FloatArray:  # fmt: skip
+    boxes: Boxes,
+    values: dict[str, Any],
+    theta: FloatArray,
+    term: Callable[[FloatArray], FloatArray] = np.positive,
+) -> FloatArray:
     """What half of each side but μ₀ moves an equilibrium, to first order: a unit changes all parameters that depend on it.
 
     With ``np.abs`` for a ``term`` the value if nothing cancelled.
@@ -162,8 +183,16 @@ def _change(
     c, s, c0, s0 = *kernel.cos_sin(theta), *kernel.cos_sin(values["theta0"])
     others = [values[name] for name in kernel.LINEAR]
     slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, *others, 1))
-    changes, moved = _catastrophe.unfolding(c, s, c0, s0, *others), boxes.parameters(sides(boxes.low, boxes.high))
-    found = np.asarray(sum(term(-one / slope * moved[name].terms) for name, (one, _) in zip(NAMES, changes, strict=True)))
+    changes, moved = (
+        _catastrophe.unfolding(c, s, c0, s0, *others),
+        boxes.parameters(sides(boxes.low, boxes.high)),
+    )
+    found = np.asarray(
+        sum(
+            term(-one / slope * moved[name].terms)
+            for name, (one, _) in zip(NAMES, changes, strict=True)
+        )
+    )
     found[_MU0] = 0.0
     return found
 
@@ -180,7 +209,9 @@ def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved
         second = _change(boxes, boxes.middle() | {"mu0": friction}, line.value, np.abs)
         first = np.abs(inside.terms[:-1])
         straight = holds & ~presses & (first.sum(axis=0) > inside.error)
-        weight = np.maximum(weight, np.where(straight, first / np.maximum(first.sum(axis=0), 1e-300), second**2))
+        weight = np.maximum(
+            weight, np.where(straight, first / np.maximum(first.sum(axis=0), 1e-300), second**2)
+        )
     return result, weight
 
 
@@ -318,7 +349,9 @@ class Line(ByColumn):
 
     def where(self, mine: BoolArray, other: Line) -> Line:
         """This one for some boxes, another for the rest."""
-        return Line(np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes))
+        return Line(
+            np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes)
+        )
 
 
 def constant(value: float, boxes: Boxes) -> Line:
@@ -365,12 +398,18 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
         box, begin, end = box[~done], begin[~done], end[~done]
         for part in parts:
             sizes = part[:-1, hopeless]
-            np.maximum.at(weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T)
+            np.maximum.at(
+                weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
+            )
         result[box[hopeless]] = False
         # A box with many open cells fails on a stretch of directions, and not at one: no cut of it helps.
         result[np.bincount(box, minlength=size) > _OPEN] = False
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]
         middle = 0.5 * (begin + end)
-        box, begin, end = np.tile(box, 2), np.concatenate([begin, middle]), np.concatenate([middle, end])
+        box, begin, end = (
+            np.tile(box, 2),
+            np.concatenate([begin, middle]),
+            np.concatenate([middle, end]),
+        )
     return result, weight

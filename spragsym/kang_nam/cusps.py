@@ -35,18 +35,24 @@ def cusps(
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact, plane = tuple(map(Fraction, p.scalars(*FIXED))), ("theta0", "mu0")
-    found = with_enough_bits(20, lambda bits: [point.row(*plane) for point in proved_cusps(exact, bits)], "cusps")
+    found = with_enough_bits(
+        20, lambda bits: [point.row(*plane) for point in proved_cusps(exact, bits)], "cusps"
+    )
     rows = sorted(found, key=lambda row: (row[1], *row))
     spans = (-math.pi, math.pi), (-math.inf, math.inf)
     return listed(Points, p, plane, np.full(len(rows), "cusp"), rows, between, spans=spans)
 
 
-def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int) -> CuspProof:
+def precise_cusps(
+    _p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int
+) -> CuspProof:
     """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
     if tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact = tuple(given[name] for name in FIXED)
-    found = with_enough_bits(digits, lambda bits: [_cusp(point, digits) for point in proved_cusps(exact, bits)], "cusps")
+    found = with_enough_bits(
+        digits, lambda bits: [_cusp(point, digits) for point in proved_cusps(exact, bits)], "cusps"
+    )
     ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
         return CuspProof(ordered, True, {})
@@ -55,8 +61,12 @@ def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str],
 
 
 def _cusp(point: Point, digits: int) -> PreciseCusp:
-    numbers, _, radius = as_numbers((*point.parameters[:2], point.theta, point.L, point.x, point.y), digits)
-    return PreciseCusp(dict(zip(("theta0", "mu0", *STATE), numbers, strict=True)), as_mpf(radius), is_versal(point))
+    numbers, _, radius = as_numbers(
+        (*point.parameters[:2], point.theta, point.L, point.x, point.y), digits
+    )
+    return PreciseCusp(
+        dict(zip(("theta0", "mu0", *STATE), numbers, strict=True)), as_mpf(radius), is_versal(point)
+    )
 
 
 #: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
@@ -71,7 +81,9 @@ def cusp_sines(
     For α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
     """
     coefficients = (
-        _catastrophe.cusp_polynomial(kappa, alpha, sigma, beta) if alpha else _catastrophe.cusp_cubic(kappa, sigma, beta)
+        _catastrophe.cusp_polynomial(kappa, alpha, sigma, beta)
+        if alpha
+        else _catastrophe.cusp_cubic(kappa, sigma, beta)
     )
     polynomial = tuple(map(Fraction, coefficients))
     simple, one = polynomials.squarefree(polynomial), Fraction(1)
@@ -107,7 +119,11 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
 
     sides = (
         sign_of(L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),
-        sign_of(s0 - L * s, lambda s: _catastrophe.cusp_sine(s, *exact)[0] - _cusp_length(s, *exact) * s, "y = 0 on a cusp"),
+        sign_of(
+            s0 - L * s,
+            lambda s: _catastrophe.cusp_sine(s, *exact)[0] - _cusp_length(s, *exact) * s,
+            "y = 0 on a cusp",
+        ),
     )
     if sides != (1, -1):
         return
@@ -121,8 +137,12 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
             cosines = [leaning * c]
         else:
             gap = 1 - s0 * s0
-            inside = sign_of(gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp")
-            cosines = [] if inside < 0 else [balls.sqrt(gap), -balls.sqrt(gap)] if inside else [zero]
+            inside = sign_of(
+                gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp"
+            )
+            cosines = (
+                [] if inside < 0 else [balls.sqrt(gap), -balls.sqrt(gap)] if inside else [zero]
+            )
         for c0 in cosines:
             angles = (_angle_or_level(c0, s0, flat0), _angle_or_level(c, s, flat))
             yield Point((angles[0], friction * c, *values), angles[1], L, c0 - L * c, s0 - L * s)

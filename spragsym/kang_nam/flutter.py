@@ -27,7 +27,14 @@ from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, atan2, decided, sign, with_enough_bits
 from ..numerics.interval_arrays import IntArray, quiet
-from ..numerics.polynomials import RootOf, eigenvalues, in_t, on_circle, real_roots, roots_on_the_line
+from ..numerics.polynomials import (
+    RootOf,
+    eigenvalues,
+    in_t,
+    on_circle,
+    real_roots,
+    roots_on_the_line,
+)
 from ..questions import NotInClosedForm, of_article
 from ..results import Result
 from . import kernel
@@ -59,11 +66,17 @@ def flutter_onsets(
     exact = Elimination(*map(Fraction, p.scalars("mu0", *FIXED)))
 
     def attempt(bits: int) -> list[tuple[tuple[float, ...], Onset]]:
-        return sorted(((onset.row("theta0"), onset) for onset in onsets(exact, bits)), key=lambda one: one[0])
+        return sorted(
+            ((onset.row("theta0"), onset) for onset in onsets(exact, bits)), key=lambda one: one[0]
+        )
 
     found = with_enough_bits(20, attempt, "flutter_onsets") if exact.values[0] else []
     rows = [row for row, _ in found]
-    branch, count, side = np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64).reshape(-1, 3).T
+    branch, count, side = (
+        np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64)
+        .reshape(-1, 3)
+        .T
+    )
     theta, L = np.array([row[1:3] for row in rows]).reshape(-1, 2).T
     # ω² of the two modes that meet is half the trace of K, which has no friction.
     trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*FIXED[1:]), 1)
@@ -137,7 +150,9 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
         with quiet():
             L, x, y = kernel.state_of(*on_circle(t)[:2], *kernel.cos_sin(theta0), *fixed)
         good = (y < 0) & (mu0 > 0)
-        found.append(np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good])
+        found.append(
+            np.stack([theta0, mu0, 2 * np.arctan(t), L, x, y, np.full(t.size, number)])[:, good]
+        )
     *places, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
     _, curve = np.unique(curve, return_inverse=True)
     branch, count = _rank(fixed, *places[:3])
@@ -148,7 +163,15 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
     """Derived: ``flutter_cubic``."""
     g0, g1, k0, k1, k2, k3 = _stability.flutter_cubic(c, s, *fixed)
     middle = 3 * k0 + 4 * k2
-    return g0 - k0, 2 * (g1 - k1), g0 - middle, -4 * k1 - 8 * k3, -g0 - middle, -2 * (g1 + k1), -g0 - k0
+    return (
+        g0 - k0,
+        2 * (g1 - k1),
+        g0 - middle,
+        -4 * k1 - 8 * k3,
+        -g0 - middle,
+        -2 * (g1 + k1),
+        -g0 - k0,
+    )
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
@@ -159,7 +182,9 @@ def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) ->
 _ONSET = Condition(_polynomial, _friction)
 
 
-def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) -> tuple[IntArray, IntArray]:
+def _rank(
+    fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray
+) -> tuple[IntArray, IntArray]:
     """Rank of each point among the equilibria there, and their number.
 
     From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
@@ -171,7 +196,9 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
         t = np.where(roots.imag == 0, roots.real, np.nan)
         _, _, y = kernel.state_of(*on_circle(t)[:2], c0, s0, *fixed)
         t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
-        return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)
+        return np.argmin(
+            np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0
+        ), np.isfinite(t).sum(axis=0)
 
 
 #: Degrees in cos θ, sin θ, half of those in v: of the resultant, of that for α = 0, and at most of X and Y in L = X/Y over one
@@ -231,7 +258,9 @@ class Elimination:
         _, _, u2, w2 = _stability.reference_lines(c, s, *values)
         return -u2, w2
 
-    def sign_of(self, root: RootOf, value: Interval, function: Callable[..., Any], degree: int, what: str) -> int:
+    def sign_of(
+        self, root: RootOf, value: Interval, function: Callable[..., Any], degree: int, what: str
+    ) -> int:
         """The sign of an interval at a root; 0 where ``function(c, s, X, Y)``, of that degree in cos θ and sin θ, is 0 there."""
         exactly = in_v(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
         return root.sign_of(value, exactly, 2 * degree, what)
@@ -264,7 +293,9 @@ def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
             yield from _at_length(elimination, root, L, values, bits, alone=len(lengths) == 1)
 
 
-def _lengths(elimination: Elimination, root: RootOf, values: tuple[Interval, ...]) -> list[Interval]:
+def _lengths(
+    elimination: Elimination, root: RootOf, values: tuple[Interval, ...]
+) -> list[Interval]:
     """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
     c, s = direction(root.interval())
     X, Y = elimination.length(c, s, values)
@@ -280,7 +311,13 @@ def _lengths(elimination: Elimination, root: RootOf, values: tuple[Interval, ...
 
 
 def _at_length(
-    elimination: Elimination, root: RootOf, L: Interval, values: tuple[Interval, ...], bits: int, *, alone: bool
+    elimination: Elimination,
+    root: RootOf,
+    L: Interval,
+    values: tuple[Interval, ...],
+    bits: int,
+    *,
+    alone: bool,
 ) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
 
@@ -308,7 +345,9 @@ def _at_length(
         def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
             return Y * Y - sine(c, s, X, Y) ** 2
 
-        above = elimination.sign_of(root, 1 - s0 * s0, gap, 2 * (_DEGREE_OF_LENGTH + 1), "sin θ₀ = 1")
+        above = elimination.sign_of(
+            root, 1 - s0 * s0, gap, 2 * (_DEGREE_OF_LENGTH + 1), "sin θ₀ = 1"
+        )
         width = balls.sqrt(1 - s0 * s0) if above > 0 else balls.exact(Fraction(0))
         cosines = {1: [width, -width], 0: [width], -1: []}[above]
         stationary = above == 0
@@ -316,7 +355,9 @@ def _at_length(
         L, x, y = kernel.state_of(c, s, c0, s0, kappa, *springs)
         # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
         change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, *springs)
-        touches = stationary or (alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0)
+        touches = stationary or (
+            alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0
+        )
         side = 0 if touches else -decided(change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
         branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / springs[1], bits // 2)
@@ -329,7 +370,11 @@ def _at_length(
 def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval, bits: int) -> tuple[int, int]:
     """Place among the equilibria from below in θ of the root t of f's quartic, and their number; contact is sin θ > ``edge``."""
     roots = (root.interval() for root in roots_on_the_line(quartic, bits, positive=True))
-    sides = [sign(root - t) for root in roots if decided(on_circle(root).sine - edge, "y = 0 of another equilibrium") > 0]
+    sides = [
+        sign(root - t)
+        for root in roots
+        if decided(on_circle(root).sine - edge, "y = 0 of another equilibrium") > 0
+    ]
     below, here, above = map(sides.count, (-1, 0, 1))
     if here != 1 or (below, above) not in ((0, 0), (2, 0), (0, 2)):
         raise Undecided(f"{below} equilibria below an onset, {here} there and {above} above")

@@ -44,7 +44,9 @@ class FoldArrays:
     def rows(self, index: IndexArray) -> FoldArrays:
         """Some of them."""
         value, t = self.value.rows(index), self.t.rows(index)
-        return FoldArrays(self.row[index], value, t, self.side[index], self.upper[index], self.undecided)
+        return FoldArrays(
+            self.row[index], value, t, self.side[index], self.upper[index], self.undecided
+        )
 
 
 def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
@@ -69,7 +71,9 @@ def friction_sextic(given: Mapping[str, FloatArray]) -> Sequence[Any]:
     return _eliminated("mu0", given)[-1]
 
 
-def _eliminated(vary: str, given: Mapping[str, FloatArray]) -> tuple[Any, Any, Any, Any, Sequence[Any]]:
+def _eliminated(
+    vary: str, given: Mapping[str, FloatArray]
+) -> tuple[Any, Any, Any, Any, Sequence[Any]]:
     """The others with 0 for one, cos θ₀ and sin θ₀, a, b, d, m of f and of f_v there, and f′ f_v − f f_v′ by powers of t."""
     values = [Rounded(given[name] if name != vary else np.float64(0.0)) for name in LINEAR]
     angle = cosine_and_sine(given["theta0"])
@@ -82,27 +86,40 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     values = [Rounded(given[name]) for name in LINEAR]
     polynomial, free = _circle(values), np.broadcast_to(given["alpha"] == 0, size)
     if free.any():
-        relation = math.prod([Polynomial([1, 0, 1])] * 3, start=Polynomial(kernel.fold_cubics(*values)[1]))
-        polynomial = [_where(free, one, other) for one, other in zip(relation.coefficients, polynomial, strict=True)]
+        relation = math.prod(
+            [Polynomial([1, 0, 1])] * 3, start=Polynomial(kernel.fold_cubics(*values)[1])
+        )
+        polynomial = [
+            _where(free, one, other)
+            for one, other in zip(relation.coefficients, polynomial, strict=True)
+        ]
     roots = bernstein.positive_roots(polynomial, size)
     twice = np.flatnonzero(free[roots.row])
     index = np.append(np.arange(roots.row.size), twice)
-    roots = bernstein.Roots(roots.row[index], roots.t.rows(index), roots.rising[index], roots.undecided)
+    roots = bernstein.Roots(
+        roots.row[index], roots.t.rows(index), roots.rising[index], roots.undecided
+    )
     others, at = _rows(values, roots.row), on_circle(roots.t)[:2]
     sin0, cos0 = kernel.fold_sine(*at, *others), kernel.fold_angles(*at, *others)[1]
     inside = np.ones(index.size, dtype=np.int8)
     if twice.size:
         square, free = 1 - sin0 * sin0, free[roots.row]
         inside, width = np.where(free, square.sign(), 1), square.sqrt()
-        cos0 = _where(free, width * np.where(np.arange(index.size) < index.size - twice.size, 1.0, -1.0), cos0)
+        cos0 = _where(
+            free, width * np.where(np.arange(index.size) < index.size - twice.size, 1.0, -1.0), cos0
+        )
     trig = kernel.f_coefficients(cos0, sin0, *others, 1)
     change = kernel.f(*at, *kernel.f_changes(cos0, sin0, *others)[0])
     curvature = kernel.f_curvature(*at, *trig).sign()
     # The true point lies on the unit circle, at most this far from the computed one.
     distance = np.hypot(sin0.error, cos0.error)
-    theta0 = Rounded(np.arctan2(sin0.value, cos0.value), np.where(distance < 0.1, 1.01 * distance, 4.0) + 1e-15)
+    theta0 = Rounded(
+        np.arctan2(sin0.value, cos0.value), np.where(distance < 0.1, 1.01 * distance, 4.0) + 1e-15
+    )
     named = dict(zip(LINEAR, others, strict=True))
-    return _kept(roots, theta0, (*at, cos0, sin0), named, -curvature * change.sign(), curvature, inside)
+    return _kept(
+        roots, theta0, (*at, cos0, sin0), named, -curvature * change.sign(), curvature, inside
+    )
 
 
 def _circle(values: list[Rounded]) -> list[Rounded]:
@@ -110,7 +127,9 @@ def _circle(values: list[Rounded]) -> list[Rounded]:
     _, _, alpha, sigma, beta = values
     width = alpha * (beta + 1 + sigma)
     scale = (alpha + sigma) * (beta + 1) * width
-    powers, others = ((one * one).coefficients for one in map(Polynomial, kernel.fold_cubics(*values)))
+    powers, others = (
+        (one * one).coefficients for one in map(Polynomial, kernel.fold_cubics(*values))
+    )
     result = [width * width * one + other for one, other in zip(powers, others, strict=True)]
     for half, binomial in enumerate((1, 6, 15, 20, 15, 6, 1)):
         result[2 * half] = result[2 * half] - scale * scale * binomial
@@ -143,7 +162,9 @@ def _rows(parts: Iterable[Any], index: IndexArray) -> list[Any]:
 
 def _where(which: BoolArray, *numbers: Any) -> Rounded:
     one, other = map(as_number, numbers)
-    return Rounded(*(np.where(which, getattr(one, part), getattr(other, part)) for part in ("value", "error")))
+    return Rounded(
+        *(np.where(which, getattr(one, part), getattr(other, part)) for part in ("value", "error"))
+    )
 
 
 # ------------------------------------------------------------------------------------------------------ more digits
@@ -157,7 +178,9 @@ LARGEST_ERROR = 1e-12
 _BITS = 160
 
 
-def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> tuple[Rounded, Rounded, IndexArray]:
+def sharpened(
+    vary: str, given: Mapping[str, FloatArray], found: FoldArrays
+) -> tuple[Rounded, Rounded, IndexArray]:
     """t = tan(θ/2) and the values on folds with less uncertainty, and where it is still too large.
 
     ``given`` has for each fold the others of the six.
@@ -165,9 +188,13 @@ def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> 
     exact = {name: Rounded(column) for name, column in given.items()}
     wide = Rounded(found.value.value, 2 * found.value.error)  # with the surface beside the fold
     steps = _sharpened(
-        vary, exact, (found.t, wide), _cosine_and_sine, lambda one: Rounded(one.value),
+        vary,
+        exact,
+        (found.t, wide),
+        _cosine_and_sine,
+        lambda one: Rounded(one.value),
         lambda one, other: _where(2 * other.error <= one.error, other, one),
-    )  # fmt: skip
+    )
     with quiet():
         for near in itertools.islice(steps, _STEPS):
             left = np.flatnonzero(~(near[1].error <= LARGEST_ERROR * scale_of(near[1].value)))
@@ -178,7 +205,9 @@ def sharpened(vary: str, given: Mapping[str, FloatArray], found: FoldArrays) -> 
 
 def _cosine_and_sine(angle: Rounded) -> tuple[Rounded, Rounded]:
     cosine, sine = cosine_and_sine(angle.value)
-    return Rounded(cosine.value, cosine.error + angle.error), Rounded(sine.value, sine.error + angle.error)
+    return Rounded(cosine.value, cosine.error + angle.error), Rounded(
+        sine.value, sine.error + angle.error
+    )
 
 
 def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: Rounded) -> float:
@@ -194,15 +223,21 @@ def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: R
 
     with balls.precision(_BITS):
         exact = {name: balls.exact(Fraction(number)) for name, number in given.items()}
-        steps = _sharpened(vary, exact, (around(t), around(value)), balls.cos_sin, balls.middle, narrower)
+        steps = _sharpened(
+            vary, exact, (around(t), around(value)), balls.cos_sin, balls.middle, narrower
+        )
         *_, (_, best) = itertools.islice(steps, _FURTHER)
         return as_floats((best,))[0][0]
 
 
 def _sharpened(
-    vary: str, given: Mapping[str, Any], near: tuple[Any, Any], cos_sin: Callable[[Any], tuple[Any, Any]],
-    middle: Callable[[Any], Any], narrower: Callable[[Any, Any], Any],
-) -> Iterator[tuple[Any, Any]]:  # fmt: skip
+    vary: str,
+    given: Mapping[str, Any],
+    near: tuple[Any, Any],
+    cos_sin: Callable[[Any], tuple[Any, Any]],
+    middle: Callable[[Any], Any],
+    narrower: Callable[[Any, Any], Any],
+) -> Iterator[tuple[Any, Any]]:
     """t and the value v with less uncertainty after each step, of arrays with bounds or of one ball each.
 
     ``near`` holds what they are on the fold, and beside it, in the directions of t, the surface f = 0. On that dv/dθ = −f′/f_v,
@@ -220,9 +255,16 @@ def _sharpened(
     while True:
         centre, v = middle(t), middle(value)
         (here, around), values = (on_circle(one) for one in (centre, t)), with_value(value)
-        trig, change = kernel.f_coefficients(*values, 1), kernel.f_changes(*values)[NAMES.index(vary)]
-        drift = kernel.f_slope(*around[:2], *trig) / kernel.f(*around[:2], *change) * (2 * (t - centre))  # dθ ≤ 2 dt
-        on_surface = v - kernel.f(*here[:2], *kernel.f_coefficients(*with_value(v), 1)) / kernel.f(*here[:2], *change)
+        trig, change = (
+            kernel.f_coefficients(*values, 1),
+            kernel.f_changes(*values)[NAMES.index(vary)],
+        )
+        drift = (
+            kernel.f_slope(*around[:2], *trig) / kernel.f(*around[:2], *change) * (2 * (t - centre))
+        )  # dθ ≤ 2 dt
+        on_surface = v - kernel.f(*here[:2], *kernel.f_coefficients(*with_value(v), 1)) / kernel.f(
+            *here[:2], *change
+        )
         value = narrower(value, on_surface + drift)
         slope = kernel.f_slope(*here[:2], *kernel.f_coefficients(*with_value(value), 1))
         t = narrower(t, centre - slope / kernel.f_curvature(*around[:2], *trig) * around.scale / 2)

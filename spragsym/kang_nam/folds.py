@@ -60,7 +60,10 @@ def folds(
         found = []
         for fold in proved_folds(vary, exact, bits):
             value = fold.point.parameters[place]
-            if decided(value, f"{vary} = 0 on a fold") > 0 and (row := fold.point.row(vary))[0] < RANGES[vary].high:
+            if (
+                decided(value, f"{vary} = 0 on a fold") > 0
+                and (row := fold.point.row(vary))[0] < RANGES[vary].high
+            ):
                 low, high = balls.ends(value)
                 if high - low > low / 10**25:
                     raise Undecided("a fold to 25 digits")
@@ -75,7 +78,11 @@ def folds(
     found = with_enough_bits(20, attempt, "folds")
     _, _, every, rows, after = zip(*found, strict=True) if found else [()] * 5
     kind, ends, when = np.array(list(map(_words, every)), dtype=np.str_).reshape(-1, 3).T.copy()
-    ended = Ended(ends, when, dict(zip(STATE, np.array(after, dtype=float).reshape(-1, 4).T.copy(), strict=True)))
+    ended = Ended(
+        ends,
+        when,
+        dict(zip(STATE, np.array(after, dtype=float).reshape(-1, 4).T.copy(), strict=True)),
+    )
     return listed(Points, p, (vary,), kind, rows, between, ended=ended)
 
 
@@ -87,10 +94,17 @@ def _words(fold: Fold) -> tuple[str, str, str]:
 
 
 def listed(
-    kind_of: type[PointsT], p: Parameters, vary: tuple[str, ...], kind: NDArray[np.str_], rows: Sequence[tuple[float, ...]],
-    between: Ranges | None, *, more: Mapping[str, NDArray[Any]] | None = None,
-    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Sequence[Span] | None = None,
-) -> PointsT:  # fmt: skip
+    kind_of: type[PointsT],
+    p: Parameters,
+    vary: tuple[str, ...],
+    kind: NDArray[np.str_],
+    rows: Sequence[tuple[float, ...]],
+    between: Ranges | None,
+    *,
+    more: Mapping[str, NDArray[Any]] | None = None,
+    ended: Ended | Callable[[Points], Ended] = nothing_ends,
+    spans: Sequence[Span] | None = None,
+) -> PointsT:
     """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where it is given, ``between``."""
     names = *vary, *STATE
     *columns, error = np.array(rows, dtype=float).reshape(-1, len(names) + 1).T.copy()
@@ -164,11 +178,15 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
         value = -line(c, s, *without) / line(c, s, *change)
         found = {**fixed, vary: value}
         for point in in_contact(angles, *(found[name] for name in LINEAR)):
-            exactly = replace(point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:]))
+            exactly = replace(
+                point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:])
+            )
             yield _classified(vary, exactly, angles, direction)
 
 
-def lines_and_sextic(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Any, Any, polynomials.Polynomial]:
+def lines_and_sextic(
+    vary: str, c0: Any, s0: Any, others: Sequence[Any]
+) -> tuple[Any, Any, polynomials.Polynomial]:
     """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ; and f′ f_λ − f f_λ′ times (1 + t²)³.
 
     That is zero at the folds, and a polynomial in t.
@@ -213,7 +231,9 @@ def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polyno
     if vary in ("alpha", "beta"):  # 1 + β − α is no rational there
         return [tuple(exact["mu0"] * value for value in even), odd]
     gap = 1 + exact["beta"] - exact["alpha"]
-    return [tuple(exact["mu0"] * one - 3 * gap * other for one, other in zip(even, odd, strict=True))]
+    return [
+        tuple(exact["mu0"] * one - 3 * gap * other for one, other in zip(even, odd, strict=True))
+    ]
 
 
 def with_multiplicity(
@@ -245,7 +265,9 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
     slope, cross = _catastrophe.unfolding(*angles, *point.parameters[1:])[NAMES.index(vary)]
     if direction.flat:
         third = decided(kernel.f_third(angles.c, angles.s, *trig), "f‴ on a pitchfork")
-        return Fold(point, "pitchfork", -third * decided(cross, "f′ by the parameter on a pitchfork"), False)
+        return Fold(
+            point, "pitchfork", -third * decided(cross, "f′ by the parameter on a pitchfork"), False
+        )
     curvature = decided(kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold")
     if direction.multiplicity > 1:
         return Fold(point, "touch", 0, curvature > 0)
@@ -325,7 +347,9 @@ class Point:
 
 def unfolded(angles: Angles, *values: Interval) -> Interval:
     """f_θ₀ f′_μ₀ − f_μ₀ f′_θ₀: not 0 on a cusp that (θ₀, μ₀) unfold fully."""
-    (by_angle, slope_by_angle), (by_friction, slope_by_friction), *_ = _catastrophe.unfolding(*angles, *values)
+    (by_angle, slope_by_angle), (by_friction, slope_by_friction), *_ = _catastrophe.unfolding(
+        *angles, *values
+    )
     return by_angle * slope_by_friction - by_friction * slope_by_angle
 
 

@@ -36,7 +36,9 @@ from .quartic.solver import equilibria
 BLOCK = 1 << 13
 
 
-def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None) -> Ends:
+def first_ends(
+    p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None
+) -> Ends:
     """The closed form of :func:`spragsym.design.jumps.first_ends`, along any of the six parameters, to 1e-12.
 
     Notes
@@ -53,7 +55,9 @@ def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up",
 
 def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) -> None:
     """Closed forms follow the reference state, as a parameter rises from its lower end, or from the value in the set."""
-    usual = begin is None or (vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary])))
+    usual = begin is None or (
+        vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary]))
+    )
     if p.followed is not None or not usual:
         raise NotInClosedForm
 
@@ -87,7 +91,11 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
 def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
     """Some of the points at a time: where they stand, and the parameters that are given, an array of each."""
     columns = ((name, getattr(p, name)) for name in NAMES)
-    given = {name: np.broadcast_to(column, p.shape).reshape(-1) for name, column in columns if column is not None}
+    given = {
+        name: np.broadcast_to(column, p.shape).reshape(-1)
+        for name, column in columns
+        if column is not None
+    }
     for begin in range(0, math.prod(p.shape), BLOCK):
         here = slice(begin, begin + BLOCK)
         yield here, picked(given, here)
@@ -100,7 +108,11 @@ def _block(
     start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
     eq = equilibria(Parameters(**given | {vary: start}))
     # What all points share is one number, of which the polynomials' coefficients are computed once.
-    others = {name: column[0] if (column == column[0]).all() else column for name, column in given.items() if name != vary}
+    others = {
+        name: column[0] if (column == column[0]).all() else column
+        for name, column in given.items()
+        if name != vary
+    }
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | ~eq.decided | eq.fold
     jumped = _walk(found, start, forward, small(eq), undecided)
@@ -134,10 +146,18 @@ def small(eq: Equilibria) -> IndexArray:
     """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable, of each of many points."""
     size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
     stable = np.where(eq.stability == Stability.STABLE, size, np.inf)
-    return np.asarray(np.argmin(np.where(np.isfinite(stable).any(axis=-1, keepdims=True), stable, size), axis=-1))
+    return np.asarray(
+        np.argmin(np.where(np.isfinite(stable).any(axis=-1, keepdims=True), stable, size), axis=-1)
+    )
 
 
-def _walk(found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: IndexArray, undecided: BoolArray) -> IndexArray:
+def _walk(
+    found: fold_arrays.FoldArrays,
+    start: FloatArray,
+    forward: int,
+    rank: IndexArray,
+    undecided: BoolArray,
+) -> IndexArray:
     """The fold at which each point jumps, −1 for none: ranks are carried over the folds in their order.
 
     Points whose order is not certain are added to ``undecided``.
@@ -150,14 +170,18 @@ def _walk(found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: 
     kept = found.rows(keep)
     row, value = kept.row, kept.value
     same = row[1:] == row[:-1]
-    apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
+    apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (
+        value.error[1:] + value.error[:-1]
+    )
     undecided[row[1:][same & ~apart]] = True
     rank, jumped = rank.astype(np.int64), np.full(start.size, -1)
     place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
     for k in range(int(place.max(initial=-1)) + 1):
         now = np.flatnonzero(place == k)
         points, grows, upper = row[now], forward * kept.side[now] > 0, kept.upper[now]
-        jumps = ~grows & (jumped[points] < 0) & np.where(upper, rank[points] >= 1, rank[points] <= 1)
+        jumps = (
+            ~grows & (jumped[points] < 0) & np.where(upper, rank[points] >= 1, rank[points] <= 1)
+        )
         jumped[points[jumps]] = keep[now[jumps]]
         rank[points] = np.where(grows & ~upper, 2, 0)
     return jumped
@@ -172,7 +196,11 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
     found = folds(p, vary)
     values: FloatArray = getattr(found, vary)
-    start = min([FROM_LOWER_END[vary], *(values / 2)]) if vary in FROM_LOWER_END else float(getattr(p, vary))
+    start = (
+        min([FROM_LOWER_END[vary], *(values / 2)])
+        if vary in FROM_LOWER_END
+        else float(getattr(p, vary))
+    )
     ahead = values[forward * (values - start) >= 0]
     if not ahead.size:
         return math.nan, math.nan
@@ -190,7 +218,11 @@ _NEAR = 1e-9
 
 
 def have_jumped(
-    p: Parameters, vary: str | None = None, begin: float | FloatArray | None = None, *, hasty: bool = False
+    p: Parameters,
+    vary: str | None = None,
+    begin: float | FloatArray | None = None,
+    *,
+    hasty: bool = False,
 ) -> FloatArray:
     """The closed form of :func:`spragsym.design.jumps.have_jumped` as friction or inclination rises; quick everywhere.
 
@@ -228,7 +260,9 @@ def with_and_without_friction(
 ) -> tuple[Equilibria, Equilibria, IndexArray, FloatArray, FloatArray, BoolArray]:
     """Equilibria of points without friction and with theirs; the slot and θ of the state that begins, the first θ from there on
     among those with friction, and where all this is known."""
-    bare, full = (equilibria(Parameters(**given | {"mu0": share * given["mu0"]})) for share in (0.0, 1.0))
+    bare, full = (
+        equilibria(Parameters(**given | {"mu0": share * given["mu0"]})) for share in (0.0, 1.0)
+    )
     slot = small(bare)[:, None]
     first = np.take_along_axis(bare.theta, slot, axis=-1)
     later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
@@ -243,7 +277,14 @@ def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     clear &= ~near & (kind[:, 0] == Stability.STABLE) & ~bare.fold & ~full.fold
     ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
     # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are the rounding of w.
-    off = np.where(clear, 4.0 * np.maximum(error[:, 0], np.nan_to_num(full.error, nan=0.0).max(axis=-1)), 0.0) + 8 * UNIT
+    off = (
+        np.where(
+            clear,
+            4.0 * np.maximum(error[:, 0], np.nan_to_num(full.error, nan=0.0).max(axis=-1)),
+            0.0,
+        )
+        + 8 * UNIT
+    )
     signs = bernstein.signs_between(friction_sextic(given), ends[0], np.maximum(*ends), off)
     # Where it falls at the beginning the state moves the other way as the friction rises.
     clear &= signs.at_low < 0

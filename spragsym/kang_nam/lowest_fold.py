@@ -39,9 +39,9 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
     if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
     columns = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
-    return LowestEnd("mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns))[
-        ()
-    ]  # numbers of one point
+    return LowestEnd(
+        "mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns)
+    )[()]  # numbers of one point
 
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:
@@ -108,7 +108,10 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
 
     if sine.sign_of(s0, lambda s: ratio(s)[0], _DEGREE, "sin θ₀ = 0 at a turn") <= 0:
         return
-    if sine.sign_of(1 - s0, lambda s: ratio(s)[1] - ratio(s)[0], _DEGREE, "sin θ₀ = 1 at a turn") <= 0:
+    if (
+        sine.sign_of(1 - s0, lambda s: ratio(s)[1] - ratio(s)[0], _DEGREE, "sin θ₀ = 1 at a turn")
+        <= 0
+    ):
         return
     c0 = balls.sqrt(1 - s0 * s0)
     angles = Angles(_catastrophe.turning_cosine(s, s0, *values) / c0, s, c0, s0)
@@ -135,8 +138,14 @@ def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, *map(balls.exact, level))
         mu0 = _catastrophe.surface(*angles, *values)
-        curvature = kernel.f_curvature(c, s, *kernel.f_coefficients(angles.c0, angles.s0, mu0, *values, 1))
-        end = sign(curvature) if direction.multiplicity > 1 else decided(curvature, "f″ = 0 on a fold at θ₀ = 0")
+        curvature = kernel.f_curvature(
+            c, s, *kernel.f_coefficients(angles.c0, angles.s0, mu0, *values, 1)
+        )
+        end = (
+            sign(curvature)
+            if direction.multiplicity > 1
+            else decided(curvature, "f″ = 0 on a fold at θ₀ = 0")
+        )
         if end == 0:
             end = decided(unfolded(angles, mu0, *values), "how a cusp at θ₀ = 0 opens")
         if end < 0 and decided(mu0, "μ₀ = 0 on a fold at θ₀ = 0") > 0:

@@ -38,8 +38,14 @@ def aloft(constants: tuple[float, ...], state: FloatArray) -> bool:
     p = Parameters(math.atan2(sin0, cos0), mu0, kappa, *springs)
     found, known = equilibria(p, contact=False), (cos0, sin0, kappa, *springs)
     surface, (x, y, vx, vy) = _stationary_on_the_surface(cos0, sin0, *springs[:2]), state.tolist()
-    places = np.concatenate([found.x, surface, [cos0]]), np.concatenate([found.y, np.zeros_like(surface), [sin0]])
-    values, energy = _potential(*places, *known), _potential(x, y, *known, xp=math) + (vx * vx + vy * vy) / 2
+    places = (
+        np.concatenate([found.x, surface, [cos0]]),
+        np.concatenate([found.y, np.zeros_like(surface), [sin0]]),
+    )
+    values, energy = (
+        _potential(*places, *known),
+        _potential(x, y, *known, xp=math) + (vx * vx + vy * vy) / 2,
+    )
     for slot in np.flatnonzero(found.stability == Stability.STABLE):
         brim = float(np.min(values[values > values[slot] + 1e-12], initial=np.inf))
         way = np.linspace([x, y], [found.x[slot], found.y[slot]], POINTS + 1).T
@@ -61,7 +67,9 @@ def _stationary_on_the_surface(cos0: float, sin0: float, alpha: float, sigma: fl
     lowers the brim, so that complex roots, which may be double ones, stay by their real parts.
     """
     a, b, s2 = alpha * cos0, alpha + sigma, sin0**2
-    quartic = np.array([[a * a * s2, -2 * a * b * s2, a * a + b * b * s2 - sigma**2, -2 * a * b, b * b]])
+    quartic = np.array(
+        [[a * a * s2, -2 * a * b * s2, a * a + b * b * s2 - sigma**2, -2 * a * b, b * b]]
+    )
     return cos0 - np.append(eigenvalues(quartic).real, 0.0)
 
 
@@ -76,7 +84,13 @@ def _highest_on(way: FloatArray, constants: tuple[float, ...]) -> float:
 
 
 def linked(
-    _p: Parameters, vary: str, eq: Equilibria, turns: Points | None, *, most: int = 0, only: int | None = None
+    _p: Parameters,
+    vary: str,
+    eq: Equilibria,
+    turns: Points | None,
+    *,
+    most: int = 0,
+    only: int | None = None,
 ) -> list[dict[int, int]]:
     """For each step and each slot at its beginning, the slot at its end on the same branch; none over several folds at once.
 
@@ -85,18 +99,27 @@ def linked(
     Source: f is continuous in θ and in the parameter, so that its roots exchange places only where two meet. Of every fold it is
     proved which two of three these are. Of the two that begin at a pitchfork the upper goes on: along F_y = 0, x grows with θ.
     """
-    values, counts = (np.asarray(column).tolist() for column in (getattr(eq.parameters, vary), eq.count))
+    values, counts = (
+        np.asarray(column).tolist() for column in (getattr(eq.parameters, vary), eq.count)
+    )
     steps = list(itertools.pairwise(zip(values, counts, strict=True)))
-    return [_over(one, two, vary, turns) for one, two in (steps if only is None else steps[only : only + 1])]
+    return [
+        _over(one, two, vary, turns)
+        for one, two in (steps if only is None else steps[only : only + 1])
+    ]
 
 
-def _over(begin: tuple[float, int], end: tuple[float, int], vary: str, turns: Points | None) -> dict[int, int]:
+def _over(
+    begin: tuple[float, int], end: tuple[float, int], vary: str, turns: Points | None
+) -> dict[int, int]:
     """One step, between values and numbers of equilibria there."""
     (one, before), (two, after) = begin, end
     if before == after or turns is None:
         return {slot: slot for slot in range(before)} if before == after else {}
     at = getattr(turns, vary)
-    passed = np.flatnonzero((min(one, two) <= at) & (at <= max(one, two)) & np.isin(turns.kind, ("fold", "pitchfork")))
+    passed = np.flatnonzero(
+        (min(one, two) <= at) & (at <= max(one, two)) & np.isin(turns.kind, ("fold", "pitchfork"))
+    )
     if passed.size != 1:
         return {}
     (fold,) = passed
@@ -123,8 +146,12 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
         given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
         found = equilibria(Parameters(**given))
         away = np.hypot(found.x - x[:, None], found.y - y[:, None])
-        away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
-        index[rows] = np.where(away.min(axis=-1) <= SETTLED * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1)
+        away = np.where(
+            np.isnan(away), np.inf, away
+        )  # empty slots: all of them where the equilibria are undecided
+        index[rows] = np.where(
+            away.min(axis=-1) <= SETTLED * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1
+        )
     return index
 
 
@@ -144,4 +171,7 @@ _CASES: tuple[tuple[str, float, dict[str, float]], ...] = (
 
 def cases() -> tuple[tuple[str, Parameters], ...]:
     """Named points of all parameters."""
-    return tuple((name, Parameters.article(theta0=math.radians(angle), **changed)) for name, angle, changed in _CASES)
+    return tuple(
+        (name, Parameters.article(theta0=math.radians(angle), **changed))
+        for name, angle, changed in _CASES
+    )

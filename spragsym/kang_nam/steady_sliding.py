@@ -13,7 +13,15 @@ from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
 from ..generated import laws
 from ..generated import linear_sprag as _linear
-from ..models.parameters import NAMES, NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_numbers
+from ..models.parameters import (
+    NAMES,
+    NOT_NEGATIVE,
+    POSITIVE,
+    RANGES,
+    FloatArray,
+    Parameters,
+    as_numbers,
+)
 from ..numerics.interval_arrays import Int8Array, quiet
 from ..questions import of_article
 from ..results import Result, Stability
@@ -74,9 +82,13 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     direction = as_numbers("theta", theta, RANGES["theta0"])
     reference = as_numbers("theta0", theta0, RANGES["theta0"])
     try:
-        direction, reference, *fixed = np.broadcast_arrays(direction, reference, *(getattr(p, name) for name in FIXED))
+        direction, reference, *fixed = np.broadcast_arrays(
+            direction, reference, *(getattr(p, name) for name in FIXED)
+        )
     except ValueError as error:
-        raise ParameterError(f"theta {direction.shape}, theta0 {reference.shape} and the parameters do not broadcast") from error
+        raise ParameterError(
+            f"theta {direction.shape}, theta0 {reference.shape} and the parameters do not broadcast"
+        ) from error
     c, s, c0, s0 = *kernel.cos_sin(direction), *kernel.cos_sin(reference)
     with quiet():
         mu0 = _catastrophe.surface(c, s, c0, s0, *fixed)
@@ -118,7 +130,11 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
     0.496631
     """
     speed = np.abs(as_numbers("V", V))
-    return np.asarray(laws.friction(0.0, as_numbers("mu0", mu0, NOT_NEGATIVE), speed, as_numbers("d", d, POSITIVE)))
+    return np.asarray(
+        laws.friction(
+            0.0, as_numbers("mu0", mu0, NOT_NEGATIVE), speed, as_numbers("d", d, POSITIVE)
+        )
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,9 +194,14 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         middle = _twice_the_mean(e0, e2)
         large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
         # T = e0/large and large/e2. For α = 0 the second is infinite: a pole at 90°. For μ₀ = 0 as well, both are.
-        poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
+        poles = np.stack(
+            [np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)],
+            axis=-1,
+        )
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
-    return LinearSprag(x, y, determinant, poles, np.broadcast_to(linear_critical_friction(p), p.shape).copy())
+    return LinearSprag(
+        x, y, determinant, poles, np.broadcast_to(linear_critical_friction(p), p.shape).copy()
+    )
 
 
 @of_article("folds(p, vary) has the values at which states meet")

@@ -166,7 +166,11 @@ class Field:
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""
         first = self.modes[0]
-        return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
+        return (
+            first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :]
+            if self.ways
+            else first
+        )
 
     @cached_property
     def holding(self) -> tuple[Border, ...]:
@@ -191,10 +195,14 @@ class Field:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
 
-    def matrix(self, state: Sequence[float], constants: Any, mode: Any, xp: Any = FLOATS) -> FloatArray:
+    def matrix(
+        self, state: Sequence[float], constants: Any, mode: Any, xp: Any = FLOATS
+    ) -> FloatArray:
         """The derivative of the rates of all numbers of a state by these: the linearized motion at an equilibrium."""
         n = len(self.coordinates)
-        return np.vstack([np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)])
+        return np.vstack(
+            [np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)]
+        )
 
 
 @cache
@@ -219,7 +227,12 @@ def field_of(model: Model, reach: float) -> Field:
         tuple(motion.borders()),
         motion.initial_mode,
         tuple(
-            itertools.product((1, 0), motion.sides, *((1, 0),) * motion.layers, *((1, -1),) * (motion.turns + motion.torsions))
+            itertools.product(
+                (1, 0),
+                motion.sides,
+                *((1, 0),) * motion.layers,
+                *((1, -1),) * (motion.turns + motion.torsions),
+            )
         ),
         model.Parameters,
         lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
@@ -227,7 +240,11 @@ def field_of(model: Model, reach: float) -> Field:
         ways=motion.torsions,
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
-        around=tuple(place for place, entry in enumerate(model.about["coordinates"]) if entry.get("comes_around")),
+        around=tuple(
+            place
+            for place, entry in enumerate(model.about["coordinates"])
+            if entry.get("comes_around")
+        ),
         is_angle=model.is_angle,
         aloft=model.closed_form("aloft"),
     )
@@ -239,11 +256,17 @@ def exact_field(where: str) -> Field:
 
     model = load(where)
     if not model.about["contact"]["polynomial"]:
-        raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
+        raise ParameterError(
+            "the contact law is no polynomial: it has no continuation beyond its border, which proofs need"
+        )
     if model.field.holding:
-        raise ParameterError("friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks")
+        raise ParameterError(
+            "friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks"
+        )
     if model.about.get("waves"):
-        raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
+        raise ParameterError(
+            "cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in"
+        )
     if model.about["torsions"]:
         raise ParameterError(
             "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"
@@ -266,7 +289,9 @@ class _Motion:
         self.holds = hasattr(model.algebra, "grip")
         self.sides = (1, -1, 0) if self.holds else (1, -1)
         self.rooted = not self.contact["polynomial"]
-        self.turns = int(self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates)
+        self.turns = int(
+            self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates
+        )
         #: Places in a mode of the turn of the gap, and of the first torsion spring.
         self.turn = 2 + self.layers
         self.way = self.turn + self.turns
@@ -274,7 +299,11 @@ class _Motion:
     def constants(self, values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
         """What the functions take, from values of the parameters."""
         # Of NumPy by one number at a time, so that no bit depends on where it stands in an array.
-        cos, sin = (xp.cos, xp.sin) if xp is not None else (lambda v: float(np.cos(v)), lambda v: float(np.sin(v)))
+        cos, sin = (
+            (xp.cos, xp.sin)
+            if xp is not None
+            else (lambda v: float(np.cos(v)), lambda v: float(np.sin(v)))
+        )
         known = dict(zip(self.model.parameters, values, strict=True))
         for angle, names in self.model.about["angles"].items():
             known |= zip(names, (cos(known[angle]), sin(known[angle])), strict=True)
@@ -285,8 +314,12 @@ class _Motion:
         plain = undecorated(getattr(self.model.algebra, name))
         turn, way, rooted = self.turn, self.way, self.rooted
 
-        def call(state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any) -> Any:
-            return plain(*state, *constants, *mode[:turn], *mode[way:], xp=_Rooted(xp) if rooted else xp)
+        def call(
+            state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any
+        ) -> Any:
+            return plain(
+                *state, *constants, *mode[:turn], *mode[way:], xp=_Rooted(xp) if rooted else xp
+            )
 
         return call
 
@@ -295,7 +328,10 @@ class _Motion:
         algebra, n = self.model.algebra, len(self.model.coordinates)
         gap, slip = undecorated(algebra.borders)(*state, *constants)
         side = 2 * (slip >= 0) - 1
-        near = (1 * (depth <= self.reach) for depth in undecorated(algebra.layers)(*state, *constants, side))
+        near = (
+            1 * (depth <= self.reach)
+            for depth in undecorated(algebra.layers)(*state, *constants, side)
+        )
         turn = [2 * (state[n + self._gap] >= 0) - 1] if self.turns else []
         ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
@@ -322,48 +358,70 @@ class _Motion:
     def _gap(self) -> int:
         return self.model.coordinates.index(self.contact["gap"])
 
-    def _turned(self, state: Sequence[float], constants: Sequence[float]) -> list[tuple[float, float]]:
+    def _turned(
+        self, state: Sequence[float], constants: Sequence[float]
+    ) -> list[tuple[float, float]]:
         """Sine and cosine of every turning."""
         if not self.torsions:
             return []
         level = undecorated(self.model.algebra.turning_borders)
         forward, backward = (level(*state, *constants, *(way,) * self.torsions) for way in (1, -1))
-        return [((one - other) / 4, (one + other) / 2 - 1) for one, other in zip(forward, backward, strict=True)]
+        return [
+            ((one - other) / 4, (one + other) / 2 - 1)
+            for one, other in zip(forward, backward, strict=True)
+        ]
 
     def borders(self) -> Iterator[Border]:
         """All borders between modes."""
         of_gap, of_slip, reach = self.contact["gap"], self.model.about["friction"], self.reach
         if of_gap is not None and self.contact["unilateral"]:
             # A law that is no polynomial may have no continuation beyond its border: it is left GAP before.
-            levels = self._generated("borders", "border_rates", 0, shift=lambda _: 2 * GAP * self.rooted)
+            levels = self._generated(
+                "borders", "border_rates", 0, shift=lambda _: 2 * GAP * self.rooted
+            )
             sign, opened = _side(0, 1)
 
             def lifted(mode: Mode, *at: Any) -> Mode:
                 after = opened(mode)
                 return after if mode[1] else self.held(after, *at)
 
-            yield Border(f"{of_gap} = 0", *levels, sign, lifted, crossings=("contact_lost", "contact_regained"))
+            yield Border(
+                f"{of_gap} = 0",
+                *levels,
+                sign,
+                lifted,
+                crossings=("contact_lost", "contact_regained"),
+            )
         if of_slip is not None:
             along = of_slip["along"]
             name = f"{along if along.isidentifier() else f'({along})'}' = {of_slip['belt']}"
-            levels, crossings = self._generated("borders", "border_rates", 1), ("belt_overtakes", "mass_overtakes")
+            levels, crossings = (
+                self._generated("borders", "border_rates", 1),
+                ("belt_overtakes", "mass_overtakes"),
+            )
             if self.holds:
                 yield from self._held(name, levels, crossings)
             else:
                 yield Border(name, *levels, *_side(1, 0), crossings=crossings)
-        for k in range(self.layers):  # exponentials of the sliding speed, where they are about to be felt
+        for k in range(
+            self.layers
+        ):  # exponentials of the sliding speed, where they are about to be felt
 
             def shift(mode: Any, place: int = 2 + k) -> Any:
                 return -reach - WIDTH * mode[place]
 
             levels = self._generated("layers", "layer_rates", k, slice(1, 2), shift)
-            yield Border(f"layer {k + 1}", *levels, *_side(2 + k, 1), kink=False, scale=1e-3 / reach)
+            yield Border(
+                f"layer {k + 1}", *levels, *_side(2 + k, 1), kink=False, scale=1e-3 / reach
+            )
         if self.turns:
             rate = len(self.model.coordinates) + self._gap
             yield Border(
-                "gap' = 0", lambda state, *_: state[rate], lambda _, accelerations, *__: accelerations[self._gap],
+                "gap' = 0",
+                lambda state, *_: state[rate],
+                lambda _, accelerations, *__: accelerations[self._gap],
                 *_side(self.turn, 0),
-            )  # fmt: skip
+            )
         for k in range(self.torsions):
             # Where a turning comes to π times its way, or to −0.93 times it: from there the other way counts it. Each way is
             # smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
@@ -375,38 +433,69 @@ class _Motion:
 
             yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps)
 
-    def _held(self, name: str, levels: tuple[Any, Any], crossings: tuple[str, str]) -> Iterator[Border]:
+    def _held(
+        self, name: str, levels: tuple[Any, Any], crossings: tuple[str, str]
+    ) -> Iterator[Border]:
         """Borders of dry friction: the sliding speed comes to 0, or the force that holds it there comes to a limit."""
         begins = (*crossings, "stick")
-        yield Border(name, *levels, lambda mode: mode[1], self.held, True, begins, 1e-3, always, self.slips(0), self.grips)
+        yield Border(
+            name,
+            *levels,
+            lambda mode: mode[1],
+            self.held,
+            True,
+            begins,
+            1e-3,
+            always,
+            self.slips(0),
+            self.grips,
+        )
         for row, way in enumerate(("with", "against")):
             slopes = self.slips(1 + row)
 
             def level(state: Any, constants: Any, mode: Any, row: int = row) -> Any:
                 return self.in_mode("grip")(state, constants, mode, _namespace(state))[row]
 
-            def rate(state: Any, accelerations: Any, constants: Any, mode: Any, slopes: Any = slopes) -> Any:
+            def rate(
+                state: Any, accelerations: Any, constants: Any, mode: Any, slopes: Any = slopes
+            ) -> Any:
                 changes = (*state[len(accelerations) :], *accelerations)
-                return sum(a * b for a, b in zip(slopes(state, constants, mode), changes, strict=False))
+                return sum(
+                    a * b for a, b in zip(slopes(state, constants, mode), changes, strict=False)
+                )
 
             yield Border(
-                f"friction at its limit {way} the belt", level, rate, lambda mode: 1 - mode[1] * mode[1], self.held,
-                crossings=("", "", "slip"), jumps=always, slopes=slopes,
-            )  # fmt: skip
+                f"friction at its limit {way} the belt",
+                level,
+                rate,
+                lambda mode: 1 - mode[1] * mode[1],
+                self.held,
+                crossings=("", "", "slip"),
+                jumps=always,
+                slopes=slopes,
+            )
 
     def _generated(
-        self, level: str, rate: str, row: int, taken: slice = slice(0),
+        self,
+        level: str,
+        rate: str,
+        row: int,
+        taken: slice = slice(0),
         shift: Callable[[Any], Any] | None = None,
-    ) -> tuple[Callable[..., Any], Callable[..., Any]]:  # fmt: skip
+    ) -> tuple[Callable[..., Any], Callable[..., Any]]:
         """Level and rate of a border: a row of two generated functions, which may take numbers of the mode too."""
-        of_level, of_rate = (undecorated(getattr(self.model.algebra, name)) for name in (level, rate))
+        of_level, of_rate = (
+            undecorated(getattr(self.model.algebra, name)) for name in (level, rate)
+        )
 
         def level_of(state: Any, constants: Any, mode: Any) -> Any:
             value = of_level(*state, *constants, *mode[taken], xp=_namespace(state))[row]
             return value + shift(mode) if shift else value
 
         def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-            return of_rate(*state, *accelerations, *constants, *mode[taken], xp=_namespace(state))[row]
+            return of_rate(*state, *accelerations, *constants, *mode[taken], xp=_namespace(state))[
+                row
+            ]
 
         return level_of, rate_of
 
@@ -461,7 +550,9 @@ def library() -> Any:
     with held():
         import heyoka as hy
     hy.set_logger_level_error()
-    hy.expression.__abs__ = lambda value: value * XP.sign(value)  # generated functions take abs of parameters
+    hy.expression.__abs__ = lambda value: (
+        value * XP.sign(value)
+    )  # generated functions take abs of parameters
     return hy
 
 
@@ -479,7 +570,9 @@ class Functions:
             return found
 
         def call(*values: Any) -> Any:
-            taken = [hy.expression(float(it)) if isinstance(it, int | float) else it for it in values]
+            taken = [
+                hy.expression(float(it)) if isinstance(it, int | float) else it for it in values
+            ]
             self.called.append((name, taken[0]))
             return found(*taken)
 
@@ -496,7 +589,9 @@ class Functions:
 
         self.called.append(("tanh", value))
         up, down = hy.exp(2.0 * value), hy.exp(-2.0 * value)
-        return hy.select(hy.gte(value, 0.0), 1.0 - 2.0 * down / (1.0 + down), 2.0 * up / (1.0 + up) - 1.0)
+        return hy.select(
+            hy.gte(value, 0.0), 1.0 - 2.0 * down / (1.0 + down), 2.0 * up / (1.0 + up) - 1.0
+        )
 
 
 #: One that serves where nobody asks what was called.

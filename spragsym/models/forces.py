@@ -12,7 +12,14 @@ from .parameters import FloatArray, ParameterSet
 
 def columns_of(model: Any) -> tuple[str, ...]:
     """Names of what says where a state of a model is: direction and length of each inclined spring, and the coordinates."""
-    return tuple(dict.fromkeys([*(f"{name}{end}" for end in _ends(model) for name in ("theta", "L")), *model.coordinates]))
+    return tuple(
+        dict.fromkeys(
+            [
+                *(f"{name}{end}" for end in _ends(model) for name in ("theta", "L")),
+                *model.coordinates,
+            ]
+        )
+    )
 
 
 def _ends(model: Any) -> list[str]:
@@ -25,11 +32,18 @@ def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatA
     """What follows from where states are, their coordinates on one more axis than ``p``: of each inclined spring the direction in
     (−π, π], the length and the tension, and the contact's force."""
     model = p.model
-    statics, motion = ([value[..., None] for value in model.arguments(p, kind)] for kind in ("statics", "motion"))
+    statics, motion = (
+        [value[..., None] for value in model.arguments(p, kind)] for kind in ("statics", "motion")
+    )
     with np.errstate(all="ignore"):  # where there is no state there are no numbers
         lines = model.algebra.geometry(*q, *statics)
-        places = [of(dx, dy) for dx, dy, _ in lines for of in (lambda x, y: np.arctan2(y, x), np.hypot)]
-        forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, motion)) for name, force in told_of(model).items()}
+        places = [
+            of(dx, dy) for dx, dy, _ in lines for of in (lambda x, y: np.arctan2(y, x), np.hypot)
+        ]
+        forces = {
+            name: np.where(np.isnan(q[0]), np.nan, force(q, motion))
+            for name, force in told_of(model).items()
+        }
     return {**dict(zip(columns_of(model), places, strict=False)), **forces}
 
 
@@ -38,7 +52,9 @@ def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArr
     q = states[: len(model.coordinates)]
     gap = model.algebra.contact_gap(*q, *of_statics(model, constants))
     closed = np.less_equal(gap, 0).astype(int) if model.about["contact"]["unilateral"] else 1
-    return np.add(model.algebra.contact_force(*q, *constants, closed), 0.0)  # without the sign of a zero
+    return np.add(
+        model.algebra.contact_force(*q, *constants, closed), 0.0
+    )  # without the sign of a zero
 
 
 def told_of(model: Any) -> dict[str, partial[FloatArray]]:
@@ -46,11 +62,19 @@ def told_of(model: Any) -> dict[str, partial[FloatArray]]:
     ``spring_force_1``, …; ``contact_force``."""
 
     def tension(spring: int, states: Any, constants: Sequence[Any]) -> FloatArray:
-        tensions = model.algebra.spring_forces(*states[: len(model.coordinates)], *of_statics(model, constants))
+        tensions = model.algebra.spring_forces(
+            *states[: len(model.coordinates)], *of_statics(model, constants)
+        )
         return tensions[spring]
 
-    found = {f"spring_force{end}": partial(tension, place) for place, end in enumerate(_ends(model))}
-    return found | ({"contact_force": partial(contact_force, model)} if model.about["contact"]["gap"] is not None else {})
+    found = {
+        f"spring_force{end}": partial(tension, place) for place, end in enumerate(_ends(model))
+    }
+    return found | (
+        {"contact_force": partial(contact_force, model)}
+        if model.about["contact"]["gap"] is not None
+        else {}
+    )
 
 
 def spring_named(model: Any, spring: str | None) -> str:
@@ -58,7 +82,11 @@ def spring_named(model: Any, spring: str | None) -> str:
     springs = [entry["name"] for entry in model.about["springs"]]
     spring = springs[0] if spring is None and len(springs) == 1 else spring
     if spring not in springs:
-        offered = f"one of {', '.join(map(repr, springs))}" if springs else "nothing: there is no inclined spring"
+        offered = (
+            f"one of {', '.join(map(repr, springs))}"
+            if springs
+            else "nothing: there is no inclined spring"
+        )
         raise ParameterError(f"spring = {spring!r} of {model.name} is {offered}")
     return list(told_of(model))[springs.index(spring)]
 

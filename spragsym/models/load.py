@@ -41,7 +41,9 @@ def _shipped_folder() -> Path:
 
 def page_of(model: Model, pages: Path) -> Path:
     """Where the page of a model stands: among the shipped ``pages``, or in its folder."""
-    return pages / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
+    return (
+        pages / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
+    )
 
 
 def load(name: str | os.PathLike[str]) -> Model:
@@ -75,10 +77,14 @@ def load(name: str | os.PathLike[str]) -> Model:
     ()
     """
     if not isinstance(name, str | os.PathLike):
-        raise ParameterTypeError(f"{name!r} is no model; give a name, one of {', '.join(shipped())}, or a folder")
+        raise ParameterTypeError(
+            f"{name!r} is no model; give a name, one of {', '.join(shipped())}, or a folder"
+        )
     text = os.fspath(name)
     if len(text) > 4096 or "\0" in text:
-        raise ParameterError(f"{text[:80]!r}… has {len(text)} characters, or a NUL, and is no model; give a name or a folder")
+        raise ParameterError(
+            f"{text[:80]!r}… has {len(text)} characters, or a NUL, and is no model; give a name or a folder"
+        )
     if text in _LOADED and text in shipped():  # its files do not change
         return _LOADED[text]
     if text in shipped():
@@ -88,7 +94,9 @@ def load(name: str | os.PathLike[str]) -> Model:
         where = str(folder)
     elif text.endswith(".py") and os.path.isfile(text):
         folder = Path(text).with_suffix("")
-        raise ParameterError(f"{text} is a model page: spragsym derive {text} --out {folder} writes its folder; name that")
+        raise ParameterError(
+            f"{text} is a model page: spragsym derive {text} --out {folder} writes its folder; name that"
+        )
     else:
         known = shipped()
         raise ParameterError(
@@ -97,7 +105,10 @@ def load(name: str | os.PathLike[str]) -> Model:
         )
     with _LOCK:
         if where in shipped():
-            about, files = json.loads((folder / "model.json").read_text(encoding="utf-8")), dict[str, bytes]()
+            about, files = (
+                json.loads((folder / "model.json").read_text(encoding="utf-8")),
+                dict[str, bytes](),
+            )
         else:
             about, files = _verified(folder)
         known_model = _LOADED.get(where)
@@ -116,21 +127,34 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     """What ``model.json`` says, and the bytes of all files that it names, each as it was written."""
     path = folder / "model.json"
     if not path.is_file():
-        raise ParameterError(f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out DIR` wrote")
+        raise ParameterError(
+            f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out DIR` wrote"
+        )
     data = contents(path, _LARGEST)
     digest = _DIGEST.search(data)
-    if digest is None or hashlib.sha256(data.replace(digest[1], _UNSEALED)).hexdigest().encode() != digest[1]:
-        raise StoreError(f"{path} is damaged: it is not as it was written; derive its model page again")
+    if (
+        digest is None
+        or hashlib.sha256(data.replace(digest[1], _UNSEALED)).hexdigest().encode() != digest[1]
+    ):
+        raise StoreError(
+            f"{path} is damaged: it is not as it was written; derive its model page again"
+        )
     about = json.loads(data)
-    if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(Path(name).name != name for name in about["files"]):
-        raise StoreError(f"{path} names a model or a file that is none; derive its model page again")
+    if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(
+        Path(name).name != name for name in about["files"]
+    ):
+        raise StoreError(
+            f"{path} names a model or a file that is none; derive its model page again"
+        )
     files = {}
     for name, digest_of_file in about["files"].items():
         if not (folder / name).is_file():
             raise StoreError(f"{folder / name} is missing; derive its model page again")
         files[name] = contents(folder / name, _LARGEST)
         if hashlib.sha256(files[name]).hexdigest() != digest_of_file:
-            raise StoreError(f"{folder / name} is not as it was written; derive its model page again")
+            raise StoreError(
+                f"{folder / name} is not as it was written; derive its model page again"
+            )
     return about, files
 
 
@@ -151,7 +175,9 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
     if not files:
         return importlib.import_module(f"spragsym.generated.models.{where}.algebra")
     # A path may hold bytes that are no text in the locale.
-    digest = hashlib.sha256(b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])).hexdigest()[:16]
+    digest = hashlib.sha256(
+        b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])
+    ).hexdigest()[:16]
     package = f"spragsym_model_{digest}"
     for name in ("", "_broadcast", "algebra"):
         whole = f"{package}.{name}".rstrip(".")

@@ -52,11 +52,20 @@ class Model:
     """
 
     def __init__(
-        self, where: str, about: Mapping[str, Any], module: Callable[[], ModuleType], parameters: Any,
+        self,
+        where: str,
+        about: Mapping[str, Any],
+        module: Callable[[], ModuleType],
+        parameters: Any,
         closed: Mapping[str, str] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.name: str = about["name"]
-        self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}
+        self.where, self.about, self.Parameters, self.closed = (
+            where,
+            about,
+            parameters,
+            closed or {},
+        )
         self._module = module
         #: The model with its closed forms.
         self.whole: Model = self
@@ -93,7 +102,10 @@ class Model:
     def is_angle(self, name: str) -> bool:
         """Whether a parameter, a coordinate, the direction of a spring, or what is told of them after a jump, is an angle."""
         turning = {entry["name"] for entry in self.about["coordinates"] if entry["unit"] == "rad"}
-        for one in (name, re.sub(r"^(rest|mean|cycle)_|_(before|after|low|high)$", "", name)):  # one may be named rest_angle
+        for one in (
+            name,
+            re.sub(r"^(rest|mean|cycle)_|_(before|after|low|high)$", "", name),
+        ):  # one may be named rest_angle
             if one in (*self.parameters, *self.coordinates):
                 return one in self.about["angles"] or one in turning
         return one.partition("_")[0] == "theta"
@@ -124,12 +136,20 @@ class Model:
     @property
     def base(self) -> dict[str, float]:
         """Base values; a parameter without one, as the article's θ₀, is not among them."""
-        return {entry["name"]: entry["base"] for entry in self.about["parameters"] if entry["base"] is not None}
+        return {
+            entry["name"]: entry["base"]
+            for entry in self.about["parameters"]
+            if entry["base"] is not None
+        }
 
     @property
     def axes(self) -> tuple[str, ...]:
         """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first parameter of the balance."""
-        return tuple(name for name in self.plane if name in ("theta0", "mu0")) or self.plane[:1] or self.parameters[:1]
+        return (
+            tuple(name for name in self.plane if name in ("theta0", "mu0"))
+            or self.plane[:1]
+            or self.parameters[:1]
+        )
 
     @property
     def plane(self) -> tuple[str, ...]:
@@ -152,21 +172,40 @@ class Model:
             return entry["meaning"] + (", radians" if entry["unit"] == "rad" else known)
 
         about, roles = self.about, {"both": "statics and motion", "motion": "motion"}
-        coordinates = [("coordinate", "meaning"), *((entry["name"], meaning(entry)) for entry in about["coordinates"])]
+        coordinates = [
+            ("coordinate", "meaning"),
+            *((entry["name"], meaning(entry)) for entry in about["coordinates"]),
+        ]
         parameters = [("parameter", "base", "allowed", "of", "meaning")]
         for entry in about["parameters"]:
             base = "" if entry["base"] is None else f"{entry['base']:g}"
-            parameters.append((entry["name"], base, entry["domain"], roles[entry["role"]], meaning(entry)))
+            parameters.append(
+                (entry["name"], base, entry["domain"], roles[entry["role"]], meaning(entry))
+            )
         tables = ("\n".join(aligned(rows)) for rows in (coordinates, parameters))
-        units = ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))
-        return "\n\n".join([f"{self.name}: {about['summary']}", about["drawing"].strip(), *tables, f"measured in: {units}"])
+        units = ", ".join(
+            f"{name} {about['scales'][name].replace('**', '^')}"
+            for name in ("length", "time", "force")
+        )
+        return "\n\n".join(
+            [
+                f"{self.name}: {about['summary']}",
+                about["drawing"].strip(),
+                *tables,
+                f"measured in: {units}",
+            ]
+        )
 
     def arguments(self, p: ParameterSet, kind: str = "statics") -> tuple[FloatArray, ...]:
         """The parameters as generated functions take them, angles as cosine and sine, each with the common shape.
 
         ``kind`` is ``"statics"`` for functions of the balance of forces, ``"motion"`` for all others.
         """
-        angles = {name: (angle, part) for angle, pair in self.about["angles"].items() for part, name in enumerate(pair)}
+        angles = {
+            name: (angle, part)
+            for angle, pair in self.about["angles"].items()
+            for part, name in enumerate(pair)
+        }
         values = []
         for name in self.about["arguments"][kind]:
             angle, part = angles.get(name, (name, None))
@@ -174,11 +213,16 @@ class Model:
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
 
-    def rising_over(self, vary: str | None, over: str | None, called: str = "vary") -> tuple[str, str]:
+    def rising_over(
+        self, vary: str | None, over: str | None, called: str = "vary"
+    ) -> tuple[str, str]:
         """The loading parameter, and over the range of what; ``called`` is the argument that says the first."""
         if vary is None or over is None:
             first, second = self.two(None, f"{called} and over")
-            vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
+            vary, over = (
+                vary or (second if over != second else first),
+                over or (first if vary != first else second),
+            )
         return vary, over
 
     def cases(self) -> tuple[tuple[str, ParameterSet], ...]:
@@ -191,7 +235,13 @@ class Model:
         values = {}
         for entry in self.about["parameters"]:
             low, high, angle = entry["low"], entry["high"], entry["name"] in self.about["angles"]
-            middle = _INCLINATION if angle else 0.5 * (low + high) if low is not None and high is not None else 1.0
+            middle = (
+                _INCLINATION
+                if angle
+                else 0.5 * (low + high)
+                if low is not None and high is not None
+                else 1.0
+            )
             values[entry["name"]] = middle if entry["base"] is None else entry["base"]
         return (("Base values", self.Parameters(**values)),)
 
@@ -205,8 +255,14 @@ class Model:
                 f"law = {law!r} of {self.name}: give friction_at_speed or friction_at_rest, where there is friction"
             )
         of_law = self.about["friction"]["quantities"]
-        missing = {name: 1.0 for name in self.about["angles"] if name not in of_law and getattr(p, name) is None}
-        return np.asarray(getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
+        missing = {
+            name: 1.0
+            for name in self.about["angles"]
+            if name not in of_law and getattr(p, name) is None
+        }
+        return np.asarray(
+            getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float
+        )
 
     def one(self, vary: str | None) -> str:
         if not self.parameters:
@@ -223,21 +279,32 @@ class Model:
         self.require_parameter(name)
         allowed = self.Parameters.ranges[name]
         if begin is None and not allowed.contains(allowed.low):
-            raise ParameterError(f"{name} has no least value in {allowed}; give begin, from where it rises")
+            raise ParameterError(
+                f"{name} has no least value in {allowed}; give begin, from where it rises"
+            )
         return name, allowed.low if begin is None else begin
 
     def require_parameter(self, name: str) -> None:
         """An error unless what varies is a parameter of the model."""
         if name not in self.parameters:
-            raise ParameterError(f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}")
+            raise ParameterError(
+                f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}"
+            )
 
     def two(self, vary: Sequence[str] | None, called: str = "vary") -> Sequence[str]:
         """The two parameters that vary: theta0 and mu0 unless told otherwise."""
         if vary is None and len(self.axes) < 2:
-            raise ParameterError(f"{self.name} has not both theta0 and mu0; give {called}, two of {', '.join(self.parameters)}")
+            raise ParameterError(
+                f"{self.name} has not both theta0 and mu0; give {called}, two of {', '.join(self.parameters)}"
+            )
         if vary is None:
             return self.axes
-        if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
+        if (
+            isinstance(vary, str)
+            or not isinstance(vary, Sequence)
+            or len(vary) != 2
+            or vary[0] == vary[1]
+        ):
             raise ParameterError(f"vary = {vary!r}; give two different parameters")
         for name in vary:
             self.require_parameter(name)
@@ -299,7 +366,10 @@ def _names(about: Mapping[str, Any]) -> tuple[str, ...]:
 
 
 def _range(entry: Mapping[str, Any]) -> Range:
-    low, high = (default if entry[end] is None else entry[end] for end, default in (("low", -math.inf), ("high", math.inf)))
+    low, high = (
+        default if entry[end] is None else entry[end]
+        for end, default in (("low", -math.inf), ("high", math.inf))
+    )
     # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
     if entry["unit"] == "rad":
         remedy = "angles are radians; use numpy.radians for degrees"
@@ -307,7 +377,9 @@ def _range(entry: Mapping[str, Any]) -> Range:
         remedy = "a belt that runs the other way is the mirror image of the mechanism"
     else:
         remedy = f"it is the {entry['meaning']}"
-    return Range(low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"])
+    return Range(
+        low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"]
+    )
 
 
 def _documentation(about: Mapping[str, Any]) -> str:
@@ -320,7 +392,10 @@ def _documentation(about: Mapping[str, Any]) -> str:
     for entry in about["parameters"]:
         default = "" if entry["base"] is None else f", default {entry['base']:g}"
         unit = ", radians" if entry["unit"] == "rad" else ""
-        lines += [f"{entry['name']} : array_like{default}", f"    {entry['meaning']}{unit}; allowed: {entry['domain']}"]
+        lines += [
+            f"{entry['name']} : array_like{default}",
+            f"    {entry['meaning']}{unit}; allowed: {entry['domain']}",
+        ]
     return "\n".join(lines)
 
 
@@ -328,28 +403,47 @@ def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
     """What a page says above its drawing, the drawing in characters, and the blocks below; formulas set apart are indented."""
     title, _, rest = about["drawing"].partition("\n\n::\n\n")
     drawn, *blocks = rest.split("\n\n")
-    while drawn.startswith(" ") and blocks and blocks[0].startswith("    "):  # a drawing with blank lines
+    while (
+        drawn.startswith(" ") and blocks and blocks[0].startswith("    ")
+    ):  # a drawing with blank lines
         drawn += "\n\n" + blocks.pop(0)
     return title, textwrap.dedent(drawn).strip("\n"), blocks
 
 
 def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
     """Unit and meaning of everything that files of motions hold, by its name: of the model, and of what is computed of it."""
-    time, rate, x = about["scales"]["time"], about["scales"]["rate"], about["coordinates"][0]["name"]
+    time, rate, x = (
+        about["scales"]["time"],
+        about["scales"]["rate"],
+        about["coordinates"][0]["name"],
+    )
     after, top = "after the transient", f"of the cycle where its {x} is largest"
-    found = {"t": (time, "time"), "event_t": (time, "time of an event"), "event": ("1", "what happened")}
+    found = {
+        "t": (time, "time"),
+        "event_t": (time, "time of an event"),
+        "event": ("1", "what happened"),
+    }
     for entry in (*about["coordinates"], *about["parameters"]):
-        found[entry["name"]] = ("rad" if entry["unit"] == "rad" else entry["scale"] or "1", entry["meaning"])
+        found[entry["name"]] = (
+            "rad" if entry["unit"] == "rad" else entry["scale"] or "1",
+            entry["meaning"],
+        )
     for name in about["angles"]:
         found[f"{name}_deg"] = ("degree", found[name][1])
     for entry in about["coordinates"]:
         y, unit = entry["name"], found[entry["name"]][0]
         found[entry["rate"]] = (entry["rate_scale"], f"rate of {y}")
-        found[f"rest_{y}"] = (unit, f"{y} of the equilibrium that it settles to or approaches; NaN for none")
+        found[f"rest_{y}"] = (
+            unit,
+            f"{y} of the equilibrium that it settles to or approaches; NaN for none",
+        )
         if y != x:
             found[f"mean_{y}"] = (unit, f"mean of {y} {after}")
         for name in (y, entry["rate"]):
-            found |= {f"{name}0": (found[name][0], f"initial {name}"), f"cycle_{name}": (found[name][0], f"{name} {top}")}
+            found |= {
+                f"{name}0": (found[name][0], f"initial {name}"),
+                f"cycle_{name}": (found[name][0], f"{name} {top}"),
+            }
     unit = found[x][0]
     return found | {
         "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
@@ -359,17 +453,26 @@ def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
         "mean": (unit, f"mean of {x} {after}"),
         "period": (time, "period of the cycle that the motion is on or approaches; NaN for none"),
         "rate": (rate, "rate at which what the motion settles to or approaches attracts"),
-        "distance": ("1", f"what is left of the way there: of the reach of a cycle, over {unit} for rest"),
+        "distance": (
+            "1",
+            f"what is left of the way there: of the reach of a cycle, over {unit} for rest",
+        ),
         "cycle_mean": (unit, f"mean of {x} over one period of the cycle"),
         "cycle_rms": (unit, f"root mean square of {x} about zero over one period of the cycle"),
         "contact_lost": ("1", f"times contact was lost {after}"),
         "slip_reversed": ("1", f"times the sliding speed changed its sign {after}"),
         "regime": ("1", "what the motion settles to or approaches"),
-        "equilibrium": ("1", "index of the equilibrium that it settles to or approaches; -1 for none"),
+        "equilibrium": (
+            "1",
+            "index of the equilibrium that it settles to or approaches; -1 for none",
+        ),
         "reason": ("1", "why a point has no result"),
         "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
         "exponent": (rate, "largest Lyapunov exponent but the trivial one"),
-        "exponent_error": (rate, "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it"),
+        "exponent_error": (
+            rate,
+            "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it",
+        ),
         "time_scale": (time, "on which the slowest deviations from steady sliding die out"),
         "why": ("1", "what decides the kind, or would"),
     }

@@ -76,7 +76,13 @@ POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
 #: What NumPy's kinds of arrays hold that are no real numbers.
-_KINDS = {"U": "text", "S": "bytes", "b": "booleans", "c": "complex numbers", "O": "objects or ragged lists"}
+_KINDS = {
+    "U": "text",
+    "S": "bytes",
+    "b": "booleans",
+    "c": "complex numbers",
+    "O": "objects or ragged lists",
+}
 
 
 def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
@@ -100,7 +106,9 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     try:
         array = np.asarray(value)
     except ValueError as error:
-        raise ParameterTypeError(f"{name} is not an array of numbers ({error}); give one number or a regular array") from error
+        raise ParameterTypeError(
+            f"{name} is not an array of numbers ({error}); give one number or a regular array"
+        ) from error
     if array.dtype.kind not in "iuf":
         raise ParameterTypeError(
             f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, "
@@ -124,7 +132,9 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
 def _check_plain(name: str, value: object) -> None:
     """No units and no named dimensions, which an array would lose without a word."""
     unit = str(getattr(value, "units", getattr(value, "unit", "")))
-    if unit not in ("", "dimensionless", "radian", "rad") and hasattr(value, "magnitude" if hasattr(value, "units") else "value"):
+    if unit not in ("", "dimensionless", "radian", "rad") and hasattr(
+        value, "magnitude" if hasattr(value, "units") else "value"
+    ):
         raise ParameterTypeError(
             f"{name} is in {unit}, and units are not converted here; give its number in one system of units, angles in radians"
         )
@@ -152,19 +162,29 @@ def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[floa
     return float(ends[0]), float(ends[1])
 
 
-def as_ranges(name: str, given: Ranges | None, allowed: Sequence[str]) -> dict[str, tuple[float, float]]:
+def as_ranges(
+    name: str, given: Ranges | None, allowed: Sequence[str]
+) -> dict[str, tuple[float, float]]:
     """``given`` ranges by name, of some of those ``allowed``."""
     if not isinstance(given or {}, Mapping):
-        raise ParameterTypeError(f'{name} = {given!r:.60} is no mapping; give the ends by name, as {{"{allowed[0]}": (0, 1)}}')
+        raise ParameterTypeError(
+            f'{name} = {given!r:.60} is no mapping; give the ends by name, as {{"{allowed[0]}": (0, 1)}}'
+        )
     for one in given or {}:
         if one not in allowed:
-            raise ParameterError(f"{name} has a range for {one!r}; {', '.join(allowed)} may have one")
+            raise ParameterError(
+                f"{name} has a range for {one!r}; {', '.join(allowed)} may have one"
+            )
     return {one: as_range(f"{name}[{one!r}]", ends) for one, ends in (given or {}).items()}
 
 
 def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -> int:
     """``value`` as an integer of at least so much, and no more than ``most``."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= most:
+    if (
+        isinstance(value, bool)
+        or not isinstance(value, int | np.integer)
+        or not least <= value <= most
+    ):
         allowed = f"of {least} or more" if most == math.inf else f"in [{least}, {most}]"
         raise ParameterError(f"{name} = {value!r} is not an integer {allowed}")
     return int(value)
@@ -220,7 +240,9 @@ def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
         return np.broadcast_shapes(*given.values())
     except ValueError as error:
         listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
-        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+        raise ParameterError(
+            f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
+        ) from error
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,11 +258,16 @@ class Values(Shown):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)) and not isinstance(self, type(other)):
             return NotImplemented
-        same = all(np.array_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+        same = all(
+            np.array_equal(getattr(self, field.name), getattr(other, field.name))
+            for field in fields(self)
+        )
         return same and getattr(self, "followed", None) == getattr(other, "followed", None)
 
     def __hash__(self) -> int:
-        return hash(tuple(getattr(self, field.name) for field in fields(self)))  # arrays do not hash
+        return hash(
+            tuple(getattr(self, field.name) for field in fields(self))
+        )  # arrays do not hash
 
 
 @dataclass(frozen=True, eq=False)
@@ -267,7 +294,9 @@ class ParameterSet(Values):
         for name, value in values.items():
             if value is None and name not in self.spanned:
                 raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
-            self.__dict__[name] = None if value is None else as_numbers(name, value, self.ranges[name])
+            self.__dict__[name] = (
+                None if value is None else as_numbers(name, value, self.ranges[name])
+            )
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     @property
@@ -278,7 +307,9 @@ class ParameterSet(Values):
     @classmethod
     def model_of_class(cls) -> Any:
         """The model of all sets of a class."""
-        if cls._model is None:  # a model is loaded when it is asked for, by a room that stands above this one
+        if (
+            cls._model is None
+        ):  # a model is loaded when it is asked for, by a room that stands above this one
             cls._model = importlib.import_module("spragsym.models").load(cls.where)
         return cls._model
 
@@ -288,7 +319,13 @@ class ParameterSet(Values):
 
     def _copied(self, kind: type[Self]) -> Self:
         other = object.__new__(kind)
-        other.__dict__.update({name: value for name, value in self.__dict__.items() if name in self.ranges or name == "followed"})
+        other.__dict__.update(
+            {
+                name: value
+                for name, value in self.__dict__.items()
+                if name in self.ranges or name == "followed"
+            }
+        )
         return other
 
     def following(self, **coordinates: float) -> Self:
@@ -316,9 +353,13 @@ class ParameterSet(Values):
         """
         known = self.model.coordinates
         if not coordinates or not set(coordinates) <= set(known):
-            raise ParameterError(f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(known)}")
+            raise ParameterError(
+                f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(known)}"
+            )
         other = self._copied(type(self))
-        other.__dict__["followed"] = {name: as_number(name, value) for name, value in coordinates.items()}
+        other.__dict__["followed"] = {
+            name: as_number(name, value) for name, value in coordinates.items()
+        }
         return other
 
     def replace(self, **changes: ArrayLike | None) -> Self:
@@ -337,12 +378,16 @@ class ParameterSet(Values):
         """Raise unless the named parameters are given."""
         for name in names:
             if getattr(self, name) is None:
-                raise ParameterError(f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)")
+                raise ParameterError(
+                    f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)"
+                )
 
     def scalars(self, *names: str) -> tuple[float, ...]:
         """The named parameters as floats; an error if one is missing or an array."""
         self.require(*names)
-        kept = ((name, getattr(self, name)) for name in names)  # each was seen to be allowed when it was given
+        kept = (
+            (name, getattr(self, name)) for name in names
+        )  # each was seen to be allowed when it was given
         return tuple(as_number(name, value) if value.ndim else value.item() for name, value in kept)
 
     def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
@@ -351,7 +396,11 @@ class ParameterSet(Values):
         return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return set_of, (self.model, {name: getattr(self, name) for name in self.ranges}, self.followed)
+        return set_of, (
+            self.model,
+            {name: getattr(self, name) for name in self.ranges},
+            self.followed,
+        )
 
     def __repr__(self) -> str:
         given = ((name, getattr(self, name)) for name in self.ranges)
@@ -387,10 +436,23 @@ _REMEDIES = {
 
 #: The belt's speed and the steepness of the friction law (10) are for the motion only.
 RANGES = {
-    name: Range(QUANTITIES[name].low, QUANTITIES[name].high, QUANTITIES[name].low_open, _REMEDIES.get(name, "")) for name in NAMES
+    name: Range(
+        QUANTITIES[name].low,
+        QUANTITIES[name].high,
+        QUANTITIES[name].low_open,
+        _REMEDIES.get(name, ""),
+    )
+    for name in NAMES
 } | {
-    "V": Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"),
-    "d": Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction"),
+    "V": Range(
+        0.0,
+        remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x",
+    ),
+    "d": Range(
+        0.0,
+        open_low=True,
+        remedy="d is the steepness of the friction law (10); without it there is no friction",
+    ),
 }
 
 

@@ -35,11 +35,18 @@ class Quantities:
         def by(key: str, section: str, value: str) -> dict[str, str]:
             return {entry[key]: entry[value] for entry in self.about[section]}
 
-        self.bases, self.coordinates = by("name", "units", "unit"), by("name", "coordinates", "unit")
+        self.bases, self.coordinates = (
+            by("name", "units", "unit"),
+            by("name", "coordinates", "unit"),
+        )
         self.parameters = by("quantity", "parameters", "name")
         self.units = self.bases | by("quantity", "parameters", "quantity_unit")
         self.meanings = by("name", "units", "meaning") | by("quantity", "parameters", "meaning")
-        self.law: Mapping[str, Any] = self.about["friction"] or {"quantities": (), "at_rest": "", "belt": "0"}
+        self.law: Mapping[str, Any] = self.about["friction"] or {
+            "quantities": (),
+            "at_rest": "",
+            "belt": "0",
+        }
 
     @property
     def of_mu0(self) -> bool:
@@ -62,7 +69,9 @@ class Quantities:
         """
         result: Any = 1.0
         for name, power in self.powers(unit).items():
-            result = result * values[name] ** power if power else result  # exactly 1 for an angle or a number
+            result = (
+                result * values[name] ** power if power else result
+            )  # exactly 1 for an angle or a number
         return result
 
     def scales(self, values: Mapping[str, Any]) -> Scales:
@@ -71,8 +80,13 @@ class Quantities:
 
     def groups(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The dimensionless parameters by name, from quantities of any number type."""
-        given = ((name, quantity) for quantity, name in self.parameters.items() if quantity in values)
-        return {name: values[quantity] / self.scale(self.units[quantity], values) for name, quantity in given}
+        given = (
+            (name, quantity) for quantity, name in self.parameters.items() if quantity in values
+        )
+        return {
+            name: values[quantity] / self.scale(self.units[quantity], values)
+            for name, quantity in given
+        }
 
     def parameter_set(self, values: Mapping[str, Any]) -> Any:
         """The values as the model's parameters."""
@@ -96,7 +110,10 @@ class Quantities:
         taken, found = set(inspect.signature(self.model.algebra.forces).parameters), set[str]()
         for quantity, name in self.parameters.items():
             if taken & {name, *self.about["angles"].get(name, ())}:
-                found |= {quantity, *(base for base, power in self.powers(self.units[quantity]).items() if power)}
+                found |= {
+                    quantity,
+                    *(base for base, power in self.powers(self.units[quantity]).items() if power),
+                }
         return self._ordered(found)
 
     @cached_property
@@ -141,7 +158,9 @@ def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
         return [float(known.get(axis, 0.0)) for axis in ("[mass]", "[length]", "[time]")]
 
     matrix = np.array([powers(base) for base in bases]).T
-    return tuple(round(float(power), 9) for power in np.linalg.solve(matrix, np.array(powers(unit))))
+    return tuple(
+        round(float(power), 9) for power in np.linalg.solve(matrix, np.array(powers(unit)))
+    )
 
 
 def quantities(name: str) -> Quantities:
@@ -231,7 +250,9 @@ class PhysicalParameters(Values):
             raise NotDimensionlessError(
                 "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"
             )
-        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{hint(name, dir(self))}")
+        raise AttributeError(
+            f"{type(self).__name__!r} object has no attribute {name!r}{hint(name, dir(self))}"
+        )
 
     @property
     def kind(self) -> Quantities:
@@ -241,7 +262,9 @@ class PhysicalParameters(Values):
     @property
     def known(self) -> dict[str, Any]:
         """The quantities that were given, by name."""
-        return {name: value for name in self.kind.units if (value := getattr(self, name)) is not None}
+        return {
+            name: value for name in self.kind.units if (value := getattr(self, name)) is not None
+        }
 
     @property
     def scales(self) -> Scales:
@@ -265,18 +288,26 @@ class Unit:
     powers: Mapping[str, float]
 
 
-def checked_units(units: Mapping[str, Unit] | None, parameters: Collection[str], angles: Collection[str]) -> dict[str, Unit]:
+def checked_units(
+    units: Mapping[str, Unit] | None, parameters: Collection[str], angles: Collection[str]
+) -> dict[str, Unit]:
     """Units by name, without powers that are 0, for a model with these parameters, of which some are angles; or an error."""
     if not isinstance(units or {}, Mapping):
         raise ParameterTypeError(f"units = {units!r:.60} is no mapping; give units by name")
     found = {}
     for name, unit in (units or {}).items():
         if not isinstance(unit, Unit):
-            raise ParameterTypeError(f"units[{name!r}] = {unit!r:.60} is no Unit; make one with Unit(low, high, powers)")
+            raise ParameterTypeError(
+                f"units[{name!r}] = {unit!r:.60} is no Unit; make one with Unit(low, high, powers)"
+            )
         if name in parameters:
-            raise ParameterError(f"units: {name!r} is a parameter of the model; give the unit another name")
+            raise ParameterError(
+                f"units: {name!r} is a parameter of the model; give the unit another name"
+            )
         if not 0 < unit.low <= unit.high < math.inf:
-            raise ParameterError(f"units[{name!r}]: from {unit.low} to {unit.high}; give two ends above 0, the smaller first")
+            raise ParameterError(
+                f"units[{name!r}]: from {unit.low} to {unit.high}; give two ends above 0, the smaller first"
+            )
         for of, power in unit.powers.items():
             if of not in parameters:
                 raise ParameterError(
@@ -286,7 +317,9 @@ def checked_units(units: Mapping[str, Unit] | None, parameters: Collection[str],
                 raise ParameterError(
                     f"units[{name!r}]: {of} has the power {power} of it; give a finite one, and none for an angle"
                 )
-        found[name] = replace(unit, powers={of: power for of, power in unit.powers.items() if power})
+        found[name] = replace(
+            unit, powers={of: power for of, power in unit.powers.items() if power}
+        )
     return found
 
 
@@ -294,10 +327,14 @@ def checked_units(units: Mapping[str, Unit] | None, parameters: Collection[str],
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
 #: What pint knows by another meaning than many a writer's, and what says each of the two.
 _TWO_MEANINGS = {
-    "grad": "deg and gon", "Grad": "deg and gon", "gr": "g and grain",
-    "ton": "t (1000 kg) and short_ton", "tons": "t (1000 kg) and short_ton",
-    "mil": "mm and thou", "mils": "mm and thou",
-}  # fmt: skip
+    "grad": "deg and gon",
+    "Grad": "deg and gon",
+    "gr": "g and grain",
+    "ton": "t (1000 kg) and short_ton",
+    "tons": "t (1000 kg) and short_ton",
+    "mil": "mm and thou",
+    "mils": "mm and thou",
+}
 _TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]
 
 
@@ -331,20 +368,32 @@ def factor(unit: str, si: str) -> float:
 
 def parsed(unit: str) -> pint.Unit:
     """A unit from its text."""
-    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)  # a power of a power may be larger than any number
-    if not _LETTERS.fullmatch(unit) or powers or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
+    powers = re.search(
+        r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit
+    )  # a power of a power may be larger than any number
+    if (
+        not _LETTERS.fullmatch(unit)
+        or powers
+        or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
+    ):
         raise ParameterError(f"the unit {unit!r} can't be read")
     for word in re.findall(r"[^\W\d]+", unit):
         if word in _TWO_MEANINGS:
             raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
     try:
         found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
-        bare = [name for name in found._units if not any(power for _, power in dimension(registry().Unit(name)))]
+        bare = [
+            name
+            for name in found._units
+            if not any(power for _, power in dimension(registry().Unit(name)))
+        ]
         zero = registry().Quantity(0.0, found).to_base_units().magnitude
     except Exception as error:  # pint raises many kinds, of the tokenizer too
         raise ParameterError(f"the unit {unit!r} is not known") from error
     if bare:
-        raise ParameterError(f"{bare[0]} in the unit {unit!r} is a factor and no unit; multiply the number by it")
+        raise ParameterError(
+            f"{bare[0]} in the unit {unit!r} is a factor and no unit; multiply the number by it"
+        )
     if zero != 0:
         raise ParameterError(f"the unit {unit!r} has a zero point of its own")
     return found
@@ -356,4 +405,7 @@ def dimension(unit: pint.Unit) -> tuple[Any, ...]:
 
     powers: dict[str, Any] = dict(unit.dimensionality)
     radians: Any = to_units_container(registry().get_base_units(unit)[1]).get("radian", 0)
-    return (*sorted((name, round(float(power), 9)) for name, power in powers.items()), ("angle", round(float(radians), 9)))
+    return (
+        *sorted((name, round(float(power), 9)) for name, power in powers.items()),
+        ("angle", round(float(radians), 9)),
+    )

@@ -64,7 +64,10 @@ def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
 
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
-    still = abs(course.last[0] - course.first[0]) <= 4 * tol and course.reach[1] - course.reach[0] <= 4 * tol
+    still = (
+        abs(course.last[0] - course.first[0]) <= 4 * tol
+        and course.reach[1] - course.reach[0] <= 4 * tol
+    )
     # On a belt that stands still the law of friction is smooth where x' changes its sign.
     kinks = bool((course.events if problem.belt > 0 else course.events[CONTACT]).any())
     decaying = len(course.maxima) >= FEW and not kinks
@@ -78,7 +81,12 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     growth = float(rest.values.real.max())
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = magnitude(np.vstack([late, course.last]) - rest.state)
-    if still and distance <= tol and growth <= ROUNDING and _stays(course, rest, problem.rtol, kinks):
+    if (
+        still
+        and distance <= tol
+        and growth <= ROUNDING
+        and _stays(course, rest, problem.rtol, kinks)
+    ):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, -growth), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
@@ -108,14 +116,18 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
         state = equilibrium_near(field, constants, place, mode)
     except ConvergenceError:
         return None
-    if any(border.sign(mode) * border.level(state, constants, mode) < 0 for border in field.borders if border.kink):
+    if any(
+        border.sign(mode) * border.level(state, constants, mode) < 0
+        for border in field.borders
+        if border.kink
+    ):
         return None
     return Rest(state, *np.linalg.eig(field.matrix(state.tolist(), constants, mode)))
 
 
 def equilibrium_near(
     field: Field, constants: Any, place: FloatArray, kept: Mode | None = None
-) -> FloatArray:  # fmt: skip
+) -> FloatArray:
     """The state of rest that Newton's method finds from a place, in a mode that is kept, or in those of the states."""
     q, n = np.array(place, dtype=float), len(place)
     for _ in range(ROUNDS):
@@ -124,7 +136,11 @@ def equilibrium_near(
         pull = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
         slopes = field.matrix(state, constants, mode)[n:, :n]
         try:  # along what holds nothing changes
-            step = np.linalg.lstsq(slopes, -pull, HELD)[0] if field.stays(mode) else np.linalg.solve(slopes, -pull)
+            step = (
+                np.linalg.lstsq(slopes, -pull, HELD)[0]
+                if field.stays(mode)
+                else np.linalg.solve(slopes, -pull)
+            )
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("there is no equilibrium near") from error
         q = q + step
@@ -141,7 +157,9 @@ def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
     Beyond a kink the linearization says nothing, unless the decay is seen.
     """
     inverse = np.linalg.pinv(rest.vectors)
-    before, after = (np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last))
+    before, after = (
+        np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last)
+    )
     noise = NOISE * rtol * (1e-3 + magnitude(rest.state)) * np.linalg.norm(inverse, 2)
     left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
@@ -159,8 +177,15 @@ def _decays(course: Course, rest: Rest) -> bool:
     if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
         return False
     hann = np.sin(2 * np.pi * share) ** 2
-    first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
+    first, second = (
+        (hann * part * modes).sum(axis=1) / (hann * part).sum()
+        for part in (share < 0.5, share >= 0.5)
+    )
     expected = first * np.exp(rest.values.real * window)  # two times half the window
     before, after, linear = first.sum(), second.sum(), expected.sum()
     # A decay that is too slow to show in the window does not count: the first of the three conditions.
-    return bool(linear < before * (1 - VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)
+    return bool(
+        linear < before * (1 - VISIBLE)
+        and after > 0
+        and 0.5 < np.log(after / before) / np.log(linear / before) < 2
+    )

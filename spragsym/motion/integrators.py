@@ -35,7 +35,11 @@ BACKENDS = ("heyoka", "compiled", "scipy")
 #: Those that take the field of any model; what is compiled on installation is the article's.
 OF_ANY_MODEL = ("heyoka", "scipy")
 
-_INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
+_INTEGRATORS: dict[str, ModuleType] = {
+    "heyoka": with_heyoka,
+    "compiled": with_compiled,
+    "scipy": with_scipy,
+}
 
 #: No directions of parameters.
 NONE = np.empty((0, 0))
@@ -54,7 +58,9 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
     if backend is None:
         return next(name for name in offered if _is_there(name))
     if backend not in offered:
-        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the fastest")
+        raise ParameterError(
+            f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the fastest"
+        )
     if not _is_there(backend) and backend == "heyoka":
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
     if not _is_there(backend):
@@ -73,7 +79,11 @@ def _is_there(backend: str) -> bool:
 
 def version(backend: str) -> str:
     """Name and version of the integrator, which decide the last bits of a result."""
-    return with_compiled.version() if backend == "compiled" else f"{backend} {importlib.metadata.version(backend)}"
+    return (
+        with_compiled.version()
+        if backend == "compiled"
+        else f"{backend} {importlib.metadata.version(backend)}"
+    )
 
 
 def integrate(problem: Problem, backend: str) -> Solution:
@@ -101,7 +111,9 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
     for row in rows:
         try:
             solution = integrate(problems[row], backend)
-            counts = np.bincount(events_of(problems[row].field, solution.crossings).which, minlength=len(Event))
+            counts = np.bincount(
+                events_of(problems[row].field, solution.crossings).which, minlength=len(Event)
+            )
             found[row] = course_of(solution.samples, counts, problems[row].field.around)
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
@@ -123,27 +135,42 @@ class Flow:
 
     def fly(
         self, state: FloatArray, constants: Values, duration: float, directions: FloatArray = NONE
-    ) -> Passage:  # fmt: skip
+    ) -> Passage:
         """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (k, P)."""
         if self.other:
             return self.other(state, constants, duration, directions)
         return self._asked(lambda carrier: carrier.fly(), state, constants, duration, directions)
 
-    def plain(self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False) -> Passage:
+    def plain(
+        self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False
+    ) -> Passage:
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
-        return self._asked(lambda carrier: carrier.fly(), state, constants, duration, rtol=LOOSE if loose else RTOL)
+        return self._asked(
+            lambda carrier: carrier.fly(), state, constants, duration, rtol=LOOSE if loose else RTOL
+        )
 
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
         return self._asked(lambda carrier: carrier.motion().samples, start, constants, t_end)
 
     def _asked(
-        self, ask: Callable[[Any], T], state: FloatArray, constants: Values, t_end: float,
-        directions: FloatArray | None = None, rtol: float = RTOL,
-    ) -> T:  # fmt: skip
+        self,
+        ask: Callable[[Any], T],
+        state: FloatArray,
+        constants: Values,
+        t_end: float,
+        directions: FloatArray | None = None,
+        rtol: float = RTOL,
+    ) -> T:
         """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""
-        problem = Problem(constants, tuple(state.tolist()), t_end, 0.0, rtol, None, lambda _: self.field)
+        problem = Problem(
+            constants, tuple(state.tolist()), t_end, 0.0, rtol, None, lambda _: self.field
+        )
         try:
-            return ask(with_heyoka.flight(problem, directions) if self.backend == "heyoka" else Flight(problem, directions))
+            return ask(
+                with_heyoka.flight(problem, directions)
+                if self.backend == "heyoka"
+                else Flight(problem, directions)
+            )
         except StiffError:
             return ask(Flight(problem, directions, stiff=True))

@@ -33,7 +33,9 @@ def unit_points() -> FloatArray:
 
 def sample_times(begin: Any, end: Any) -> FloatArray:
     """The Lobatto points of a step, or of each of many."""
-    t: FloatArray = np.asarray(end - begin)[..., None] * unit_points() + np.asarray(begin)[..., None]
+    t: FloatArray = (
+        np.asarray(end - begin)[..., None] * unit_points() + np.asarray(begin)[..., None]
+    )
     t[..., -1] = end
     return t
 
@@ -72,8 +74,12 @@ class PiecewisePolynomial:
     def slopes(self, row: int) -> FloatArray:
         """Derivative of a component at the samples; where two steps meet that of the later one."""
         points, _ = lobatto()
-        derivatives = legendre.legval(points, legendre.legder(np.linalg.inv(legendre.legvander(points, DEGREE))))
-        inside = self.states[row, np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+        derivatives = legendre.legval(
+            points, legendre.legder(np.linalg.inv(legendre.legvander(points, DEGREE)))
+        )
+        inside = self.states[
+            row, np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)
+        ]
         slopes = inside @ derivatives * (2 / np.diff(self.steps))[:, None]
         return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
 
@@ -82,7 +88,9 @@ class PiecewisePolynomial:
         step = int(self.step_of(np.array(begin)))
         end = (step + 1) * DEGREE
         t = sample_times(begin, self.t[end])
-        states = np.concatenate([self.at(np.full(t.shape, step), t)[:, :-1], self.states[:, end:]], axis=1)
+        states = np.concatenate(
+            [self.at(np.full(t.shape, step), t)[:, :-1], self.states[:, end:]], axis=1
+        )
         return PiecewisePolynomial(np.concatenate([t[:-1], self.t[end:]]), states)
 
     def passages(self, row: int, sign: int) -> FloatArray:
@@ -99,7 +107,10 @@ class PiecewisePolynomial:
             side = np.where(left, -1.0, 1.0)
             # Where an end of the interval stays twice in a row, its value is halved: that draws the next root to its side.
             halved = np.where(side == before, 0.5, 1.0)
-            above, below = np.where(left, halved * above, value), np.where(left, value, halved * below)
+            above, below = (
+                np.where(left, halved * above, value),
+                np.where(left, value, halved * below),
+            )
             low, high = np.where(left, root, low), np.where(left, high, root)
             if np.all(np.abs(root - last) <= 1e-15 * (1 + np.abs(root))):
                 break

@@ -63,10 +63,19 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
     turning = PiecewisePolynomial(t, np.sin(states[:1] / 2))
     passed = np.sort(turning.zeros() if 0 in around else late[:0])[-KEPT:]
     return Course(
-        float(t[0]), float(t[-1]), states[:, 0], states[:, -1], late, maxima[-KEPT:],
-        np.array([shift, shift**2, *states[1:n]]) @ samples.weights(), minima[-KEPT:], events,
-        (float(extrema.min()), float(extrema.max())), passed, samples(passed).T,
-    )  # fmt: skip
+        float(t[0]),
+        float(t[-1]),
+        states[:, 0],
+        states[:, -1],
+        late,
+        maxima[-KEPT:],
+        np.array([shift, shift**2, *states[1:n]]) @ samples.weights(),
+        minima[-KEPT:],
+        events,
+        (float(extrema.min()), float(extrema.max())),
+        passed,
+        samples(passed).T,
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +102,8 @@ def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum
     t = np.linspace(samples.t[0], samples.t[-1], points, endpoint=False)
     values = samples(t)[row]
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(points) / points)
-    amplitude = 2 * np.abs(np.fft.rfft((values - (window @ values) / window.sum()) * window)) / window.sum()
+    amplitude = (
+        2 * np.abs(np.fft.rfft((values - (window @ values) / window.sum()) * window)) / window.sum()
+    )
     frequency = np.asarray(np.fft.rfftfreq(points, float(t[1] - t[0])), dtype=np.float64)
     return Spectrum(frequency, np.asarray(amplitude, dtype=np.float64))

@@ -28,7 +28,9 @@ from ..models.model import Model
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
 
 RELATIVE_TOLERANCE = Range(
-    1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
+    1e-13,
+    1e-2,
+    remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most",
 )
 
 #: Default number of steps after which a motion is given up.
@@ -81,8 +83,12 @@ class Problem:
     def belt(self) -> float:
         """Sliding speed of a mass at rest; 1 for a model without friction."""
         still = [0.0] * self.field.size
-        slip = next((border for border in self.field.borders if "mass_overtakes" in border.crossings), None)
-        return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
+        slip = next(
+            (border for border in self.field.borders if "mass_overtakes" in border.crossings), None
+        )
+        return (
+            1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
+        )
 
 
 def too_many_steps(problem: Problem, most: int, t: float) -> ConvergenceError:
@@ -98,14 +104,18 @@ class StiffError(ConvergenceError):
     """The steps of an explicit method have collapsed."""
 
 
-def check_stiffness(problem: Problem, state: Any, step: float, left: float, most: float = MOST) -> None:
+def check_stiffness(
+    problem: Problem, state: Any, step: float, left: float, most: float = MOST
+) -> None:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
     if not left > most * step:
         return
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
-        raise StiffError(f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go")
+        raise StiffError(
+            f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go"
+        )
 
 
 def out_of_range() -> ConvergenceError:
@@ -126,21 +136,39 @@ def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
 
 
 def prepare(
-    model: Model, p: ParameterSet, *, start: Values, t_end: float, rtol: float, max_steps: int = MAX_STEPS,
-) -> Problem:  # fmt: skip
+    model: Model,
+    p: ParameterSet,
+    *,
+    start: Values,
+    t_end: float,
+    rtol: float,
+    max_steps: int = MAX_STEPS,
+) -> Problem:
     """The problem of these arguments, each of which is checked."""
     constants = model.field.constants(p.scalars(*model.parameters))
     if error := undirected(model, constants, start):
         raise error
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
-    return Problem(constants, start, t_end, 0.0, rtol, as_count("max_steps", max_steps), partial(field_of, model))
+    return Problem(
+        constants,
+        start,
+        t_end,
+        0.0,
+        rtol,
+        as_count("max_steps", max_steps),
+        partial(field_of, model),
+    )
 
 
 def undirected(model: Model, constants: Values, start: Values) -> ParameterError | None:
     """The error of a motion that starts with a spring that has no length, and so no direction."""
     place, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
-    for (dx, dy, _), spring in zip(geometry(*place, *of_statics(model, constants)), model.about["springs"], strict=True):
+    for (dx, dy, _), spring in zip(
+        geometry(*place, *of_statics(model, constants)), model.about["springs"], strict=True
+    ):
         if dx == dy == 0:
             ends = f"both ends of {spring['name']} on one point"
-            return ParameterError(f"the start {place} puts {ends}, where it has no direction; start anywhere else")
+            return ParameterError(
+                f"the start {place} puts {ends}, where it has no direction; start anywhere else"
+            )
     return None

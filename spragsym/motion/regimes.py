@@ -92,8 +92,17 @@ class Outcome(Named):
     def places(self) -> dict[str, float]:
         """The numbers of ``rest`` and ``cycle`` by their names."""
         n = len(self.names) // 2
-        names = (*(f"rest_{name}" for name in self.names[:n]), *(f"cycle_{name}" for name in self.names))
-        return dict(zip(names, (*(self.rest or (np.nan,) * n), *(self.cycle or (np.nan,) * 2 * n)), strict=True))
+        names = (
+            *(f"rest_{name}" for name in self.names[:n]),
+            *(f"cycle_{name}" for name in self.names),
+        )
+        return dict(
+            zip(
+                names,
+                (*(self.rest or (np.nan,) * n), *(self.cycle or (np.nan,) * 2 * n)),
+                strict=True,
+            )
+        )
 
     @property
     def limit(self) -> Regime:
@@ -104,12 +113,18 @@ class Outcome(Named):
         values = named_fields(self)
         for key in ("names", "rest", "cycle"):
             del values[key]
-        return values | {name: value for name, value in self.places().items() if not np.isnan(value)}
+        return values | {
+            name: value for name, value in self.places().items() if not np.isnan(value)
+        }
 
     @property
     def cycle_spread(self) -> float:
         """Root mean square of x about its mean over one period."""
-        return float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0))) if self.period > 0 else float("nan")
+        return (
+            float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0)))
+            if self.period > 0
+            else float("nan")
+        )
 
 
 def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
@@ -127,6 +142,11 @@ def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
     reach = max(abs(one.cycle[0] - one.cycle_mean), abs(other.cycle[0] - other.cycle_mean))
     if np.isnan(one.cycle_mean) != np.isnan(other.cycle_mean):
         return False
-    averages = (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms) if reach > 0 else ()
+    averages = (
+        (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms) if reach > 0 else ()
+    )
     off = magnitude([*apart(one.cycle, other.cycle, around), *averages])
-    return bool(abs(one.period / other.period - 1) < SETTLED and off < 10 * SETTLED * (reach if reach > 0 else 1.0))
+    return bool(
+        abs(one.period / other.period - 1) < SETTLED
+        and off < 10 * SETTLED * (reach if reach > 0 else 1.0)
+    )

@@ -55,7 +55,11 @@ FINE, FINEST = 1e-12, 1e-15
 STEP, OPEN = 1e-5, 1e-9
 
 #: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
-PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN), "scipy": (FINE, OPEN, CLOSED)}
+PRECISIONS = {
+    "heyoka": (FINEST, CLOSED, CLOSED),
+    "compiled": (FINE, OPEN, OPEN),
+    "scipy": (FINE, OPEN, CLOSED),
+}
 
 
 @dataclass(frozen=True)
@@ -72,7 +76,10 @@ class Onward:
 
     def courses(self, states: FloatArray, duration: float) -> list[Course]:
         """What is measured on the way from each of many states; an error where one of them cannot be continued."""
-        motions = [replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0) for state in states.tolist()]
+        motions = [
+            replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0)
+            for state in states.tolist()
+        ]
         courses = list[Course]()
         for course in integrators.measure(motions, self.backend):
             if isinstance(course, Exception):
@@ -80,17 +87,26 @@ class Onward:
             courses.append(course)
         return courses
 
-    def _differences(self, sides: int, state: FloatArray, _: object, duration: float, __: object) -> Passage:
+    def _differences(
+        self, sides: int, state: FloatArray, _: object, duration: float, __: object
+    ) -> Passage:
         """``fly`` by differences of the plain flow, to one or to both ``sides``; crossings are not reported."""
         m, off = state.size, STEP * np.eye(state.size)
-        course, *others = self.courses(np.vstack([state, state + off, state - off])[: 1 + sides * m], duration)
+        course, *others = self.courses(
+            np.vstack([state, state + off, state - off])[: 1 + sides * m], duration
+        )
         last = np.array([other.last for other in others])
         before = last[m:] if sides == 2 else course.last
         none, unknown = np.zeros((m, 0)), np.full((m, m), np.nan)
-        turns = [Turn(t, -1, -1, top, unknown, none) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
+        turns = [
+            Turn(t, -1, -1, top, unknown, none)
+            for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)
+        ]
         begin, (shift, square, *_) = float(state[0]), course.integrals.tolist()
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
-        return Passage(course.last, (last[:m] - before).T / (sides * STEP), none, (), tuple(turns), integrals)
+        return Passage(
+            course.last, (last[:m] - before).T / (sides * STEP), none, (), tuple(turns), integrals
+        )
 
     def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one near, in ``scale``."""
@@ -101,7 +117,9 @@ class Onward:
 
         def near_guess(fly: Fly | None, precision: float) -> Loop:
             flow = Flow(self.field, self.backend, fly)
-            return solved(flow, guess, on_section, reach=reach, precision=precision, closed=precision)
+            return solved(
+                flow, guess, on_section, reach=reach, precision=precision, closed=precision
+            )
 
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
@@ -148,13 +166,17 @@ class Closed:
         """The return map: where motions from places on the section next meet it, after about a period."""
         states = np.insert(places * self.scale, self.fixed, self.state[self.fixed], axis=1)
         courses = self.onward.courses(states, 1.1 * self.loop.period)
-        return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
+        return np.array(
+            [self._next(place, course) for place, course in zip(places, courses, strict=True)]
+        )
 
     def _next(self, place: FloatArray, course: Course) -> FloatArray:
         times, states = _marks(course, self.fixed)
         late = np.flatnonzero(times > 0.5 * self.loop.period)
         if not len(late):
-            raise ConvergenceError("no cycle: the motion does not return to its section; start elsewhere")
+            raise ConvergenceError(
+                "no cycle: the motion does not return to its section; start elsewhere"
+            )
         returns = self.scaled(states[late])
         off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.loop.period - 1)
         return returns[int(np.argmin(off))]
@@ -182,7 +204,9 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     places[:, fixed] = 0.0
     states = section(places, fixed)
     # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that along it, or of a turn, at least.
-    extent = np.ptp(section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0)
+    extent = np.ptp(
+        section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0
+    )
     scale = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
     states /= scale
     for k in _candidates(states):
@@ -195,7 +219,9 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
             distance = magnitude(off[0])
             if largest < 1 - NEUTRAL and distance <= 4 * CLOSE and _nears(cycle, off, tol):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
-                return _described(cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance)
+                return _described(
+                    cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance
+                )
     return None
 
 
@@ -217,7 +243,11 @@ def _candidates(states: FloatArray) -> Iterator[int]:
 
     for k in range(1, (len(states) - 1) // 2 + 1):
         last, before = apart(k), magnitude(states[-1 - k] - states[-1 - 2 * k])
-        if max(last, before) > CLOSE or last > 2 * before + CLOSE**3 or _drifts_past(states[::-1][::k]):
+        if (
+            max(last, before) > CLOSE
+            or last > 2 * before + CLOSE**3
+            or _drifts_past(states[::-1][::k])
+        ):
             continue
         for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * CLOSE), k):
             multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
@@ -232,7 +262,10 @@ def _drifts_past(states: FloatArray) -> bool:
     if len(steps) < 3:
         return False
     sizes = np.linalg.norm(steps, axis=1)
-    if not sizes.min() > 0 or ((steps[1:] * steps[:-1]).sum(axis=1) < ALIGNED * sizes[1:] * sizes[:-1]).any():
+    if (
+        not sizes.min() > 0
+        or ((steps[1:] * steps[:-1]).sum(axis=1) < ALIGNED * sizes[1:] * sizes[:-1]).any()
+    ):
         return False
     shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
     return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > AWAY)
@@ -258,7 +291,9 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
     that decays slowly turns through all of them. Motions have neared a cycle at its rate 0.04 of its extent away, and left it.
     """
     values, vectors = np.linalg.eig(cycle.slope)
-    if abs(np.linalg.det(vectors)) <= 1e-9:  # they nearly coincide: the coordinates of the section instead
+    if (
+        abs(np.linalg.det(vectors)) <= 1e-9
+    ):  # they nearly coincide: the coordinates of the section instead
         vectors = np.eye(len(vectors))
     slowest = int(np.argmax(np.abs(values)))
     left = np.abs(np.linalg.solve(vectors, off))[slowest]
@@ -268,8 +303,13 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
     missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
     if not (missed <= MISSED * np.abs(places).max(axis=1) + tol).all():
         return False
-    growth = [math.log(max(part, tol) / max(left, tol)) for part in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()]
-    return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest])))
+    growth = [
+        math.log(max(part, tol) / max(left, tol))
+        for part in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()
+    ]
+    return bool(
+        left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest]))
+    )
 
 
 def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArray]:
@@ -288,9 +328,17 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     tops = np.array([cycle.state, *(turn.state for turn in loop.tops() if fixed)])
     tops = in_one_turn(tops, loop.field.around)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
-    for place, scale in zip((i for i in range(tops.shape[1]) if i != fixed), cycle.scale, strict=True):
+    for place, scale in zip(
+        (i for i in range(tops.shape[1]) if i != fixed), cycle.scale, strict=True
+    ):
         tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]
     state = np.where(np.arange(tops.shape[1]) == fixed, 0.0, tops[0])
     return Outcome(
-        regime, rate=rate, distance=distance, period=loop.period, cycle_mean=mean, cycle_rms=rms, cycle=tuple(state.tolist())
+        regime,
+        rate=rate,
+        distance=distance,
+        period=loop.period,
+        cycle_mean=mean,
+        cycle_rms=rms,
+        cycle=tuple(state.tolist()),
     )

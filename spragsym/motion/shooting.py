@@ -176,7 +176,11 @@ class Loop:
 
     def crossings(self) -> tuple[Crossing, ...]:
         """All crossings of one round, in time from its start."""
-        return tuple(c._replace(t=c.t + i * self.guess.stretch) for i, each in enumerate(self.passages) for c in each.crossings)
+        return tuple(
+            c._replace(t=c.t + i * self.guess.stretch)
+            for i, each in enumerate(self.passages)
+            for c in each.crossings
+        )
 
     def tops(self) -> list[Turn]:
         """Turns at which the first coordinate is largest, the start first: where it is one it may be counted at neither end."""
@@ -193,11 +197,12 @@ class Loop:
         for i, each in enumerate(self.passages):
             found += [
                 turn._replace(
-                    t=turn.t + i * stretch, by_state=turn.by_state @ before,
+                    t=turn.t + i * stretch,
+                    by_state=turn.by_state @ before,
                     by_parameters=turn.by_parameters + turn.by_state @ shift,
                 )
                 for turn in each.turns
-            ]  # fmt: skip
+            ]
             before, shift = each.by_state @ before, each.by_parameters + each.by_state @ shift
         return tuple(found)
 
@@ -209,7 +214,9 @@ class Loop:
         """Mean and root mean square of the first coordinate; NaN where it turns around."""
         if self.winding:
             return math.nan, math.nan
-        mean, square = (math.fsum(each.integrals[i] for each in self.passages) / self.period for i in (0, 1))
+        mean, square = (
+            math.fsum(each.integrals[i] for each in self.passages) / self.period for i in (0, 1)
+        )
         if math.isnan(mean):
             samples = self.samples()
             x, weights = samples.states[0], samples.weights() / self.period
@@ -239,18 +246,30 @@ def looped(flow: Flow, guess: Guess) -> Loop:
         for index in free:
             field.check(field.parameters[index], guess.values[index])
     except ParameterError as error:
-        raise ConvergenceError(f"Newton's method leaves the parameters that there are: {error}") from error
+        raise ConvergenceError(
+            f"Newton's method leaves the parameters that there are: {error}"
+        ) from error
     if not guess.period > 0:
         raise ConvergenceError("the period is not positive")
     constants = field.constants(guess.values)
     stretch, directions = guess.stretch, np.eye(len(field.parameters))[[*free]]
-    return Loop(flow, guess, constants, tuple(flow.fly(state, constants, stretch, directions) for state in guess.states))
+    return Loop(
+        flow,
+        guess,
+        constants,
+        tuple(flow.fly(state, constants, stretch, directions) for state in guess.states),
+    )
 
 
 def solved(
-    flow: Flow, guess: Guess, *conditions: Conditions, reach: float = np.inf, iterations: int = 12,
-    precision: float = 1e-13, closed: float = CLOSED,
-) -> Loop:  # fmt: skip
+    flow: Flow,
+    guess: Guess,
+    *conditions: Conditions,
+    reach: float = np.inf,
+    iterations: int = 12,
+    precision: float = 1e-13,
+    closed: float = CLOSED,
+) -> Loop:
     """The closed loop near a guess under further conditions, as many as there are free parameters and one.
 
     ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it;
@@ -319,7 +338,9 @@ def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
         which = min(int(t / stretch), len(guess.states) - 1)
         left = t - which * stretch
         start = guess.states[which]
-        states.append(loop.flow.fly(start, loop.constants, left).state if left > 1e-14 * stretch else start)
+        states.append(
+            loop.flow.fly(start, loop.constants, left).state if left > 1e-14 * stretch else start
+        )
     return replace(guess, states=np.array(states))
 
 
@@ -335,11 +356,15 @@ def clear(loop: Loop) -> float:
     A state on the wrong side of a jump goes another way: Newton's method does not take the states of stretches across.
     """
     stretch, borders = loop.guess.stretch, loop.field.borders
-    times = sorted(crossing.t % stretch for crossing in loop.crossings() if borders[crossing.border].slopes)
+    times = sorted(
+        crossing.t % stretch for crossing in loop.crossings() if borders[crossing.border].slopes
+    )
     if not times:
         return 0.0
     width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + stretch]))
-    return (begin + width / 2) % stretch if min(times[0], stretch - times[-1]) < CLEAR * width else 0.0
+    return (
+        (begin + width / 2) % stretch if min(times[0], stretch - times[-1]) < CLEAR * width else 0.0
+    )
 
 
 def split(flow: Flow, guess: Guess) -> Loop:
@@ -372,7 +397,9 @@ def once_round(loop: Loop) -> Loop:
             guess = Guess(first.state[None], period / round(share), loop.values)
             with suppress(ConvergenceError):
                 return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)
-            with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
+            with suppress(
+                ConvergenceError
+            ):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
                 shorter = looped(loop.flow, guess)
                 if shorter.missed <= CLOSED * (1 + magnitude(loop.states)):
                     return shorter
@@ -381,7 +408,9 @@ def once_round(loop: Loop) -> Loop:
 
 def difference(loop: Loop) -> float:
     """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
-    ends = [loop.flow.plain(state, loop.constants, loop.guess.stretch).state for state in loop.states]
+    ends = [
+        loop.flow.plain(state, loop.constants, loop.guess.stretch).state for state in loop.states
+    ]
     return magnitude(loop.ends - ends)
 
 
@@ -391,7 +420,9 @@ def error_of(loop: Loop, differs: float = 0.0) -> float:
     _, rows = phase(loop, loop.guess)(loop)
     inverse = np.linalg.pinv(loop.slopes(rows), rcond=1e-12)
     wanted = np.r_[0:size, -1]
-    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs))
+    return float(
+        np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs)
+    )
 
 
 def extent(loop: Loop) -> float:

@@ -15,7 +15,15 @@ from ..errors import ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
-from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
+from ..models.parameters import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    FloatArray,
+    ParameterSet,
+    as_number,
+    as_numbers,
+    degrees,
+)
 from ..numerics.interval_arrays import IndexArray
 from ..numerics.vectors import magnitude
 from ..questions import model_of
@@ -108,13 +116,20 @@ def simulate(
     """
     model, p = model_of(p), p.given(V=V, d=d)
     problem = prepare(
-        model, p, start=tuple(state_of(model, start, initial).tolist()), t_end=t_end, rtol=rtol, max_steps=max_steps
+        model,
+        p,
+        start=tuple(state_of(model, start, initial).tolist()),
+        t_end=t_end,
+        rtol=rtol,
+        max_steps=max_steps,
     )
     chosen = integrators.choose(backend, integrators.offered_for(model))
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
         reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, RTOL)), chosen)
-        difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(axis=0)
+        difference = np.abs(
+            trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))
+        ).max(axis=0)
         trajectory = replace(trajectory, error=difference)
     return trajectory if events else replace(trajectory, events=None)
 
@@ -179,14 +194,25 @@ class Trajectory(Named):
         """First, smallest, largest and last value of each coordinate and rate, in place of all samples."""
         said, t = words(self), self.t
         rows = [
-            (said.heading(key), *(said.cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
+            (
+                said.heading(key),
+                *(
+                    said.cell(key, value)
+                    for value in (values[0], values.min(), values.max(), values[-1])
+                ),
+            )
             for key, values in zip(self.components, self.state, strict=True)
         ]
         known = {"model": self.model.name, "p": self.p, "rtol": self.rtol}
         known["backend"] = "SciPy's Radau" if self.implicit else self.backend
         if self.events is not None:
             known["events"] = len(self.events)
-        title = caption(said, f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}", known, f"{len(t)} samples")
+        title = caption(
+            said,
+            f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}",
+            known,
+            f"{len(t)} samples",
+        )
         return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
 
     @cached_property
@@ -215,7 +241,11 @@ class Trajectory(Named):
 
     def after(self, transient: float | None) -> Trajectory:
         """What follows the time ``transient``, three quarters of the end if None, as a trajectory; an error if nothing does."""
-        transient = 0.75 * float(self.t[-1]) if transient is None else as_number("transient", transient, NOT_NEGATIVE)
+        transient = (
+            0.75 * float(self.t[-1])
+            if transient is None
+            else as_number("transient", transient, NOT_NEGATIVE)
+        )
         if transient >= self.t[-1]:
             raise ParameterError(
                 f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
@@ -235,7 +265,9 @@ class Trajectory(Named):
         late = self.after(transient)
         return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
 
-    def rms(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+    def rms(
+        self, transient: float | None = None, *, of: str | None = None, about: str = "zero"
+    ) -> float:
         """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
 
         The article's Figure 7b shows the root mean square of x, from zero.
@@ -244,7 +276,9 @@ class Trajectory(Named):
         deviation = late._values(of) - late._centre(of, about)
         return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
 
-    def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+    def largest(
+        self, transient: float | None = None, *, of: str | None = None, about: str = "zero"
+    ) -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late, row = self.after(transient), row_of(of, self.components)
         extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
@@ -259,8 +293,14 @@ class Trajectory(Named):
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
         problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
-        found = classify(late.course(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE))
-        return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
+        found = classify(
+            late.course(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE)
+        )
+        return (
+            replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest))))
+            if found.rest
+            else found
+        )
 
     def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
         """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.
@@ -277,7 +317,11 @@ class Trajectory(Named):
 
     def course(self) -> Course:
         """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the samples."""
-        counts = self._event_counts() if self.events is None else np.bincount(self.events.which, minlength=len(Event))
+        counts = (
+            self._event_counts()
+            if self.events is None
+            else np.bincount(self.events.which, minlength=len(Event))
+        )
         return course_of(self.samples, counts, self.model.field.around)
 
     def energy(self) -> FloatArray:
@@ -287,7 +331,9 @@ class Trajectory(Named):
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
         rates = np.split(self.state, 2)[1]
-        slide = -self.model.algebra.border_rates(*self.state[: len(rates)], *(0.0 * rates), *rates, *self._arguments())[1]
+        slide = -self.model.algebra.border_rates(
+            *self.state[: len(rates)], *(0.0 * rates), *rates, *self._arguments()
+        )[1]
         return self.friction * slide
 
     @property
@@ -296,10 +342,17 @@ class Trajectory(Named):
 
         Where it jumps, between both sides: so that integrals over the steps before and after are right.
         """
-        sides, felt, pushing, gaps = self._sides(), [1] * self.model.about["layers"], self._pushing(), np.diff(self.t)
+        sides, felt, pushing, gaps = (
+            self._sides(),
+            [1] * self.model.about["layers"],
+            self._pushing(),
+            np.diff(self.t),
+        )
         before = np.concatenate([sides[:1], sides[:-1]])
         own, last = (
-            self.model.algebra.friction_force(*self.state, *self._arguments(), pushing, np.where(pushing, side, 1), *felt)
+            self.model.algebra.friction_force(
+                *self.state, *self._arguments(), pushing, np.where(pushing, side, 1), *felt
+            )
             for side in (sides, before)
         )
         share = np.divide(gaps[:-1], gaps[:-1] + gaps[1:])
@@ -313,7 +366,9 @@ class Trajectory(Named):
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
-        return self.friction_power() + self.model.algebra.power_besides_friction(*self.state, *self._arguments())
+        return self.friction_power() + self.model.algebra.power_besides_friction(
+            *self.state, *self._arguments()
+        )
 
     def spring_force(self, spring: str | None = None) -> FloatArray:
         """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names one of several."""
@@ -324,7 +379,9 @@ class Trajectory(Named):
         """Normal force of the contact at the samples: 0 where the mass has lifted off."""
         return forces.contact_force(self.model, self.state, self._arguments())
 
-    def spectrum(self, transient: float | None = None, *, of: str | None = None, points: int = 4096) -> Spectrum:
+    def spectrum(
+        self, transient: float | None = None, *, of: str | None = None, points: int = 4096
+    ) -> Spectrum:
         """Amplitudes over frequency, in cycles per unit of time, of the motion after ``transient``."""
         return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
 
@@ -370,7 +427,9 @@ class Trajectory(Named):
     def _turns(self, row: int) -> FloatArray:
         """Times of all local extrema: of a rate, where its own rate passes 0."""
         n = len(self.components) // 2
-        return PiecewisePolynomial(self.t, (self.state[row + n] if row < n else self.samples.slopes(row))[None]).zeros()
+        return PiecewisePolynomial(
+            self.t, (self.state[row + n] if row < n else self.samples.slopes(row))[None]
+        ).zeros()
 
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]
@@ -385,7 +444,9 @@ class Trajectory(Named):
         field, constants = self.model.field, self._arguments()
         if not field.holding:
             return np.where(self._levels()[1] >= 0, 1, -1)
-        return np.array([field.initial_mode(state, constants)[1] for state in self.state.T.tolist()])
+        return np.array(
+            [field.initial_mode(state, constants)[1] for state in self.state.T.tolist()]
+        )
 
     def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)
@@ -395,10 +456,18 @@ class Trajectory(Named):
         sides = self._sides()
         lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
         changes = (lifted, 1), (np.diff(sides), -2), (stuck, 1)
-        return np.array([np.count_nonzero(change == way * first) for change, first in changes for way in (1, -1)])
+        return np.array(
+            [
+                np.count_nonzero(change == way * first)
+                for change, first in changes
+                for way in (1, -1)
+            ]
+        )
 
     def _attributes(self) -> dict[str, Any]:
-        values = dict(zip(self.model.parameters, self.p.scalars(*self.model.parameters), strict=True))
+        values = dict(
+            zip(self.model.parameters, self.p.scalars(*self.model.parameters), strict=True)
+        )
         angles = {f"{name}_deg": degrees(values[name]) for name in self.model.about["angles"]}
         settings = {"rtol": self.rtol, "backend": self.backend}
         return {**storage.provenance(), "model": self.model.name, **values, **angles, **settings}
@@ -409,7 +478,9 @@ def row_of(of: str | None, offered: tuple[str, ...]) -> int:
     return 0 if of is None else offered.index(one_of("of", of, offered))
 
 
-def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:
+def initial_state(
+    model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]
+) -> dict[str, FloatArray]:
     """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is given."""
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
@@ -428,12 +499,21 @@ def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, Arr
     return {name: as_numbers(name, value) for name, value in values.items()}
 
 
-def state_of(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike] | None = None) -> FloatArray:
+def state_of(
+    model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike] | None = None
+) -> FloatArray:
     """One initial state as an array; rest where nothing is given."""
-    return np.array([as_number(name, value) for name, value in initial_state(model, start, initial or {}).items()])
+    return np.array(
+        [
+            as_number(name, value)
+            for name, value in initial_state(model, start, initial or {}).items()
+        ]
+    )
 
 
-def motion_of(field: Field, values: Sequence[float], state: FloatArray, t_end: float, **options: Any) -> Trajectory:
+def motion_of(
+    field: Field, values: Sequence[float], state: FloatArray, t_end: float, **options: Any
+) -> Trajectory:
     """The motion of the model of a field, by the values of its parameters in order."""
     p = field.parameter_set(**dict(zip(field.parameters, values, strict=True)))
     return simulate(p, start=np.asarray(state), t_end=t_end, **options)
@@ -443,5 +523,12 @@ def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Traject
     solution = integrators.integrate(problem, backend)
     events = events_of(problem.field, solution.crossings)
     return Trajectory(
-        model, p, solution.samples.t, solution.samples.states, events, problem.rtol, backend, implicit=solution.implicit
+        model,
+        p,
+        solution.samples.t,
+        solution.samples.states,
+        events,
+        problem.rtol,
+        backend,
+        implicit=solution.implicit,
     )

@@ -28,9 +28,14 @@ class Crossing(NamedTuple):
 
 
 def passed(
-    problem: Problem, row: int, mode: Mode, t: float, state: FloatArray, directions: FloatArray | None,
+    problem: Problem,
+    row: int,
+    mode: Mode,
+    t: float,
+    state: FloatArray,
+    directions: FloatArray | None,
     columns: FloatArray | None = None,
-) -> tuple[Mode, tuple[Crossing, ...]]:  # fmt: skip
+) -> tuple[Mode, tuple[Crossing, ...]]:
     """How a motion goes on behind a border: its next mode, and the crossing, none where there is no kink.
 
     Where the field jumps, the state and its derivatives by start and ``directions``, the ``columns``, are moved: they go on from
@@ -51,12 +56,23 @@ def passed(
 
 
 def saltation(
-    problem: Problem, border: Border, modes: tuple[Mode, Mode], state: FloatArray, directions: FloatArray | None,
+    problem: Problem,
+    border: Border,
+    modes: tuple[Mode, Mode],
+    state: FloatArray,
+    directions: FloatArray | None,
     columns: FloatArray | None,
-) -> None:  # fmt: skip
+) -> None:
     """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h = 0 between two modes."""
-    field, constants, values, m = problem.field, problem.constants, state.tolist(), problem.field.size
-    before, behind = (np.array(field.acceleration(values, constants, mode, FLOATS), dtype=float) for mode in modes)
+    field, constants, values, m = (
+        problem.field,
+        problem.constants,
+        state.tolist(),
+        problem.field.size,
+    )
+    before, behind = (
+        np.array(field.acceleration(values, constants, mode, FLOATS), dtype=float) for mode in modes
+    )
     rate = border.rate(values, before.tolist(), constants, modes[0])
     if not rate:  # nothing brings it across
         return
@@ -69,7 +85,12 @@ def saltation(
     state += jump * border.level(values, constants, modes[0])
 
 
-def start_mode(problem: Problem, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None) -> Mode:
+def start_mode(
+    problem: Problem,
+    state: FloatArray,
+    directions: FloatArray | None,
+    columns: FloatArray | None = None,
+) -> Mode:
     """The mode in which a motion begins; a state that sticks, and its derivatives, are projected onto the border."""
     mode = problem.field.initial_mode(state.tolist(), problem.constants)
     project(problem, mode, state, directions, columns)
@@ -77,11 +98,19 @@ def start_mode(problem: Problem, state: FloatArray, directions: FloatArray | Non
 
 
 def project(
-    problem: Problem, mode: Mode, state: FloatArray, directions: FloatArray | None, columns: FloatArray | None = None
-) -> None:  # fmt: skip
+    problem: Problem,
+    mode: Mode,
+    state: FloatArray,
+    directions: FloatArray | None,
+    columns: FloatArray | None = None,
+) -> None:
     """Project a state onto the border on which it stays in a mode, and its derivatives onto the tangent of that."""
     for border in problem.field.stays(mode):
-        near = (other for other in problem.field.modes if sum(a != b for a, b in zip(mode, other, strict=True)) == 1)
+        near = (
+            other
+            for other in problem.field.modes
+            if sum(a != b for a, b in zip(mode, other, strict=True)) == 1
+        )
         ways = [other for other in near if border.sign(other)]
         fastest = max(ways, key=lambda way: speed_across(problem, border, way, state))
         saltation(problem, border, (fastest, mode), state, directions, columns)
@@ -90,7 +119,13 @@ def project(
 def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:
     """How fast a motion in a mode moves across a border."""
     values, constants = np.asarray(state).tolist(), problem.constants
-    return abs(float(border.rate(values, problem.field.acceleration(values, constants, mode, FLOATS), constants, mode)))
+    return abs(
+        float(
+            border.rate(
+                values, problem.field.acceleration(values, constants, mode, FLOATS), constants, mode
+            )
+        )
+    )
 
 
 class Turn(NamedTuple):
@@ -128,7 +163,9 @@ class Passage:
 Fly: TypeAlias = Callable[[FloatArray, Values, float, FloatArray], Passage]
 
 
-def parted(state: FloatArray, columns: FloatArray | None) -> tuple[FloatArray, FloatArray, FloatArray]:
+def parted(
+    state: FloatArray, columns: FloatArray | None
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """A state and its derivatives by the start and by the parameters; empty where there are none."""
     whole = np.empty((0, 0)) if columns is None else columns.copy()
     return state.copy(), whole[:, : len(state)], whole[:, len(state) :]
@@ -147,13 +184,23 @@ class Solution:
     implicit: bool = False
 
 
-def assembled(pieces: Sequence[Samples], crossings: Sequence[Crossing], t_record: float) -> Solution:
+def assembled(
+    pieces: Sequence[Samples], crossings: Sequence[Crossing], t_record: float
+) -> Solution:
     """From samples by steps to samples in a row."""
     # A piece by itself, which may be large, is not copied.
-    t, states = pieces[0] if len(pieces) == 1 else (np.concatenate(parts) for parts in zip(*pieces, strict=True))
+    t, states = (
+        pieces[0]
+        if len(pieces) == 1
+        else (np.concatenate(parts) for parts in zip(*pieces, strict=True))
+    )
     samples = PiecewisePolynomial(
         np.append(t[:, :-1].ravel(), t[-1, -1]),
-        np.append(states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1), states[-1, :, -1:], axis=1),
+        np.append(
+            states[:, :, :-1].swapaxes(0, 1).reshape(states.shape[1], -1),
+            states[-1, :, -1:],
+            axis=1,
+        ),
     )
     if t_record > t[0, 0]:
         samples = samples.after(t_record)
@@ -172,14 +219,18 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
         if not own or not border.crossings[0] or border.stays:
             continue
         level = np.abs(border.level(states, problem.constants, problem.field.modes[0]))
-        farthest = np.maximum.reduceat(level, np.searchsorted(t, [crossing.t for crossing in own])).tolist()
+        farthest = np.maximum.reduceat(
+            level, np.searchsorted(t, [crossing.t for crossing in own])
+        ).tolist()
         before = -own[0].sign
         for crossing, far in zip(own, farthest, strict=True):
             after = crossing.sign * (far > least)
             if after in (0, before):
                 chatter.add(id(crossing))
             before = after or before
-    return replace(solution, crossings=tuple(each for each in solution.crossings if id(each) not in chatter))
+    return replace(
+        solution, crossings=tuple(each for each in solution.crossings if id(each) not in chatter)
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,7 +262,10 @@ class Events(Result):
     def of(self, *kinds: Event | str) -> Events:
         """The events of some kinds only, by members of :class:`Event` or their names, as "stick"."""
         words = {kind.name.lower(): kind for kind in Event}
-        chosen = [kind if kind in [*Event] else words[one_of("kinds", str(kind).lower(), words)] for kind in kinds]
+        chosen = [
+            kind if kind in [*Event] else words[one_of("kinds", str(kind).lower(), words)]
+            for kind in kinds
+        ]
         return self.select(np.isin(self.which, chosen))
 
     def select(self, chosen: BoolArray) -> Events:
@@ -220,7 +274,11 @@ class Events(Result):
 
     def table_values(self) -> dict[str, Any]:
         """Time, what happened, and the state by its names."""
-        return {"t": self.t, "which": self.which, **dict(zip(self.components, self.state.T, strict=True))}
+        return {
+            "t": self.t,
+            "which": self.which,
+            **dict(zip(self.components, self.state.T, strict=True)),
+        }
 
 
 def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
@@ -228,6 +286,8 @@ def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
     kinds = kinds_of(field)
     told = [each for each in crossings if (each.border, each.sign) in kinds]
     return Events(
-        np.array([each.t for each in told]), np.array([each.state for each in told]).reshape(-1, field.size),
-        np.array([kinds[each.border, each.sign] for each in told], dtype=np.intp), field.components,
-    )  # fmt: skip
+        np.array([each.t for each in told]),
+        np.array([each.state for each in told]).reshape(-1, field.size),
+        np.array([kinds[each.border, each.sign] for each in told], dtype=np.intp),
+        field.components,
+    )

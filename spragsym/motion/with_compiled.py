@@ -35,7 +35,16 @@ def _tables() -> FloatArray:
     """The method's coefficients, which SciPy holds, one after the other."""
     from scipy.integrate import DOP853 as method
 
-    parts = (method.A[:12, :12], method.B, method.C, method.E3, method.E5, method.A_EXTRA, method.C_EXTRA, method.D)
+    parts = (
+        method.A[:12, :12],
+        method.B,
+        method.C,
+        method.E3,
+        method.E5,
+        method.A_EXTRA,
+        method.C_EXTRA,
+        method.D,
+    )
     return np.concatenate([np.ravel(part) for part in parts]).astype(np.float64)
 
 
@@ -44,17 +53,34 @@ def integrate(problem: Problem) -> Solution:
     from . import _carried
 
     unit = unit_points()
-    mode, state, elapsed, steps = problem.field.initial_mode(problem.start, problem.constants), np.array(problem.start), 0.0, 0
+    mode, state, elapsed, steps = (
+        problem.field.initial_mode(problem.start, problem.constants),
+        np.array(problem.start),
+        0.0,
+        0,
+    )
     constants, most = np.array(problem.constants), problem.max_steps or MAX_STEPS
     # Time in a mode, and the length of the next step, of which the first is as SciPy chooses it.
-    clock = np.array([0.0, min(Flight(problem, interpolated=True).solver(mode, state, problem.t_end).h_abs, problem.t_end)])
+    clock = np.array(
+        [
+            0.0,
+            min(
+                Flight(problem, interpolated=True).solver(mode, state, problem.t_end).h_abs,
+                problem.t_end,
+            ),
+        ]
+    )
     times, states = np.empty((CHUNK, unit.size)), np.empty((CHUNK, 4, unit.size))
     pieces, crossings = list[Samples](), list[Crossing]()
     while elapsed < problem.t_end:
         begun, bound = float(clock[0]), problem.t_end - elapsed
-        limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, most - steps])
+        limits = np.array(
+            [problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, most - steps]
+        )
         given = np.array([*mode, problem.reach, WIDTH, GAP])
-        outcome, border, made, kept = _carried.carry(constants, given, limits, _tables(), unit, state, clock, times, states)
+        outcome, border, made, kept = _carried.carry(
+            constants, given, limits, _tables(), unit, state, clock, times, states
+        )
         steps += made
         if kept:
             pieces.append((elapsed + times[:kept], states[:kept].copy()))
@@ -68,7 +94,9 @@ def integrate(problem: Problem) -> Solution:
         if not np.isfinite(state).all():
             raise out_of_range()
         if outcome == TOO_SMALL:
-            raise ConvergenceError(f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol")
+            raise ConvergenceError(
+                f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol"
+            )
         if outcome == ENDED:
             break
         mode, crossed = passed(problem, border, mode, elapsed, state, None)

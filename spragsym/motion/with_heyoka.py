@@ -16,8 +16,27 @@ from ..models.field import GAP, JUMPED, XP, Border, Field, Functions, Mode, libr
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
-from .problem import Event, Problem, StiffError, check_stiffness, kinds_of, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed, project, start_mode
+from .problem import (
+    Event,
+    Problem,
+    StiffError,
+    check_stiffness,
+    kinds_of,
+    out_of_range,
+    too_many_steps,
+)
+from .solution import (
+    Crossing,
+    Passage,
+    Samples,
+    Solution,
+    Turn,
+    assembled,
+    parted,
+    passed,
+    project,
+    start_mode,
+)
 
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed: at most a second or
 #: so. Steps after which a stretch of a flow is given up.
@@ -91,18 +110,29 @@ def equations(
     accelerations = list(field.acceleration(state, known, mode, xp := Functions()))
     system = list(zip(state, [*state[n:], *accelerations], strict=True))
     if directions is not None:
-        jacobian, slopes = (make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters))
+        jacobian, slopes = (
+            make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters)
+        )
         for column in range(m + directions):
-            part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))  # no coordinate has a dot in its name
+            part = hy.make_vars(
+                *(f"by.{i}.{column}" for i in range(m))
+            )  # no coordinate has a dot in its name
             rates = [_dot(row, part) for row in jacobian]
             if column >= m:
                 begin = end + (column - m) * parameters
                 weights = [hy.par[begin + i] for i in range(parameters)]
-                rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
+                rates = [
+                    rate + UNIT * _dot(row, weights)
+                    for rate, row in zip(rates, slopes, strict=True)
+                ]
             system += zip(part, [*part[n:], *rates], strict=True)
     if watch or directions is not None:
         shift, scale = (state[0] - hy.par[end], hy.par[end + 1]) if watch else (state[0], UNIT)
-        sums = [scale * shift, scale * shift * shift, *(scale * other for other in state[1:n] if watch)]
+        sums = [
+            scale * shift,
+            scale * shift * shift,
+            *(scale * other for other in state[1:n] if watch),
+        ]
         system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
     return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m])
 
@@ -142,7 +172,9 @@ class Traveller:
     counts: list[int] = field(default_factory=lambda: [0] * len(Event))
     crossed: dict[int, list[float]] = field(default_factory=dict)
     turns: list[Turn] = field(default_factory=list)
-    latest: dict[int, deque[list[float]]] = field(default_factory=partial(defaultdict, partial(deque, maxlen=KEPT)))
+    latest: dict[int, deque[list[float]]] = field(
+        default_factory=partial(defaultdict, partial(deque, maxlen=KEPT))
+    )
     reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
     resting: bool = False
 
@@ -165,29 +197,56 @@ class Carrier:
     """
 
     def __init__(
-        self, field: Field, tol: float, *, lanes: int = 1, watch: bool = False, directions: int | None = None,
+        self,
+        field: Field,
+        tol: float,
+        *,
+        lanes: int = 1,
+        watch: bool = False,
+        directions: int | None = None,
         turning: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> None:
         hy = library()
-        self.field, self.m, self.lanes, self.derivatives = field, field.size, lanes, directions is not None
+        self.field, self.m, self.lanes, self.derivatives = (
+            field,
+            field.size,
+            lanes,
+            directions is not None,
+        )
         self.kinds = kinds_of(field) if watch else {}
         #: What is in the first lanes.
         self.some: Sequence[Traveller] = ()
-        system, seen, accelerations, approaches = equations(field, watch=watch, directions=directions)
+        system, seen, accelerations, approaches = equations(
+            field, watch=watch, directions=directions
+        )
         self.constants = len(seen[1])
         rates = [(-1, seen[0][len(field.coordinates)])] if turning or watch else []
         if watch and 0 in field.around:
             rates.append((PASSAGE, hy.sin(seen[0][0] / 2.0)))
         if turning:
-            rates += [(i, b.rate(seen[0], accelerations, *seen[1:])) for i, b in enumerate(field.borders) if b.kink]
+            rates += [
+                (i, b.rate(seen[0], accelerations, *seen[1:]))
+                for i, b in enumerate(field.borders)
+                if b.kink
+            ]
         self.solver = hy.taylor_adaptive_batch(
-            system, np.zeros((len(system), lanes)), tol=min(tol, CURVED) if field.curved else tol, compact_mode=turning,
-            t_events=[self._border(row, border, seen) for row, border in enumerate(field.borders)] + [
-                hy.t_event_batch(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
+            system,
+            np.zeros((len(system), lanes)),
+            tol=min(tol, CURVED) if field.curved else tol,
+            compact_mode=turning,
+            t_events=[self._border(row, border, seen) for row, border in enumerate(field.borders)]
+            + [
+                hy.t_event_batch(
+                    each.watched,
+                    callback=partial(self._pass, each),
+                    direction=hy.event_direction.positive,
+                )
                 for each in approaches
             ],
-            nt_events=[hy.nt_event_batch(1e-3 * rate, partial(self._turn, row)) for row, rate in rates],
-        )  # fmt: skip
+            nt_events=[
+                hy.nt_event_batch(1e-3 * rate, partial(self._turn, row)) for row, rate in rates
+            ],
+        )
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.times, self.dense = (
             getattr(self.solver, name) for name in ("state", "pars", "time", "d_output")
@@ -204,9 +263,11 @@ class Carrier:
         """
         hy, sign = library(), border.sign(seen[2])
         return hy.t_event_batch(
-            sign * border.scale * (border.level(*seen) + GAP * sign * border.kink), callback=partial(self._cross, row),
-            cooldown=0.0, direction=hy.event_direction.negative if border.jumps else hy.event_direction.any,
-        )  # fmt: skip
+            sign * border.scale * (border.level(*seen) + GAP * sign * border.kink),
+            callback=partial(self._cross, row),
+            cooldown=0.0,
+            direction=hy.event_direction.negative if border.jumps else hy.event_direction.any,
+        )
 
     def __deepcopy__(self, _: object) -> Carrier:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
@@ -219,7 +280,9 @@ class Carrier:
             if direction > 0:
                 raise missed(t)
             columns = self._columns(self.state[:, lane]) if self.field.borders[row].slopes else None
-            one.mode, crossings = passed(one.problem, row, one.mode, t, state, self._directions(one), columns)
+            one.mode, crossings = passed(
+                one.problem, row, one.mode, t, state, self._directions(one), columns
+            )
         except ConvergenceError as error:
             one.error = error
             return False
@@ -238,7 +301,9 @@ class Carrier:
         """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
         here = state.tolist()
         before, one.crossed[row] = one.crossed.get(row), here
-        if before and max(abs(a - b) for a, b in zip(here, before, strict=True)) <= NEAR * max(map(abs, here)):
+        if before and max(abs(a - b) for a, b in zip(here, before, strict=True)) <= NEAR * max(
+            map(abs, here)
+        ):
             one.resting = True
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
@@ -249,15 +314,24 @@ class Carrier:
             one.turns.append(Turn(t, border, direction, *self._split(self.dense[:, lane])))
             return
         state = self.dense[: self.m, lane].tolist()
-        kind, bound = (-1, max) if direction < 0 else (1, min)  # the direction is 0 where both derivatives are
+        kind, bound = (
+            (-1, max) if direction < 0 else (1, min)
+        )  # the direction is 0 where both derivatives are
         one.latest[PASSAGE if border == PASSAGE else kind].append([t, *state])
         if border != PASSAGE:
             one.reach[kind] = bound(one.reach[kind], state[0])
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         """Where a root's argument is zero to GAP, move the state on by as much: at its anchor a spring has no direction."""
-        one, state, pars = self.some[lane], self.state[: self.m, lane].copy(), self.pars[:, lane].copy()
-        if each.value is not None and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < GAP**2:
+        one, state, pars = (
+            self.some[lane],
+            self.state[: self.m, lane].copy(),
+            self.pars[:, lane].copy(),
+        )
+        if (
+            each.value is not None
+            and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < GAP**2
+        ):
             rates = state[self.m // 2 :]
             self.state[: len(rates), lane] += GAP / np.abs(rates).max() * rates
             if self.derivatives:
@@ -272,7 +346,9 @@ class Carrier:
         return values[self.m : -2].reshape(-1, self.m).T / UNIT if self.derivatives else None
 
     def _directions(self, one: Traveller) -> FloatArray | None:
-        return np.reshape(one.further, (-1, len(self.field.parameters))) if self.derivatives else None
+        return (
+            np.reshape(one.further, (-1, len(self.field.parameters))) if self.derivatives else None
+        )
 
     def begin(self, some: Sequence[Traveller], t: float) -> None:
         """Motions into the first lanes, where nothing was crossed yet."""
@@ -280,16 +356,26 @@ class Carrier:
         pars = [(*one.problem.constants, *one.mode, *one.further) for one in some]
         self.solver.set_time(t)
         self.state[:] = 0.0
-        self.state[: self.m, : len(some)] = np.array([one.carried[: self.m] for one in some], dtype=float).T
+        self.state[: self.m, : len(some)] = np.array(
+            [one.carried[: self.m] for one in some], dtype=float
+        ).T
         self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.derivatives:
             columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
-            project(some[0].problem, some[0].mode, self.state[: self.m, 0], self._directions(some[0]), columns)
+            project(
+                some[0].problem,
+                some[0].mode,
+                self.state[: self.m, 0],
+                self._directions(some[0]),
+                columns,
+            )
             self.state[self.m : -2, 0] = columns.T.ravel() * UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
 
-    def carry(self, motions: Sequence[Traveller], begin: float, end: float, *, record: bool = False) -> list[Samples]:
+    def carry(
+        self, motions: Sequence[Traveller], begin: float, end: float, *, record: bool = False
+    ) -> list[Samples]:
         """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way; samples if asked for.
 
         What stops one that has the integrator to itself is raised.
@@ -310,8 +396,13 @@ class Carrier:
                 self.solver.set_dtime(late, early)
                 for values in (self.state, self.pars):
                     values[:, free] = values[:, going[:1]]
-            begun, left = self.times.copy(), min(self.some[lane].most - self.some[lane].steps for lane in going)
-            output, _ = self.solver.propagate_until(end, c_output=record, max_steps=min(BURST, left + 1))
+            begun, left = (
+                self.times.copy(),
+                min(self.some[lane].most - self.some[lane].steps for lane in going),
+            )
+            output, _ = self.solver.propagate_until(
+                end, c_output=record, max_steps=min(BURST, left + 1)
+            )
             if output is not None:  # to the Lobatto points of its steps
                 ends, series = output.times[:, 0], output.tcs[..., 0]
                 step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
@@ -334,7 +425,11 @@ class Carrier:
 
     def _count(self, one: Traveller, lane: int, begun: float, end: float) -> None:
         """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on, or has passed a border unseen."""
-        outcomes, (outcome, _, _, made), t = library().taylor_outcome, self.solver.propagate_res[lane], float(self.times[lane])
+        outcomes, (outcome, _, _, made), t = (
+            library().taylor_outcome,
+            self.solver.propagate_res[lane],
+            float(self.times[lane]),
+        )
         problem, state = one.problem, self.state[: self.m, lane]
         one.steps += int(made)
         if one.error:
@@ -345,9 +440,17 @@ class Carrier:
             raise too_many_steps(problem, one.most, t)
         if made == BURST:
             check_stiffness(problem, state, (t - begun) / made, problem.t_end - t)
-        elif len(self.some) == 1 and outcome not in (outcomes.time_limit, outcomes.step_limit):  # of many, another may stop it
-            raise ConvergenceError(f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'")
-        levels = (border.sign(one.mode) * border.level(state, problem.constants, one.mode) for border in self.field.borders)
+        elif len(self.some) == 1 and outcome not in (
+            outcomes.time_limit,
+            outcomes.step_limit,
+        ):  # of many, another may stop it
+            raise ConvergenceError(
+                f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'"
+            )
+        levels = (
+            border.sign(one.mode) * border.level(state, problem.constants, one.mode)
+            for border in self.field.borders
+        )
         if not t < end and not all(level >= -2 * GAP for level in levels):
             raise missed(t)
 
@@ -364,14 +467,20 @@ class Carrier:
         begin = one.problem.t_record
         if begin > 0:
             self.carry(self.some, 0.0, begin)
-        return assembled(self.carry(self.some, begin, one.problem.t_end, record=True), one.crossings, begin)
+        return assembled(
+            self.carry(self.some, begin, one.problem.t_end, record=True), one.crossings, begin
+        )
 
     def fly(self) -> Passage:
         """Carry the state on to the end."""
         (one,) = self.some
         self.carry(self.some, 0.0, one.problem.t_end)
         found = Passage(*self._split(one.carried), tuple(one.crossings), tuple(one.turns))
-        return replace(found, integrals=tuple((one.carried[-2:] / UNIT).tolist())) if self.derivatives else found
+        return (
+            replace(found, integrals=tuple((one.carried[-2:] / UNIT).tolist()))
+            if self.derivatives
+            else found
+        )
 
 
 def missed(t: float) -> ConvergenceError:
@@ -394,7 +503,9 @@ def compiled(field: Field, tol: float, **options: Any) -> Carrier:
 def flight(problem: Problem, directions: FloatArray | None) -> Carrier:
     """What carries a flow, with turns, and unless they are None its derivatives by the start and along ``directions``."""
     tol, count = (PLAIN, None) if directions is None else (TOLERANCE, len(directions))
-    return compiled(problem.field, tol, directions=count, turning=True).begun(problem, () if directions is None else directions)
+    return compiled(problem.field, tol, directions=count, turning=True).begun(
+        problem, () if directions is None else directions
+    )
 
 
 def integrate(problem: Problem) -> Solution:
@@ -419,13 +530,31 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
 
     def course(motion: Traveller, first: FloatArray) -> Course:
         last, reach = motion.carried, motion.reach
-        tops, lows, passed = (np.array(motion.latest[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE))
-        low, high = (float(pick(first[0], last[0], most)) for pick, most in ((min, reach[1]), (max, reach[-1])))
+        tops, lows, passed = (
+            np.array(motion.latest[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE)
+        )
+        low, high = (
+            float(pick(first[0], last[0], most))
+            for pick, most in ((min, reach[1]), (max, reach[-1]))
+        )
         return Course(
-            begin, end, first, last[:size], tops[:, 0], tops[:, 1:], last[size:] / scale, lows[:, 1:],
-            np.array(motion.counts), (low, high), passed[:, 0], passed[:, 1:],
-        )  # fmt: skip
+            begin,
+            end,
+            first,
+            last[:size],
+            tops[:, 0],
+            tops[:, 1:],
+            last[size:] / scale,
+            lows[:, 1:],
+            np.array(motion.counts),
+            (low, high),
+            passed[:, 0],
+            passed[:, 1:],
+        )
 
     found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]
-    again = [isinstance(each.error, StiffError) or (each.error is None and each.resting) for each in motions]
+    again = [
+        isinstance(each.error, StiffError) or (each.error is None and each.resting)
+        for each in motions
+    ]
     return found, np.flatnonzero(again).tolist()

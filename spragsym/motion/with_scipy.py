@@ -15,7 +15,17 @@ from ..models.parameters import FloatArray
 from ..numerics.vectors import magnitude
 from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Passage, Samples, Solution, Turn, assembled, parted, passed, start_mode
+from .solution import (
+    Crossing,
+    Passage,
+    Samples,
+    Solution,
+    Turn,
+    assembled,
+    parted,
+    passed,
+    start_mode,
+)
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
@@ -86,7 +96,9 @@ class Flight:
     def motion(self) -> Solution:
         """The motion by its samples, from ``t_record`` on, without derivatives."""
         pieces, crossings, begin = list[Samples](), list[Crossing](), self.problem.t_record
-        with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
+        with np.errstate(
+            all="ignore"
+        ):  # trial steps may go as far as numbers do not, and are rejected
             for piece in self._pieces(np.array(self.problem.start, dtype=float)):
                 crossings += piece.crossings
                 if piece.end > max(piece.begin, begin - piece.clock):
@@ -97,14 +109,27 @@ class Flight:
         m = self.problem.field.size
         return parted(values[:m], None if self.directions is None else values[m:].reshape(m, -1))
 
-    def solver(self, mode: Mode, whole: FloatArray, bound: float, begin: float = 0.0, first: float | None = None) -> Any:
+    def solver(
+        self,
+        mode: Mode,
+        whole: FloatArray,
+        bound: float,
+        begin: float = 0.0,
+        first: float | None = None,
+    ) -> Any:
         """SciPy's solver for one mode, from ``begin`` to ``bound``."""
         from scipy.integrate import DOP853, Radau
 
         field, rtol = self.problem.field, max(self.problem.rtol, IMPLICIT * self.stiff)
         if field.curved and not self.stiff and field.holding:
-            rtol = RTOL  # what stays on a curved border is kept there by the equations of motion alone
-        options: dict[str, Any] = {"rtol": rtol, "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE), "first_step": first}
+            rtol = (
+                RTOL  # what stays on a curved border is kept there by the equations of motion alone
+            )
+        options: dict[str, Any] = {
+            "rtol": rtol,
+            "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE),
+            "first_step": first,
+        }
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
 
     def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
@@ -112,13 +137,19 @@ class Flight:
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first: float | None = None
-        mode, looked, steps = start_mode(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1)), 0.0, 0
+        mode, looked, steps = (
+            start_mode(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1)),
+            0.0,
+            0,
+        )
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             bound = duration - clock
             if not np.isfinite(self._rates(mode)(0.0, whole)).all():
                 raise out_of_range()
-            solver = self.solver(mode, whole, bound, first=None if first is None else min(first, bound))
+            solver = self.solver(
+                mode, whole, bound, first=None if first is None else min(first, bound)
+            )
             found = None
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
@@ -127,7 +158,9 @@ class Flight:
                     raise out_of_range()
                 if failed:
                     name, t = type(solver).__name__, clock + solver.t
-                    raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")
+                    raise ConvergenceError(
+                        f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol"
+                    )
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
                     raise too_many_steps(replace(self.problem, rtol=solver.rtol), most, clock + end)
@@ -143,13 +176,17 @@ class Flight:
             at, row = found
             first = solver.step_size
             whole = dense(at) if self.interpolated else self._stepped(mode, before, begin, at)
-            for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
+            for _ in range(
+                4 * self.stiff
+            ):  # Radau's interpolant is of low order: Newton's method on steps of its own
                 clear, rate = self._levels(mode, whole[:m], inside=True)[row].tolist()
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
             columns = whole[m:].reshape(m, -1)
-            after, crossings = passed(self.problem, row, mode, clock + at, whole[:m], self.directions, columns)
+            after, crossings = passed(
+                self.problem, row, mode, clock + at, whole[:m], self.directions, columns
+            )
             yield _Piece(clock, begin, at, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 
@@ -175,7 +212,10 @@ class Flight:
             columns = whole[m:].reshape(m, -1)
             change = field.matrix(state, constants, mode, TRIAL_FLOATS) @ columns
             if directions.size:
-                change[n:, m:] += np.array(field.by_parameters(state, constants, mode, TRIAL_FLOATS), dtype=float) @ directions.T
+                change[n:, m:] += (
+                    np.array(field.by_parameters(state, constants, mode, TRIAL_FLOATS), dtype=float)
+                    @ directions.T
+                )
             return np.concatenate([own, change.ravel()])
 
         return rates
@@ -207,7 +247,9 @@ class Flight:
         least, fastest = levels[:-1, 0].min(axis=1), np.abs(levels[:-1, 1]).max(axis=1)
         for row in np.flatnonzero(~(least > fastest * np.diff(piece.t).max())).tolist():
             (distance, rate), border = levels[row], partial(self._at, piece, True, row)
-            for i in np.flatnonzero((distance[1:] < 0) | ((rate[:-1] < 0) & (rate[1:] > 0))).tolist():
+            for i in np.flatnonzero(
+                (distance[1:] < 0) | ((rate[:-1] < 0) & (rate[1:] > 0))
+            ).tolist():
                 begin, end = piece.t[i : i + 2].tolist()
                 if not distance[i + 1] < 0:  # it may dip below 0 between two points
                     end = _root(partial(border, 1), begin, end)
@@ -222,8 +264,17 @@ class Flight:
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
         values = self._levels(piece.mode, piece.samples[: field.size])[watched, 1]
         for row, i in np.argwhere((values[:, :-1] < 0) != (values[:, 1:] < 0)).tolist():
-            t = _root(partial(self._at, piece, False, watched[row], 1), *piece.t[i : i + 2].tolist())
-            found.append(Turn(piece.clock + t, watched[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))
+            t = _root(
+                partial(self._at, piece, False, watched[row], 1), *piece.t[i : i + 2].tolist()
+            )
+            found.append(
+                Turn(
+                    piece.clock + t,
+                    watched[row],
+                    1 if values[row, i] < 0 else -1,
+                    *self._split(piece.dense(t)),
+                )
+            )
         return sorted(found, key=lambda turn: turn.t)
 
 

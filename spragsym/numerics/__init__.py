@@ -2,6 +2,20 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "affine", "arithmetic", "balls", "bernstein", "boxes", "certified_roots", "chains", "columns", "contractors", "decimals",
-    "double_double", "interval_arrays", "jets", "polynomials", "precise_roots", "vectors",
-]  # fmt: skip
+    "affine",
+    "arithmetic",
+    "balls",
+    "bernstein",
+    "boxes",
+    "certified_roots",
+    "chains",
+    "columns",
+    "contractors",
+    "decimals",
+    "double_double",
+    "interval_arrays",
+    "jets",
+    "polynomials",
+    "precise_roots",
+    "vectors",
+]

@@ -67,12 +67,16 @@ class Rounded(Arithmetic):
     def __add__(self, other: Any) -> Any:
         if not isinstance(other, Rounded):
             return _rounded(self.value + other, self.terms, self.error)
-        return _rounded(self.value + other.value, self.terms + other.terms, self.error + other.error)
+        return _rounded(
+            self.value + other.value, self.terms + other.terms, self.error + other.error
+        )
 
     def __sub__(self, other: Any) -> Any:
         if not isinstance(other, Rounded):
             return _rounded(self.value - other, self.terms, self.error)
-        return _rounded(self.value - other.value, self.terms - other.terms, self.error + other.error)
+        return _rounded(
+            self.value - other.value, self.terms - other.terms, self.error + other.error
+        )
 
     def __neg__(self) -> Any:
         return _number(-self.value, -self.terms, self.error)
@@ -85,7 +89,12 @@ class Rounded(Arithmetic):
         if self.terms is not _ZERO or other.terms is not _ZERO:
             own, others = _spread(self), _spread(other)
             # What may be the 0 of numbers without terms stands on the left: its own product is taken before NumPy's.
-            error = error + own * (others + other.error) + others * self.error + (others * left + own * right) * (2 * UNIT)
+            error = (
+                error
+                + own * (others + other.error)
+                + others * self.error
+                + (others * left + own * right) * (2 * UNIT)
+            )
             terms = other.terms * self.value + self.terms * other.value
         return _rounded(self.value * other.value, terms, error)
 
@@ -98,7 +107,9 @@ class Rounded(Arithmetic):
         rounding = (_spread(other) * quotient + _spread(self)) * (4 * UNIT)
         own = (rounding + (self.error + quotient * other.error)) / size
         found = _number(value, (self.terms - other.terms * value) / other.value, own)
-        error = (own + (_spread(found) + own) * (reach / least) + UNIT * quotient) * _SLACK**3 + _TINY
+        error = (
+            own + (_spread(found) + own) * (reach / least) + UNIT * quotient
+        ) * _SLACK**3 + _TINY
         found.error = np.where(least > 0, error, np.inf)
         return found
 
@@ -142,10 +153,14 @@ class Affine(Rounded):
         """Anything in an interval, of which nothing is known but that."""
         middle = interval.middle
         error = np.maximum(interval.high - middle, middle - interval.low) * _SLACK + _TINY
-        return cls(middle, np.zeros((1, *middle.shape)), np.where(np.isfinite(error), error, np.inf))
+        return cls(
+            middle, np.zeros((1, *middle.shape)), np.where(np.isfinite(error), error, np.inf)
+        )
 
     def __abs__(self) -> Affine:
-        return Affine.linear(self, Affine.between(abs(Intervals.point(self.value))), self.interval().sign())
+        return Affine.linear(
+            self, Affine.between(abs(Intervals.point(self.value))), self.interval().sign()
+        )
 
     def interval(self) -> Intervals:
         """The interval in which the numbers lie."""
@@ -161,7 +176,11 @@ class Affine(Rounded):
         rounding = UNIT * np.abs(terms).sum(axis=0)
         error = (np.abs(slope) * x.error + off + middle.error + rounding) * _SLACK + _TINY
         known = np.isfinite(error) & np.isfinite(middle.value)
-        return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))
+        return Affine(
+            np.where(known, middle.value, 0.0),
+            np.where(known, terms, 0.0),
+            np.where(known, error, np.inf),
+        )
 
 
 def _number(value: Any, terms: Any, error: Any) -> Rounded:
@@ -195,9 +214,14 @@ def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
 
 def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
     """Cosine and sine of an angle, to first order in what it depends on; of floats, which are exact, as :class:`Rounded`."""
-    cosine, sine = (wave(angle.value if isinstance(angle, Affine) else angle) for wave in (np.cos, np.sin))
+    cosine, sine = (
+        wave(angle.value if isinstance(angle, Affine) else angle) for wave in (np.cos, np.sin)
+    )
     if not isinstance(angle, Affine):
-        one, other = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * abs(value) + _TINY) for value in (cosine, sine))
+        one, other = (
+            Rounded(value, 2 * FUNCTION_ULPS * UNIT * abs(value) + _TINY)
+            for value in (cosine, sine)
+        )
         return one, other
     reach = angle.radius()
     beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK
@@ -218,7 +242,9 @@ def _through(name: str) -> Callable[[Affine], Affine]:
 
 def _taken(value: Any) -> Affine:
     """A number as one without terms."""
-    return value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
+    return (
+        value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
+    )
 
 
 class _Functions(Functions):
@@ -233,5 +259,8 @@ class _Functions(Functions):
 _INTERVALS = Functions(interval_arrays, lambda value: value)
 #: The one that is needed.
 AFFINE = _Functions(
-    SimpleNamespace(**{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}), _taken
+    SimpleNamespace(
+        **{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}
+    ),
+    _taken,
 )

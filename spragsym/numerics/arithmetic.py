@@ -66,7 +66,9 @@ def determinant(rows: Matrix) -> Any:
 
 def cofactor(rows: Matrix, i: int, j: int) -> Any:
     """Cofactor of the entry in row i and column j: entry (j, i) of the adjugate."""
-    minor = determinant([[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i])
+    minor = determinant(
+        [[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i]
+    )
     return -minor if (i + j) % 2 else minor
 
 
@@ -83,7 +85,9 @@ class Polynomial(Arithmetic):
     def __add__(self, other: Any) -> Polynomial:
         two = other.coefficients if isinstance(other, Polynomial) else [other]
         size = max(len(self.coefficients), len(two))
-        return Polynomial([a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)])
+        return Polynomial(
+            [a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)]
+        )
 
     def __neg__(self) -> Polynomial:
         return Polynomial([-value for value in self.coefficients])
@@ -100,7 +104,10 @@ class Polynomial(Arithmetic):
 
 def pencil(*matrices: Matrix) -> list[list[Polynomial]]:
     """A + λ B + λ² C + …."""
-    return [[Polynomial(entries) for entries in zip(*rows, strict=True)] for rows in zip(*matrices, strict=True)]
+    return [
+        [Polynomial(entries) for entries in zip(*rows, strict=True)]
+        for rows in zip(*matrices, strict=True)
+    ]
 
 
 def characteristic(*matrices: Matrix) -> list[Any]:
@@ -132,7 +139,13 @@ def resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
     """Sylvester's determinant of two polynomials."""
     m, n = len(one) - 1, len(two) - 1
     times = (one, n), (two, m)
-    return determinant([[0] * k + [*given[::-1]] + [0] * (count - 1 - k) for given, count in times for k in range(count)])
+    return determinant(
+        [
+            [0] * k + [*given[::-1]] + [0] * (count - 1 - k)
+            for given, count in times
+            for k in range(count)
+        ]
+    )
 
 
 #: What is done to the rows before column k is eliminated, as a choice of its pivot.
@@ -182,15 +195,18 @@ class Complex(Arithmetic):
     def __mul__(self, other: Any) -> Complex:
         if not isinstance(other, Complex):
             return Complex(self.re * other, self.im * other)
-        return Complex(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
+        return Complex(
+            self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re
+        )
 
     def __truediv__(self, other: Any) -> Complex:
         if not isinstance(other, Complex):
             return Complex(self.re / other, self.im / other)
         square = other.squared()
         return Complex(
-            (self.re * other.re + self.im * other.im) / square, (self.im * other.re - self.re * other.im) / square
-        )  # fmt: skip
+            (self.re * other.re + self.im * other.im) / square,
+            (self.im * other.re - self.re * other.im) / square,
+        )
 
     def squared(self) -> Any:
         """|z|²."""

@@ -66,7 +66,14 @@ class Ball(Arithmetic):
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
             return NotImplemented
         one, other = (self, other) if self.exp >= other.exp else (other, self)
-        m, r, n, s, exp, gap = one.mid, one.rad, other.mid, other.rad, other.exp, one.exp - other.exp
+        m, r, n, s, exp, gap = (
+            one.mid,
+            one.rad,
+            other.mid,
+            other.rad,
+            other.exp,
+            one.exp - other.exp,
+        )
         if gap:
             if not (m or r):
                 return Ball(n, s, exp, self.bits)
@@ -375,7 +382,7 @@ def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
 
 def as_numbers(
     intervals: Iterable[Interval], digits: int | None
-) -> tuple[list[mpmath.mpf], Fraction, Fraction]:  # fmt: skip
+) -> tuple[list[mpmath.mpf], Fraction, Fraction]:
     """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all."""
     middles, error, radius = [], Fraction(0), Fraction(0)
     for low, high in map(ends, intervals):
@@ -392,7 +399,9 @@ def as_mpf(value: Fraction) -> mpmath.mpf:
     """An integer over a power of two as an mpf, every bit of it, whatever ``mpmath.mp.prec`` is."""
     if value.denominator & (value.denominator - 1):
         raise ValueError(f"{value} has no finite number of bits")
-    return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(value.numerator, 1 - value.denominator.bit_length()))
+    return mpmath.mp.make_mpf(
+        mpmath.libmp.from_man_exp(value.numerator, 1 - value.denominator.bit_length())
+    )
 
 
 def rounded_up(bound: Fraction) -> Fraction:

@@ -63,7 +63,9 @@ def positive_roots(coefficients: Sequence[Any], size: int) -> Roots:
         pending = _halved(pending)
         half = pending.row.size // 2
         # Lower halves whose value at the cut has no sign: more halvings would not give it one.
-        undecided[pending.row[:half][np.abs(pending.value[-1, :half]) <= pending.error[-1, :half]]] = True
+        undecided[
+            pending.row[:half][np.abs(pending.value[-1, :half]) <= pending.error[-1, :half]]
+        ] = True
     return _refined(found[0].then(*found[1:]), undecided)
 
 
@@ -79,7 +81,9 @@ class Signs:
     positive: BoolArray
 
 
-def signs_between(coefficients: Sequence[Any], low: FloatArray, high: FloatArray, off: FloatArray) -> Signs:
+def signs_between(
+    coefficients: Sequence[Any], low: FloatArray, high: FloatArray, off: FloatArray
+) -> Signs:
     """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``), which are known to ``off``."""
     size = low.size
     whole = _beginning(coefficients, size)
@@ -125,7 +129,13 @@ def _beginning(coefficients: Sequence[Any], size: int) -> Parts:
         error[power] += 2 * degree * UNIT * np.abs(value[power])  # the factor is rounded itself
     largest = np.abs(value).max(axis=0)
     exponent = -np.frexp(np.where((largest > 0) & np.isfinite(largest), largest, 1.0))[1]
-    return Parts(np.arange(size), np.zeros(size), np.ones(size), np.ldexp(value, exponent), np.ldexp(error, exponent))
+    return Parts(
+        np.arange(size),
+        np.zeros(size),
+        np.ones(size),
+        np.ldexp(value, exponent),
+        np.ldexp(error, exponent),
+    )
 
 
 def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
@@ -139,7 +149,9 @@ def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
     changes = (filled[1:] != filled[:-1]).sum(axis=0, dtype=np.int8)
     between = ((signs[2:] * signs[:-2] < 0) & unknown[1:-1]).any(axis=0)
     inside = ~unknown[0] & ~unknown[-1]
-    return (changes == 0) & (number == 0), (changes == 1) & inside & ((number == 0) | ((number == 1) & between))
+    return (changes == 0) & (number == 0), (changes == 1) & inside & (
+        (number == 0) | ((number == 1) & between)
+    )
 
 
 def _halved(parts: Parts) -> Parts:
@@ -178,7 +190,10 @@ def _refined(parts: Parts, undecided: BoolArray) -> Roots:
         here = place[active]
         value, slope[active] = _at(parts.value[:, active], here)
         below = value * rising[active] < 0
-        low[active], high[active] = np.where(below, here, low[active]), np.where(below, high[active], here)
+        low[active], high[active] = (
+            np.where(below, here, low[active]),
+            np.where(below, high[active], here),
+        )
         fresh = here - value / slope[active]
         inside = (fresh > low[active]) & (fresh < high[active])
         place[active] = np.where(inside, fresh, 0.5 * (low[active] + high[active]))
@@ -200,5 +215,7 @@ def _refined(parts: Parts, undecided: BoolArray) -> Roots:
     undecided[parts.row[~proved]] = True
     keep = ~undecided[parts.row]
     w = Rounded((parts.low + parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT)
-    complement = Rounded(((1 - parts.low) - parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT)
+    complement = Rounded(
+        ((1 - parts.low) - parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT
+    )
     return Roots(parts.row[keep], w / complement * SCALE, rising[keep], undecided)

@@ -16,7 +16,16 @@ import numpy as np
 
 from . import contractors
 from .columns import ByColumn
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, quiet, scale_of, width_of
+from .interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    matrix,
+    quiet,
+    scale_of,
+    width_of,
+)
 from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
@@ -77,7 +86,9 @@ class System:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
         return unknowns.ends
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
+    def given_up(
+        self, unknowns: Intervals, parameters: Intervals, width: float = POLE
+    ) -> BoolArray:
         """Boxes up to a width that halving would never decide, as around a pole of F, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
@@ -125,9 +136,20 @@ def search(
     with quiet():
         beyond = np.asarray(system.limits)[..., None]
         regions = points.hulls(region) if region.shape[2] > 1 else None
-        here = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), regions, system.prepared(points.bounds))
+        here = _Search(
+            system,
+            points,
+            beyond,
+            budget,
+            narrow,
+            bool((low == high).all()),
+            regions,
+            system.prepared(points.bounds),
+        )
         here.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
-    unique, where, undecided = (first.then(*others) for first, *others in (here.unique, here.where, here.undecided))
+    unique, where, undecided = (
+        first.then(*others) for first, *others in (here.unique, here.where, here.undecided)
+    )
     return Outcome(unique, where, undecided, points, here.looks)
 
 
@@ -189,13 +211,24 @@ class _Search:
         if self.sharp:
             middle, before = middle[:, rest], pairs.ends[:, :, rest]
             reach = contractors.distance(before, middle)
-            by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes[:, :, rest], middle, reach)
+            by_rows, none = contractors.by_each_row(
+                at_middle[:, rest], slopes[:, :, rest], middle, reach
+            )
             ends = np.fmin(ends, by_rows)
-            some = np.flatnonzero(~(none | np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before)))
+            some = np.flatnonzero(
+                ~(none | np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before))
+            )
             ends, rest = ends[:, :, some], rest[some]
-        given, pairs, noise, slopes = given[rest], pairs[rest], step.noise[:, rest], slopes[:, :, rest]
+        given, pairs, noise, slopes = (
+            given[rest],
+            pairs[rest],
+            step.noise[:, rest],
+            slopes[:, :, rest],
+        )
         closed = np.logical_and.reduce(step.ends[:, :, rest] < wide[:, :, rest])
-        return self._divided(given, Pairs(_with_room(ends, pairs.ends, noise), pairs.nodes), noise, slopes, closed)
+        return self._divided(
+            given, Pairs(_with_room(ends, pairs.ends, noise), pairs.nodes), noise, slopes, closed
+        )
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
         """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""
@@ -206,11 +239,17 @@ class _Search:
         keep &= ~np.logical_or.reduce(width_of(after) < 0)
         rows = np.flatnonzero(keep)
         ends, parameters = boxes.ends[:, :, rows], parameters[:, rows]
-        left = np.flatnonzero(~self.system.hopeless(Intervals(ends), parameters)) if rows.size else rows
+        left = (
+            np.flatnonzero(~self.system.hopeless(Intervals(ends), parameters))
+            if rows.size
+            else rows
+        )
         rows = rows[left]
         return given[rows], Pairs(ends[:, :, left], given.nodes[rows]), parameters[:, left]
 
-    def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray) -> Pairs:
+    def _divided(
+        self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray
+    ) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
         widths = width_of(now.ends)
         single = self.points.size[now.nodes] == 1
@@ -218,7 +257,9 @@ class _Search:
         scale = scale_of(now.ends).max(axis=0)
         # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
         ratio = np.where(widths <= NARROW * scale, 1.0, widths / width_of(before.ends))
-        stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
+        stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(
+            widths <= SMALL * scale
+        )
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
         moved = ~np.logical_and.reduce(noise < SPREAD * widths)
@@ -229,8 +270,12 @@ class _Search:
         better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < ENOUGH)
         halve = np.flatnonzero(again & ~better)
         places, children = self.points.children(now.nodes[split_node])
-        halved_nodes = self._in_their_regions(Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children))
-        return halved_nodes.then(now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve]))
+        halved_nodes = self._in_their_regions(
+            Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children)
+        )
+        return halved_nodes.then(
+            now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])
+        )
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
         """What is left of boxes in the regions of their nodes: that of one point may be wide, and that of another narrow."""
@@ -294,13 +339,17 @@ class Tree:
         span = 1 << (self.depth - level)
         ends = np.cumsum(span)
         places = np.repeat(np.arange(nodes.size), span)
-        leaves = np.arange(places.size) + ((nodes + 1 - (1 << level)) * span - (ends - span))[places]
+        leaves = (
+            np.arange(places.size) + ((nodes + 1 - (1 << level)) * span - (ends - span))[places]
+        )
         there = self.order[leaves] >= 0
         return places[there], self.order[leaves[there]]
 
     def hulls(self, ends: FloatArray) -> FloatArray:
         """The hull of the boxes of all points below each node: ends of shape (2, n, points), result of shape (2, n, nodes)."""
-        nothing = np.full((*ends.shape[:2], 1), -np.inf)  # of leaves that are not there, whose number is −1
+        nothing = np.full(
+            (*ends.shape[:2], 1), -np.inf
+        )  # of leaves that are not there, whose number is −1
         levels = [np.concatenate([ends, nothing], axis=2)[:, :, self.order]]
         for _ in range(self.depth):
             levels.append(levels[-1].reshape(*ends.shape[:2], -1, 2).max(axis=3))
@@ -320,8 +369,13 @@ def tree(low: FloatArray, high: FloatArray) -> Tree:
     leaves = 1 << depth
     order = np.full(leaves, -1, dtype=np.int64)
     order[:points] = np.arange(points)
-    low, high = (np.concatenate([part, np.full((count, leaves - points), np.nan)], axis=1) for part in (low, high))
-    whole = np.fmax.reduce(high, axis=1, initial=-np.inf) - np.fmin.reduce(low, axis=1, initial=np.inf)
+    low, high = (
+        np.concatenate([part, np.full((count, leaves - points), np.nan)], axis=1)
+        for part in (low, high)
+    )
+    whole = np.fmax.reduce(high, axis=1, initial=-np.inf) - np.fmin.reduce(
+        low, axis=1, initial=np.inf
+    )
     scale = np.where(whole > 0, whole, 1.0)
     lows, highs, sizes = [], [], []
     for level in range(depth + 1):
@@ -332,7 +386,9 @@ def tree(low: FloatArray, high: FloatArray) -> Tree:
         highs.append(most)
         sizes.append((blocks >= 0).sum(axis=1))
         if level < depth and count:
-            order = _halved(blocks, low, np.nan_to_num((most - least) / scale[:, None], nan=-1.0).argmax(axis=0))
+            order = _halved(
+                blocks, low, np.nan_to_num((most - least) / scale[:, None], nan=-1.0).argmax(axis=0)
+            )
     bounds = Intervals.between(np.concatenate(lows, axis=1), np.concatenate(highs, axis=1))
     return Tree(bounds, np.concatenate(sizes), order, depth)
 
@@ -341,5 +397,9 @@ def _halved(blocks: IntArray, low: FloatArray, along: IntArray) -> IntArray:
     """Each block in the order of its parameter ``along``, those that are not there last."""
     keys = np.where(blocks >= 0, low[along[:, None], blocks], np.inf)
     half = blocks.shape[1] // 2
-    ranks = np.argpartition(keys, half - 1, axis=1) if half > 1 else np.argsort(keys, axis=1, kind="stable")
+    ranks = (
+        np.argpartition(keys, half - 1, axis=1)
+        if half > 1
+        else np.argsort(keys, axis=1, kind="stable")
+    )
     return np.take_along_axis(blocks, ranks, axis=1).reshape(-1)

@@ -10,7 +10,16 @@ import numpy as np
 
 from . import boxes, contractors
 from .boxes import System
-from .interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, raised, scale_of, width_of
+from .interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    quiet,
+    raised,
+    scale_of,
+    width_of,
+)
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
@@ -29,7 +38,9 @@ class Roots:
     left_point: IntArray
 
     @classmethod
-    def at(cls, ends: FloatArray, alone: FloatArray | None = None, point: IntArray | None = None) -> Roots:
+    def at(
+        cls, ends: FloatArray, alone: FloatArray | None = None, point: IntArray | None = None
+    ) -> Roots:
         """Roots and nothing left: each alone in its box and of point 0, if nothing else is said."""
         point = np.zeros(ends.shape[2], dtype=np.int64) if point is None else point
         return cls(ends, ends if alone is None else alone, point, ends[:, :, :0], point[:0])
@@ -42,12 +53,18 @@ class Roots:
     def kept(self, roots: Any = slice(None), left: Any = slice(None)) -> Roots:
         """Some of the roots and some of the boxes that are left."""
         return Roots(
-            self.ends[:, :, roots], self.alone[:, :, roots], self.point[roots], self.left[:, :, left], self.left_point[left]
+            self.ends[:, :, roots],
+            self.alone[:, :, roots],
+            self.point[roots],
+            self.left[:, :, left],
+            self.left_point[left],
         )
 
     def of(self, points: IntArray, others: bool = False) -> Roots:
         """Roots and boxes of some points, or of all others."""
-        return self.kept(*(np.isin(part, points, invert=others) for part in (self.point, self.left_point)))
+        return self.kept(
+            *(np.isin(part, points, invert=others) for part in (self.point, self.left_point))
+        )
 
     def numbered(self, points: IntArray) -> Roots:
         """Roots of some points, by the numbers of all points."""
@@ -70,7 +87,9 @@ class Roots:
     @property
     def every(self) -> tuple[FloatArray, IntArray]:
         """Boxes of roots and then those that are left, and the points of both."""
-        return np.concatenate([self.ends, self.left], axis=2), np.concatenate([self.point, self.left_point])
+        return np.concatenate([self.ends, self.left], axis=2), np.concatenate(
+            [self.point, self.left_point]
+        )
 
     @property
     def middle(self) -> FloatArray:
@@ -88,7 +107,9 @@ def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
     return raised((contractors.distance(ends, middle) / scale_of(middle)).max(axis=0))
 
 
-def search(system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any) -> Roots:
+def search(
+    system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any
+) -> Roots:
     """The roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`.
 
     A root that can't be told from one on the border of the region is among the boxes that are left.
@@ -101,7 +122,9 @@ def search(system: System, region: FloatArray, low: FloatArray, high: FloatArray
         ends = np.minimum(outcome.where.ends[:, :, place], alone)
         ends, gone = _refined(system, ends, Intervals.between(low, high), point)
         # Each holds a root; where a law ends at the root itself, as a contact's at the touch, refinement may lose it: undecided.
-        found = Roots(ends, alone, point, outcome.undecided.ends[:, :, open_], left_point).kept(~gone)
+        found = Roots(ends, alone, point, outcome.undecided.ends[:, :, open_], left_point).kept(
+            ~gone
+        )
         return different(found, np.broadcast_to(region, (*region.shape[:2], low.shape[1]))).besides(
             alone[:, :, gone], point[gone]
         )
@@ -124,7 +147,9 @@ def distinct(found: Roots) -> Roots:
     return found.opened(*once(found.ends, found.alone, found.point))
 
 
-def _refined(system: System, ends: FloatArray, parameters: Intervals, point: IntArray) -> tuple[FloatArray, BoolArray]:
+def _refined(
+    system: System, ends: FloatArray, parameters: Intervals, point: IntArray
+) -> tuple[FloatArray, BoolArray]:
     """Boxes contracted until they do not get narrower; and whether one was found empty."""
     ends = ends.copy()
     empty = np.zeros(point.size, dtype=np.bool_)
@@ -149,7 +174,10 @@ def _refined(system: System, ends: FloatArray, parameters: Intervals, point: Int
 def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
     """The step of interval Newton from the middles of boxes of shape (2, n, N)."""
     middle = Intervals(ends).middle
-    values, slopes = system.residuals(Intervals.point(middle), parameters), system.jacobian(Intervals(ends), parameters)
+    values, slopes = (
+        system.residuals(Intervals.point(middle), parameters),
+        system.jacobian(Intervals(ends), parameters),
+    )
     return contractors.newton(values, slopes, middle, contractors.distance(ends, middle))
 
 
@@ -164,7 +192,9 @@ def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray
         alive = keep[first] & keep[second]
         first, second = first[alive], second[alive]
         one, other = ends[:, :, first], ends[:, :, second]
-        same = contractors.within(other, alone[:, :, first]) | contractors.within(one, alone[:, :, second])
+        same = contractors.within(other, alone[:, :, first]) | contractors.within(
+            one, alone[:, :, second]
+        )
         keep[second[same]] = False
         unclear[second[~same & ~contractors.apart(one, other)]] = True
     unclear &= keep

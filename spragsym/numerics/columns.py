@@ -28,7 +28,9 @@ class ByColumn:
     """Arrays of which each column, along the last axis, is of one box; what is no array is of all."""
 
     def __getitem__(self, rows: Any) -> Self:
-        return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
+        return self._made(
+            lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows]
+        )
 
     def put(self, rows: Any, other: Self) -> None:
         """Overwrite some columns by those of another."""
@@ -39,7 +41,11 @@ class ByColumn:
         """These, and others."""
 
         def joined(one: Any, *more: Any) -> Any:
-            return one.then(*more) if isinstance(one, ByColumn) else np.concatenate([one, *more], axis=-1)
+            return (
+                one.then(*more)
+                if isinstance(one, ByColumn)
+                else np.concatenate([one, *more], axis=-1)
+            )
 
         return self._made(joined, *others)
 

@@ -14,7 +14,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .interval_arrays import EPS, TINY, BoolArray, FloatArray, Intervals, ends_around, quiet, raised, scaled, width_of
+from .interval_arrays import (
+    EPS,
+    TINY,
+    BoolArray,
+    FloatArray,
+    Intervals,
+    ends_around,
+    quiet,
+    raised,
+    scaled,
+    width_of,
+)
 
 
 @dataclass(frozen=True)
@@ -34,15 +45,21 @@ def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
     """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n, N)."""
     Y = inverse(slopes.middle)
-    return _solved(product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach)
+    return _solved(
+        product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach
+    )
 
 
-def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> FloatArray:
+def by_rows(
+    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
+) -> FloatArray:
     """The operator with the unit matrix for Y: ends of its result."""
     return _solved(slopes.ends, values.ends, middle, reach).ends
 
 
-def by_each_row(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> tuple[FloatArray, BoolArray]:
+def by_each_row(
+    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
+) -> tuple[FloatArray, BoolArray]:
     """The operator with every cyclic permutation of the rows: each unknown by each row, without a matrix.
 
     Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a single row tells how the unknowns
@@ -55,7 +72,9 @@ def by_each_row(values: Intervals, slopes: Intervals, middle: FloatArray, reach:
         rows = (every + shift) % n
         A, b = slopes.ends[:, rows], values.ends[:, rows]
         turned = A[1, every, every] < 0  # a row times −1, so that its diagonal may be divided by
-        step = _solved(np.where(turned[:, None], A[::-1], A), np.where(turned, b[::-1], b), middle, reach)
+        step = _solved(
+            np.where(turned[:, None], A[::-1], A), np.where(turned, b[::-1], b), middle, reach
+        )
         ends, none = np.fmin(ends, step.ends), none | step.none
     return ends, none
 

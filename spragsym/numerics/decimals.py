@@ -28,7 +28,11 @@ class Decimal(NamedTuple):
 
 def exactly(value: Any) -> Fraction:
     """The rational number that an int, a float, a Fraction, an mpf or a decimal text is."""
-    return Fraction(*map(int, mpmath.libmp.to_rational(value._mpf_))) if hasattr(value, "_mpf_") else Fraction(value)
+    return (
+        Fraction(*map(int, mpmath.libmp.to_rational(value._mpf_)))
+        if hasattr(value, "_mpf_")
+        else Fraction(value)
+    )
 
 
 def around(value: Any, error: Any, digits: int | None = None) -> Decimal:

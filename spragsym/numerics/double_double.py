@@ -61,7 +61,9 @@ class DoubleDouble(NDArrayOperatorsMixin):
             return NotImplemented
         return _UFUNCS[ufunc](*inputs)
 
-    def __array_function__(self, function: Any, types: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    def __array_function__(
+        self, function: Any, types: Any, arguments: tuple[Any, ...], options: dict[str, Any]
+    ) -> Any:
         if options or function is not np.where:
             return NotImplemented
         flag, one, other = arguments
@@ -86,18 +88,28 @@ def _is_power_of_two(value: Any) -> bool:
 
 def _sum(one: Any, other: Any) -> DoubleDouble:
     one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
-    return _of(dd.dd_add(one, other) if isinstance(other, DoubleDouble) else dd.dd_add_double(one, other))
+    return _of(
+        dd.dd_add(one, other) if isinstance(other, DoubleDouble) else dd.dd_add_double(one, other)
+    )
 
 
 def _product(one: Any, other: Any) -> DoubleDouble:
     one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
     if isinstance(other, DoubleDouble):
         return _of(dd.dd_multiply(one, other))
-    return _of(dd.dd_scaled(one, float(other)) if _is_power_of_two(other) else dd.dd_multiply_double(one, other))
+    return _of(
+        dd.dd_scaled(one, float(other))
+        if _is_power_of_two(other)
+        else dd.dd_multiply_double(one, other)
+    )
 
 
 def _quotient(one: Any, other: Any) -> DoubleDouble:
-    return _product(one, 1.0 / other) if _is_power_of_two(other) else _of(dd.dd_divide(_wide(one), _wide(other)))
+    return (
+        _product(one, 1.0 / other)
+        if _is_power_of_two(other)
+        else _of(dd.dd_divide(_wide(one), _wide(other)))
+    )
 
 
 def _less(one: Any, other: Any) -> Array:
@@ -127,4 +139,6 @@ _UFUNCS: dict[Any, Callable[..., Any]] = {
 def cosine_and_sine(angle: Array) -> tuple[DoubleDouble, DoubleDouble]:
     """cos and sin of doubles 0 < θ < π, exact to the last two bits or so."""
     both = dd.dd_cosine_and_sine(angle)
-    return DoubleDouble(both.cosine_high, both.cosine_low), DoubleDouble(both.sine_high, both.sine_low)
+    return DoubleDouble(both.cosine_high, both.cosine_low), DoubleDouble(
+        both.sine_high, both.sine_low
+    )

@@ -101,7 +101,9 @@ class Intervals(Arithmetic):
     @classmethod
     def between(cls, low: ArrayLike, high: ArrayLike) -> Intervals:
         """[low, high], element by element."""
-        one, other = np.broadcast_arrays(np.asarray(low, dtype=np.float64), np.asarray(high, dtype=np.float64))
+        one, other = np.broadcast_arrays(
+            np.asarray(low, dtype=np.float64), np.asarray(high, dtype=np.float64)
+        )
         return cls(np.stack([-one, other]))
 
     @classmethod
@@ -183,10 +185,18 @@ class Intervals(Arithmetic):
 
     def __mul__(self, other: Any) -> Intervals:
         if isinstance(other, Intervals):
-            return self.squared() if other is self else Intervals(raised(_extremes(np.multiply, self.ends, other.ends)))
+            return (
+                self.squared()
+                if other is self
+                else Intervals(raised(_extremes(np.multiply, self.ends, other.ends)))
+            )
         if isinstance(other, int | float):
             return self._times(exactly(other))
-        return Intervals(raised(scaled(self.ends, other))) if isinstance(other, np.ndarray) else NotImplemented
+        return (
+            Intervals(raised(scaled(self.ends, other)))
+            if isinstance(other, np.ndarray)
+            else NotImplemented
+        )
 
     def _times(self, factor: float) -> Intervals:
         ends = self.ends if factor >= 0 else self.ends[::-1]
@@ -238,21 +248,29 @@ class Intervals(Arithmetic):
         # A lower end beyond the largest number is at least that: so that an infinite force is told from an unknown one.
         values[0] = np.maximum(values[0], -np.finfo(np.float64).max)
         # Of 0 it is 1, exactly: laws of friction vanish there.
-        return Intervals(np.where(self.ends == 0, values, _not_negative(raised(values, FUNCTION_ULPS))))
+        return Intervals(
+            np.where(self.ends == 0, values, _not_negative(raised(values, FUNCTION_ULPS)))
+        )
 
     def log(self) -> Intervals:
         """Natural logarithm; NaN where the interval holds negative numbers, −∞ for an end that is 0."""
         values = self._at_ends(np.log)
-        return Intervals(np.where(self.ends == 0, np.maximum(values, _LEAST), raised(values, FUNCTION_ULPS)))
+        return Intervals(
+            np.where(self.ends == 0, np.maximum(values, _LEAST), raised(values, FUNCTION_ULPS))
+        )
 
     def tanh(self) -> Intervals:
         """Hyperbolic tangent, between −1 and 1."""
         values = self._at_ends(np.tanh)
-        return Intervals(np.where(self.ends == 0, 0.0, np.minimum(raised(values, FUNCTION_ULPS), 1.0)))
+        return Intervals(
+            np.where(self.ends == 0, 0.0, np.minimum(raised(values, FUNCTION_ULPS), 1.0))
+        )
 
     def atan(self) -> Intervals:
         """Arc tangent."""
-        return Intervals(np.where(self.ends == 0, 0.0, raised(self._at_ends(np.atan), FUNCTION_ULPS)))
+        return Intervals(
+            np.where(self.ends == 0, 0.0, raised(self._at_ends(np.atan), FUNCTION_ULPS))
+        )
 
     def _at_ends(self, function: np.ufunc) -> FloatArray:
         """A function that grows with its argument: −least and greatest, as NumPy rounds them."""
@@ -330,9 +348,13 @@ def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
     """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is inside of them."""
     positive = (other[0] == 0) & (other[1] > 0)
     negative = (other[1] == 0) & (other[0] > 0)
-    least, most = np.where(negative, one[::-1], one)  # −least and greatest dividend, its sign turned for negative divisors
+    least, most = np.where(
+        negative, one[::-1], one
+    )  # −least and greatest dividend, its sign turned for negative divisors
     far = np.where(negative, other[0], other[1])
-    ends = np.stack([np.where(least > 0, np.inf, least / far), np.where(most > 0, np.inf, most / far)])
+    ends = np.stack(
+        [np.where(least > 0, np.inf, least / far), np.where(most > 0, np.inf, most / far)]
+    )
     return np.where(positive | negative, ends, np.nan)
 
 
@@ -351,7 +373,13 @@ PI = Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)])
 #: More than the error of an angle over 2π: an extremum so near to an end counts as inside, where it hardly widens anything.
 TURN_ERROR = 1e-10
 
-sqrt, exp, log, tanh, atan = Intervals.sqrt, Intervals.exp, Intervals.log, Intervals.tanh, Intervals.atan
+sqrt, exp, log, tanh, atan = (
+    Intervals.sqrt,
+    Intervals.exp,
+    Intervals.log,
+    Intervals.tanh,
+    Intervals.atan,
+)
 
 
 def cos(angle: Intervals) -> Intervals:
@@ -372,7 +400,9 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
     turns_low, turns_high = low / (2 * np.pi) - peak, high / (2 * np.pi) - peak
     unknown = ~((angle.magnitude <= LARGEST_ANGLE) & np.isfinite(one) & np.isfinite(other))
     for place, shift in ((1, 0.0), (0, 0.5)):
-        inside = np.floor(turns_high + (shift + TURN_ERROR)) >= np.ceil(turns_low + (shift - TURN_ERROR))
+        inside = np.floor(turns_high + (shift + TURN_ERROR)) >= np.ceil(
+            turns_low + (shift - TURN_ERROR)
+        )
         ends[place] = np.where(inside | unknown, 1.0, np.minimum(ends[place], 1.0))
     return Intervals(ends)
 

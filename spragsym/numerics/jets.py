@@ -59,7 +59,9 @@ class Jet(Arithmetic):
             times = term.count(variable)
             if times:
                 place = term.index(variable)
-                terms[term[:place] + term[place + 1 :]] = coefficient * times if times > 1 else coefficient
+                terms[term[:place] + term[place + 1 :]] = (
+                    coefficient * times if times > 1 else coefficient
+                )
         return Jet(terms, self.order - 1)
 
     def __neg__(self) -> Jet:
@@ -67,7 +69,9 @@ class Jet(Arithmetic):
 
     def __add__(self, other: Any) -> Jet:
         if not isinstance(other, Jet):
-            return self if is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
+            return (
+                self if is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
+            )
         order = min(self.order, other.order)
         terms = {term: value for term, value in self.terms.items() if len(term) <= order}
         for term, coefficient in other.terms.items():
@@ -81,7 +85,9 @@ class Jet(Arithmetic):
         if not isinstance(other, Jet):
             if is_zero(other):
                 return Jet({}, self.order)
-            return Jet({term: coefficient * other for term, coefficient in self.terms.items()}, self.order)
+            return Jet(
+                {term: coefficient * other for term, coefficient in self.terms.items()}, self.order
+            )
         order = min(self.order, other.order)
         terms: dict[Term, Any] = {}
         for one, a in self.terms.items():
@@ -94,7 +100,9 @@ class Jet(Arithmetic):
     def __truediv__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
-        return Jet({term: coefficient / other for term, coefficient in self.terms.items()}, self.order)
+        return Jet(
+            {term: coefficient / other for term, coefficient in self.terms.items()}, self.order
+        )
 
     def __rtruediv__(self, other: Any) -> Jet:
         return self.reciprocal().__mul__(other)
@@ -103,7 +111,9 @@ class Jet(Arithmetic):
         if power < 0:
             return self.__pow__(-power).reciprocal()
         a = self.value
-        return self.composed([comb(power, k) * _power(a, power - k) for k in range(min(power, self.order) + 1)])
+        return self.composed(
+            [comb(power, k) * _power(a, power - k) for k in range(min(power, self.order) + 1)]
+        )
 
     def composed(self, coefficients: Sequence[Any]) -> Jet:
         """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function by its Taylor series."""
@@ -124,11 +134,15 @@ class Jet(Arithmetic):
         return self.composed([self.value.sign(), *[self._flat()] * self.order])
 
     def __abs__(self) -> Jet:
-        return self.composed([abs(self.value), self.value.sign(), *[self._flat()] * (self.order - 1)])
+        return self.composed(
+            [abs(self.value), self.value.sign(), *[self._flat()] * (self.order - 1)]
+        )
 
     def _flat(self) -> Any:
         """0, and nothing known where the value may be 0."""
-        return abs(1 / self.value * 0)  # without the absolute value one end is known where 0 is an end of an interval
+        return abs(
+            1 / self.value * 0
+        )  # without the absolute value one end is known where 0 is an end of an interval
 
     def function(self, name: str, value: Any) -> Jet:
         """A function by its Taylor series; ``value`` is that of the value, of cosine and sine both."""
@@ -142,7 +156,10 @@ def _sqrt(_: Any, y: Any, order: int) -> list[Any]:
 
 def _log(x: Any, y: Any, order: int) -> list[Any]:
     inverse = 1 / x
-    return [y, *(inverse**k * (-1) ** (k - 1) / k if k > 1 else inverse for k in range(1, order + 1))]
+    return [
+        y,
+        *(inverse**k * (-1) ** (k - 1) / k if k > 1 else inverse for k in range(1, order + 1)),
+    ]
 
 
 def _tanh(_: Any, value: Any, order: int) -> list[Any]:
@@ -161,7 +178,9 @@ def _atan(x: Any, y: Any, order: int) -> list[Any]:
     inverse = 1 / (1 + x**2)
     slope: list[Any] = []
     for k in range(order):
-        slope.append(inverse if not k else -(x * slope[k - 1] * 2 + (slope[k - 2] if k > 1 else 0)) * inverse)
+        slope.append(
+            inverse if not k else -(x * slope[k - 1] * 2 + (slope[k - 2] if k > 1 else 0)) * inverse
+        )
     return [y, *(term / k if k > 1 else term for k, term in enumerate(slope, 1))]
 
 
@@ -173,11 +192,14 @@ def _repeated(repeating: Sequence[Any], order: int) -> list[Any]:
 
 #: Coefficients of a function's series from its argument, its value there and the order.
 _SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
-    "sqrt": _sqrt, "log": _log, "tanh": _tanh, "atan": _atan,
+    "sqrt": _sqrt,
+    "log": _log,
+    "tanh": _tanh,
+    "atan": _atan,
     "exp": lambda _, y, order: _repeated([y], order),
     "cos": lambda _, wave, order: _repeated([wave[0], -wave[1], -wave[0], wave[1]], order),
     "sin": lambda _, wave, order: _repeated([wave[1], wave[0], -wave[1], -wave[0]], order),
-}  # fmt: skip
+}
 
 
 class Functions:
@@ -196,7 +218,9 @@ class Functions:
         if not isinstance(value, Jet):
             return getattr(self.kind, name)(self.taken(value))
         at = value.value
-        return value.function(name, (self.cos(at), self.sin(at)) if name in ("cos", "sin") else self.of(name, at))
+        return value.function(
+            name, (self.cos(at), self.sin(at)) if name in ("cos", "sin") else self.of(name, at)
+        )
 
     def sign(self, value: Any) -> Any:
         """−1, 0, 1."""
@@ -273,4 +297,8 @@ def _times(one: Jet, other: Jet) -> Jet:
 
 def _power(value: Any, power: int) -> Any:
     """A power; of python-flint's balls by products, since its own is no number where a ball holds 0."""
-    return repeated_product(value, power) if power and type(value).__module__.startswith("flint") else value**power
+    return (
+        repeated_product(value, power)
+        if power and type(value).__module__.startswith("flint")
+        else value**power
+    )

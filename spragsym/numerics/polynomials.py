@@ -60,8 +60,10 @@ def _residues(polynomial: Sequence[int]) -> tuple[int, ...]:
 
 
 def _euclid(
-    dividend: tuple[int, ...], divisor: tuple[int, ...], reduced: Callable[[list[int]], tuple[int, ...]]
-) -> tuple[int, ...]:  # fmt: skip
+    dividend: tuple[int, ...],
+    divisor: tuple[int, ...],
+    reduced: Callable[[list[int]], tuple[int, ...]],
+) -> tuple[int, ...]:
     """Euclid's algorithm, with remainders as multiples that are ``reduced``."""
     while divisor:
         dividend, divisor = divisor, reduced(_remainder(dividend, divisor))
@@ -125,7 +127,9 @@ def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[
         leading.append(differences[0] * math.perm(degree, degree - order))
         differences = [after - before for before, after in itertools.pairwise(differences)]
     found = list[int]()
-    for node, value in zip(reversed(nodes), reversed(leading), strict=True):  # Horner's rule, with t less each node
+    for node, value in zip(
+        reversed(nodes), reversed(leading), strict=True
+    ):  # Horner's rule, with t less each node
         found = [lower - node * one for lower, one in zip([0, *found], [*found, 0], strict=True)]
         found[0] += value
     return primitive(found)
@@ -147,9 +151,13 @@ class RootOf:
 
     def is_of(self, polynomial: Polynomial) -> bool:
         """Whether it is one of a divisor of its polynomial."""
-        return has_root(tuple(reversed(polynomial)) if self.backward else polynomial, self.low, self.high)
+        return has_root(
+            tuple(reversed(polynomial)) if self.backward else polynomial, self.low, self.high
+        )
 
-    def sign_of(self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
+    def sign_of(
+        self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str
+    ) -> int:
         """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that degree has this root too."""
 
         def vanishes() -> bool:
@@ -162,7 +170,9 @@ class RootOf:
 _BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
 
 
-def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool = False) -> list[RootOf]:
+def roots_on_the_line(
+    polynomial: tuple[Any, ...], bits: int, *, positive: bool = False
+) -> list[RootOf]:
     """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of :func:`.real_roots`.
 
     Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where balls are undecided.
@@ -172,7 +182,10 @@ def roots_on_the_line(polynomial: tuple[Any, ...], bits: int, *, positive: bool 
     found: list[RootOf] = []
     if not polynomial:
         return found
-    for chart, limit, backward in ((polynomial, _BETWEEN, False), (tuple(reversed(polynomial)), 1 / _BETWEEN, True)):
+    for chart, limit, backward in (
+        (polynomial, _BETWEEN, False),
+        (tuple(reversed(polynomial)), 1 / _BETWEEN, True),
+    ):
         for low, high in real_roots(chart, _BELOW if positive else -limit, limit, bits):
             at_the_end = backward and low == limit  # which the first chart has
             if not at_the_end and (high > 0 or not positive):
@@ -223,7 +236,9 @@ def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits:
     def lacking(n: int, k: int) -> int:
         """How many times (n, n + 1)/2^k has to be halved yet; at most 0 if never."""
         begin, one = (start << k) + scale * n, common << k
-        distance = min(abs(begin), abs(begin + scale), one) if begin > 0 or begin + scale < 0 else one
+        distance = (
+            min(abs(begin), abs(begin + scale), one) if begin > 0 or begin + scale < 0 else one
+        )
         return (-((-scale << bits) // distance) - 1).bit_length()
 
     found = [_refined(cell, unit, lacking) for cell in cells]
@@ -231,14 +246,18 @@ def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits:
 
 
 @lru_cache(maxsize=64)
-def _isolated(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> tuple[list[Any], list[_Cell]]:
+def _isolated(
+    polynomial: tuple[Any, ...], low: Fraction, high: Fraction
+) -> tuple[list[Any], list[_Cell]]:
     """The polynomial in u, where t = low + (high − low) u, and a cell in u for each root in (low, high].
 
     Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
     """
     common, start, scale = _common(low, high)
     degree = len(polynomial) - 1
-    about = shifted([value * common ** (degree - power) for power, value in enumerate(polynomial)], start)
+    about = shifted(
+        [value * common ** (degree - power) for power, value in enumerate(polynomial)], start
+    )
     unit = [value * scale**power for power, value in enumerate(about)]
     found = [] if _sign(sum(unit)) else [_Cell(1, 1, 0)]
     pending = [(unit, 0, 0)]
@@ -348,7 +367,9 @@ def of_sine_in_t(polynomial: Sequence[int]) -> tuple[int, ...]:
     value, scale = [polynomial[-1]], [1]
     for coefficient in reversed(polynomial[:-1]):  # Horner's rule, times 1 + t² at each step
         scale = [one + other for one, other in zip([*scale, 0, 0], [0, 0, *scale], strict=True)]
-        value = [2 * one + coefficient * other for one, other in zip([0, *value, 0], scale, strict=True)]
+        value = [
+            2 * one + coefficient * other for one, other in zip([0, *value, 0], scale, strict=True)
+        ]
     return tuple(value)
 
 

@@ -65,14 +65,23 @@ class Digits(Protocol):
 
     def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """F of balls, or of jets of balls where no derivatives are needed."""
-        return list(map(constant, self.equations(variables(unknowns, self.order)))) if self.order else self.equations(unknowns)
+        return (
+            list(map(constant, self.equations(variables(unknowns, self.order))))
+            if self.order
+            else self.equations(unknowns)
+        )
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """∂F/∂x over a box."""
-        return [gradient(row, len(unknowns)) for row in self.equations(variables(unknowns, self.order + 1))]
+        return [
+            gradient(row, len(unknowns))
+            for row in self.equations(variables(unknowns, self.order + 1))
+        ]
 
 
-def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH) -> list[Ball] | None:
+def narrowed(
+    system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH
+) -> list[Ball] | None:
     """A box of balls around the root in a box of floats, None where it can't be made smaller; both boxes of shape (2, n).
 
     Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
@@ -93,7 +102,12 @@ def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fractio
 
 
 def _proved(
-    system: Digits, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], box: FloatArray, alone: FloatArray
+    system: Digits,
+    z: Sequence[Ball],
+    r: Fraction,
+    Y: Sequence[Sequence[Ball]],
+    box: FloatArray,
+    alone: FloatArray,
 ) -> list[Ball] | None:
     """The box of half-width r around z if it is shown to hold the root."""
     with balls.precision(system.bits):
@@ -101,9 +115,14 @@ def _proved(
         sides = zip(map(balls.ends, around), exact_ends(alone), strict=True)
         within = all(low <= least and most <= high for (least, most), (low, high) in sides)
         given = zip(around, exact_ends(box), strict=True)
-        over = around if within else [balls.union(part, balls.between(*side)) for part, side in given]
+        over = (
+            around if within else [balls.union(part, balls.between(*side)) for part, side in given]
+        )
     columns = list(zip(*as_balls(system.slopes(over), system.bits), strict=True))
-    off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
+    off = [
+        [_dot(row, column) - int(i == j) for j, column in enumerate(columns)]
+        for i, row in enumerate(Y)
+    ]
     return around if max(map(_norm, off)) <= Fraction(1, 2) else None
 
 
@@ -114,7 +133,10 @@ def exact_ends(box: FloatArray) -> Box:
 
 def as_balls(rows: Matrix, bits: int) -> list[list[Ball]]:
     """Entries that are numbers as balls, too."""
-    return [[entry if isinstance(entry, Ball) else ball(float(entry), bits) for entry in row] for row in rows]
+    return [
+        [entry if isinstance(entry, Ball) else ball(float(entry), bits) for entry in row]
+        for row in rows
+    ]
 
 
 def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
@@ -124,7 +146,10 @@ def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
     except OverflowError:  # of no number that is a float
         middles = np.full((len(rows), len(rows)), np.nan)
     with quiet():
-        return [[ball(float(entry), bits) for entry in row] for row in contractors.inverse(middles[:, :, None])[:, :, 0]]
+        return [
+            [ball(float(entry), bits) for entry in row]
+            for row in contractors.inverse(middles[:, :, None])[:, :, 0]
+        ]
 
 
 def _dot(row: Sequence[Ball], column: Sequence[Ball]) -> Ball:
@@ -144,7 +169,9 @@ def as_intervals(values: Sequence[Ball]) -> Intervals:
 def outward(sides: Sequence[tuple[Fraction, Fraction]]) -> Intervals:
     """Lower and upper ends as intervals of floats, shape (numbers, 1)."""
     ends = np.array([[-float(low) for low, _ in sides], [float(high) for _, high in sides]])
-    return Intervals(np.nextafter(ends, np.inf)[:, :, None])  # a float is the nearest to its end, or the next one
+    return Intervals(
+        np.nextafter(ends, np.inf)[:, :, None]
+    )  # a float is the nearest to its end, or the next one
 
 
 @dataclass(frozen=True)
@@ -156,7 +183,9 @@ class Reduced:
     left: list[Box]
 
 
-def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[Any, Any]], jacobian: FloatArray, bits: int) -> Reduced:
+def reduced_roots(
+    evaluate: Evaluate, box: Sequence[tuple[Any, Any]], jacobian: FloatArray, bits: int
+) -> Reduced:
     """All roots in a box; ``jacobian`` is F's somewhere in it, roughly."""
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with balls.precision(bits):
@@ -164,7 +193,9 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[Any, Any]], jacobian: 
     return found
 
 
-def third_derivative(evaluate: Evaluate, box: Box, jacobian: FloatArray, bits: int, among: Sequence[int]) -> Ball:
+def third_derivative(
+    evaluate: Evaluate, box: Box, jacobian: FloatArray, bits: int, among: Sequence[int]
+) -> Ball:
     """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones."""
     with balls.precision(bits):
         task = _task(evaluate, jacobian, among)
@@ -174,7 +205,10 @@ def third_derivative(evaluate: Evaluate, box: Box, jacobian: FloatArray, bits: i
 def _task(evaluate: Evaluate, jacobian: FloatArray, among: Sequence[int]) -> _Task:
     """With u and the equation that is left among the given ones."""
     left, _, right = np.linalg.svd(jacobian)
-    unknowns, equations = (_first(max(among, key=lambda i: abs(float(part[i]))), part.size) for part in (right[-1], left[:, -1]))
+    unknowns, equations = (
+        _first(max(among, key=lambda i: abs(float(part[i]))), part.size)
+        for part in (right[-1], left[:, -1])
+    )
     return _Task(evaluate, unknowns, equations)
 
 
@@ -202,13 +236,22 @@ class _Task:
 
     def _slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
         """Slopes of F by u and the others, the equation that is left first."""
-        rows = [gradient(row, len(unknowns)) for row in self.evaluate(variables(self._ordered(unknowns), 1))]
+        rows = [
+            gradient(row, len(unknowns))
+            for row in self.evaluate(variables(self._ordered(unknowns), 1))
+        ]
         return [[rows[row][place] for place in self.unknowns] for row in self.equations]
 
     def _coefficients(self, series: Matrix, order: int) -> list[Any]:
         """Coefficients of that order of F along series of u and the others to one order less, the equation that is left first."""
-        jets = [Jet({(0,) * k: part[k] for k in range(order) if not is_zero(part[k])}, order) for part in series]
-        return [row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0 for row in self._values(jets)]
+        jets = [
+            Jet({(0,) * k: part[k] for k in range(order) if not is_zero(part[k])}, order)
+            for part in series
+        ]
+        return [
+            row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0
+            for row in self._values(jets)
+        ]
 
     def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Any]:
         """Interval Newton's operator m − J⁻¹ S(u, m) for the other unknowns as functions of u, which solve n − 1 equations S."""
@@ -222,7 +265,10 @@ class _Task:
         slopes = self._slopes([u, *others])
         matrix, zero = [row[1:] for row in slopes[1:]], Ball(0, 0, 0, u.bits)
         steps = solved(matrix, [row[0] for row in slopes[1:]], _largest_pivot)
-        series: list[list[Any]] = [[u, 1], *([value, zero - step] for value, step in zip(others, steps, strict=True))]
+        series: list[list[Any]] = [
+            [u, 1],
+            *([value, zero - step] for value, step in zip(others, steps, strict=True)),
+        ]
         out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
         for order in range(2, highest + 1):
             rest, *rows = self._coefficients(series, order)
@@ -262,7 +308,12 @@ class _Task:
             low, high = part[self.along]
             cut = low + (high - low) * Fraction(61, 128)
             for side in ((low, cut), (cut, high)):
-                waiting.append(([side if i == self.along else other for i, other in enumerate(part)], depth - 1))
+                waiting.append(
+                    (
+                        [side if i == self.along else other for i, other in enumerate(part)],
+                        depth - 1,
+                    )
+                )
         found.left.extend(part for part, _ in waiting)
 
     def _settled(self, box: Box, found: Reduced) -> bool:
@@ -328,13 +379,19 @@ class _Task:
             if all(_width(value) < enough for value in current):
                 break
             image = self._newton(u, current)
-            if any(_width(one) * 2 > _width(other) for one, other in zip(image, current, strict=True)):
-                return [min(one, other, key=_width) for one, other in zip(image, current, strict=True)]
+            if any(
+                _width(one) * 2 > _width(other) for one, other in zip(image, current, strict=True)
+            ):
+                return [
+                    min(one, other, key=_width) for one, other in zip(image, current, strict=True)
+                ]
             current = image
         return current
 
 
-def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
+def _isolated(
+    coefficients: Sequence[Any], low: Fraction, high: Fraction
+) -> list[tuple[Fraction, Fraction]]:
     """Intervals with exactly one root each of a cubic, all of its roots in [low, high]; Undecided where that can't be told."""
     found, stack, looks = [], [(low, high, 0)], 0
     while stack:

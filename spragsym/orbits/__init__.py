@@ -9,6 +9,21 @@ from .finding import cycle
 from .orbit import Cycle
 
 __all__ = [
-    "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "Fate", "FateBoundary", "FateMap", "Lyapunov",
-    "basin_boundary", "cycle", "cycle_branch", "cycle_events", "fate", "fate_boundary", "fate_map", "lyapunov",
-]  # fmt: skip
+    "BasinBoundary",
+    "Cycle",
+    "CycleBranch",
+    "CycleEvent",
+    "EventCurve",
+    "Fate",
+    "FateBoundary",
+    "FateMap",
+    "Lyapunov",
+    "basin_boundary",
+    "cycle",
+    "cycle_branch",
+    "cycle_events",
+    "fate",
+    "fate_boundary",
+    "fate_map",
+    "lyapunov",
+]

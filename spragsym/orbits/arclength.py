@@ -146,10 +146,19 @@ class Point:
                 way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)
                 step = 1e-6 / max(1.0, magnitude(change))
                 back, level, ahead = (
-                    float(level_and_rate(loop, turn.border, mode, at + share * step * way)[0]) for share in (-1, 0, 1)
+                    float(level_and_rate(loop, turn.border, mode, at + share * step * way)[0])
+                    for share in (-1, 0, 1)
                 )
                 slope = (ahead - back) / (2 * step)
-                found.append(Touch((turn.border, turn.direction), turn.t / loop.period, turn.state, level, slope))
+                found.append(
+                    Touch(
+                        (turn.border, turn.direction),
+                        turn.t / loop.period,
+                        turn.state,
+                        level,
+                        slope,
+                    )
+                )
         return found
 
 
@@ -161,13 +170,21 @@ def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> Fl
     constants, state = field.constants(guess.values), place[:size].tolist()
     that = field.borders[border]
     accelerations = field.acceleration(state, constants, mode, FLOATS)
-    return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
+    return np.array(
+        [that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)],
+        dtype=float,
+    )
 
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
     sizes, ways = directions(setting, loop)
-    point = Point(setting, loop, ways[-1] / setting.weights(loop), bool(sizes[-1] > max(ALONE * sizes[0], loop.missed / STAYS)))
+    point = Point(
+        setting,
+        loop,
+        ways[-1] / setting.weights(loop),
+        bool(sizes[-1] > max(ALONE * sizes[0], loop.missed / STAYS)),
+    )
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.turned(-1.0 if ahead < 0 else 1.0)
 
@@ -189,9 +206,12 @@ def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Cond
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         off, row = phase(loop)
         slope = differences(
-            lambda step: np.array([criterion_of(kind, looped(setting.flow, replace(loop.guess.moved(step), free=())))]),
-            np.zeros(len(weights)), DIFFERENCE / weights,
-        )  # fmt: skip
+            lambda step: np.array(
+                [criterion_of(kind, looped(setting.flow, replace(loop.guess.moved(step), free=())))]
+            ),
+            np.zeros(len(weights)),
+            DIFFERENCE / weights,
+        )
         return np.append(off, criterion_of(kind, loop) / unit), np.vstack([row, slope / unit])
 
     return conditions
@@ -203,9 +223,14 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
     guess = point.loop.guess.moved(length * point.tangent)
     target, arc = guess.coordinates, (point.way * point.weights)[None]
     loop = solved(
-        setting.flow, guess, setting.holds(setting, point.loop, target),
-        lambda loop: (arc @ (loop.guess.coordinates - target), arc), reach=reach, iterations=iterations, precision=FINE,
-    )  # fmt: skip
+        setting.flow,
+        guess,
+        setting.holds(setting, point.loop, target),
+        lambda loop: (arc @ (loop.guess.coordinates - target), arc),
+        reach=reach,
+        iterations=iterations,
+        precision=FINE,
+    )
     return point_of(setting, loop, point.tangent)
 
 
@@ -245,9 +270,14 @@ def turning(point: Point) -> float:
 
 
 def steps(
-    point: Point, ahead: Callable[[Point, float], Point], first: float, longest: float, shortest: float, kink: float = 0.0,
+    point: Point,
+    ahead: Callable[[Point, float], Point],
+    first: float,
+    longest: float,
+    shortest: float,
+    kink: float = 0.0,
     look: Callable[[Point, Point, float], Any] = lambda _, found, length: found,
-) -> Iterator[Any]:  # fmt: skip
+) -> Iterator[Any]:
     """What is seen at points by steps that are shorter where one fails or the branch bends, longer where it is straight; no end.
 
     ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by default the point; a
@@ -267,10 +297,15 @@ def steps(
                 raise
             continue
         yield seen
-        point, length = cut_anew(found), min(longest, length * (1.6 if straight > STRAIGHTER else 1.1))
+        point, length = (
+            cut_anew(found),
+            min(longest, length * (1.6 if straight > STRAIGHTER else 1.1)),
+        )
 
 
-def zero_of(test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED) -> Point:
+def zero_of(
+    test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED
+) -> Point:
     """Where a test function is zero between two points, by bracketing along the arc; ConvergenceError, ValueError without."""
     from scipy.optimize import brentq
 
@@ -300,13 +335,24 @@ def along(point: Point, value: float) -> Point:
         return found
 
     try:
-        for found in steps(point.turned(direction * math.copysign(1.0, turning(point))), ahead, WHOLE, np.inf, LEAST_SHARE):
+        for found in steps(
+            point.turned(direction * math.copysign(1.0, turning(point))),
+            ahead,
+            WHOLE,
+            np.inf,
+            LEAST_SHARE,
+        ):
             point = found
             if point.value == value:
                 break
     except (ConvergenceError, ZeroDivisionError) as error:
-        name, what = point.loop.field.parameters[setting.free[0]], "cycle" if setting.holds is in_phase else "equilibrium"
-        raise ConvergenceError(f"the {what} ends near {name} = {point.value:.10g} on the way") from error
+        name, what = (
+            point.loop.field.parameters[setting.free[0]],
+            "cycle" if setting.holds is in_phase else "equilibrium",
+        )
+        raise ConvergenceError(
+            f"the {what} ends near {name} = {point.value:.10g} on the way"
+        ) from error
     return point
 
 
@@ -320,9 +366,13 @@ def cut_anew(point: Point) -> Point:
     if cut is None:
         return point
     along = np.zeros(cut.states.shape)
-    if not begin:  # the old tangent by its first state, if that is still the first, period and parameter
+    if (
+        not begin
+    ):  # the old tangent by its first state, if that is still the first, period and parameter
         along[0] = point.tangent[: loop.field.size]
-    return point_of(setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :]))
+    return point_of(
+        setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :])
+    )
 
 
 def uncertainty(point: Point) -> float:
@@ -330,7 +380,9 @@ def uncertainty(point: Point) -> float:
     loop = point.loop
     _, phase = across(loop)(loop)
     rows = loop.slopes(phase, (point.way * point.weights)[None])
-    return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
+    return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(
+        loop.missed, rounding(loop)
+    )
 
 
 def between(one: Point, other: Point) -> float:
@@ -342,7 +394,11 @@ def aligned(one: Point, other: Point) -> float:
     """The smallest cosine between two tangents and the chord from one point to the other, if these are apart."""
     chord, both = other.place - one.place, float(one.way @ other.way)
     length = norm(chord)
-    return min(both, *(float(chord @ each.way) / length for each in (one, other))) if length > 0 else both
+    return (
+        min(both, *(float(chord @ each.way) / length for each in (one, other)))
+        if length > 0
+        else both
+    )
 
 
 def started(setting: Setting, guess: Guess) -> Point:
@@ -353,7 +409,11 @@ def started(setting: Setting, guess: Guess) -> Point:
     return point_of(setting, loop)
 
 
-def differences(function: Callable[[FloatArray], FloatArray], place: FloatArray, step: Any) -> FloatArray:
+def differences(
+    function: Callable[[FloatArray], FloatArray], place: FloatArray, step: Any
+) -> FloatArray:
     """Central differences of a function by each number of a place, along the last axis."""
     ways = np.eye(len(place)) * step
-    return np.stack([(function(place + way) - function(place - way)) / (2 * way.max()) for way in ways], axis=-1)
+    return np.stack(
+        [(function(place + way) - function(place - way)) / (2 * way.max()) for way in ways], axis=-1
+    )

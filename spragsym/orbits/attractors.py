@@ -40,7 +40,9 @@ def attractor(system: System, verdict: Verdict) -> Attractor:
         raise ConvergenceError(f"the motion comes to {verdict.told()}")
     orbit = cycle_at(system, np.array(found.cycle), found.period)
     if abs(orbit.period / found.period - 1) > 1e-3:
-        raise ConvergenceError(f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}")
+        raise ConvergenceError(
+            f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}"
+        )
     return _of_cycle(system, orbit)
 
 
@@ -51,7 +53,9 @@ def followed(known: Attractor, system: System) -> Attractor:
     if known.orbit is not None:
         return _of_cycle(system, followed_cycle(known.orbit, system.values))
     index, span = _varied(known.system.values, system.values)
-    point = along(Rest(system.field).started(known.system, known.state, index, span), system.values[index])
+    point = along(
+        Rest(system.field).started(known.system, known.state, index, span), system.values[index]
+    )
     return _at_rest(system, point.loop.state)
 
 
@@ -64,7 +68,9 @@ def followed_cycle(known: Cycle, values: Values) -> Cycle:
 
 def _varied(now: Values, then: Values) -> tuple[int, float]:
     """Which one parameter differs, and by how much."""
-    ((index, span),) = ((i, abs(b - a)) for i, (a, b) in enumerate(zip(now, then, strict=True)) if a != b)
+    ((index, span),) = (
+        (i, abs(b - a)) for i, (a, b) in enumerate(zip(now, then, strict=True)) if a != b
+    )
     return index, span
 
 
@@ -96,7 +102,9 @@ def same(one: Attractor, other: Attractor) -> bool:
     if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
-        return magnitude(apart(one.state, other.state, one.system.field.around)) < SAME * (1 + magnitude(one.state))
+        return magnitude(apart(one.state, other.state, one.system.field.around)) < SAME * (
+            1 + magnitude(one.state)
+        )
     return same_cycle(one.orbit, other.orbit)
 
 

@@ -91,12 +91,16 @@ class Balls:
     def carry(self, duration: Any) -> None:
         """Carry all states on within the mode, which none may leave; only onward."""
         if not duration >= 0:
-            raise ParameterError(f"duration = {duration} is not certainly 0 or more; a set of states is carried onward only")
+            raise ParameterError(
+                f"duration = {duration} is not certainly 0 or more; a set of states is carried onward only"
+            )
         left = duration
         while left > 0:
             left = left - self._step(left)
             if not left.is_exact():
-                raise NotProved("time could not be kept exactly: the steps have become as short as its last bit")
+                raise NotProved(
+                    "time could not be kept exactly: the steps have become as short as its last bit"
+                )
 
     def _step(self, left: Any) -> Any:
         """Carry all states on for all of a time, or as much of it as a step may be; that is given."""
@@ -114,10 +118,14 @@ class Balls:
             derivative += piece.filled(around((slope * radius).exp() * tail))
             self.matrix = derivative * self.matrix
         # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
-        off = derivative * arb_mat([[value - mid] for value, mid in zip(self.point, middle, strict=True)])
+        off = derivative * arb_mat(
+            [[value - mid] for value, mid in zip(self.point, middle, strict=True)]
+        )
         left_out = _left_out(ratio, self.fine)
-        ends = [polynomial(jet, step) + around(bound * left_out)
-                for jet, bound in zip(center, bounds, strict=True)]  # fmt: skip
+        ends = [
+            polynomial(jet, step) + around(bound * left_out)
+            for jet, bound in zip(center, bounds, strict=True)
+        ]
         self.point = _moved(ends, off)
         passed = _Piece(within, [bound * tail for bound in bounds], step, box, self.box)
         for border in piece.field.borders:
@@ -135,7 +143,9 @@ class Balls:
             return [abs(acb(rate)).abs_upper() for rate in self.smooth.rates(disc(radii))]
 
         if not all(value.rad() < 1e-2 for value in box):
-            raise TooWide("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
+            raise TooWide(
+                "the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff"
+            )
         # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:
@@ -161,9 +171,13 @@ class Balls:
         if rate > 0 or rate < 0:
             ends = [smooth.level(border, piece.at(t)) for t in (begin, end)]
             if any(level < 0 for level in ends):
-                raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
+                raise NotProved(
+                    f"the orbit meets {border.name} at a place where the cycle is said not to cross it"
+                )
             if not all(level > 0 for level in ends):
-                raise TooWide(f"that no state meets {border.name} where the cycle does not cross it could not be shown")
+                raise TooWide(
+                    f"that no state meets {border.name} where the cycle does not cross it could not be shown"
+                )
             return
         if end - begin < piece.step * SHORTEST:
             raise NotProved(
@@ -185,13 +199,17 @@ class Balls:
     def apart(self, index: int) -> Any:
         """How far apart in time the states come to a border, about; not rigorous."""
         border = self.smooth.field.borders[index]
-        speed = arb(self.smooth.level_rate(border, [value.mid() for value in self.point])).abs_lower()
+        speed = arb(
+            self.smooth.level_rate(border, [value.mid() for value in self.point])
+        ).abs_lower()
         return arb(self.smooth.level(border, self.box)).rad() / speed
 
     def cross(self, index: int, window: Any) -> None:
         """Carry all states over a border, which each of them crosses once within the window."""
         if not window > 0:
-            raise ParameterError(f"window = {window} is not positive; a set of states is carried onward only")
+            raise ParameterError(
+                f"window = {window} is not positive; a set of states is carried onward only"
+            )
         before, box = self.smooth, self.box
         border, after = before.field.borders[index], before.beyond(index)
         if not before.level(border, box) > 0:
@@ -206,11 +224,16 @@ class Balls:
                 f"the states meet {border.name} too far apart in time; more digits would do it, unless it is only touched there"
             )
         turned = border.sign(before.mode) * border.sign(after.mode)
-        if not (before.level_rate(border, hull) < 0 and turned * after.level_rate(border, hull) < 0):
+        if not (
+            before.level_rate(border, hull) < 0 and turned * after.level_rate(border, hull) < 0
+        ):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
         # Within the window all that changes, the mode too, changes rates by no more than their slope over the way.
         off = around(window * slope * window * speed)
-        self.point = [value + window * rate + off for value, rate in zip(self.point, before.rates(self.point), strict=True)]
+        self.point = [
+            value + window * rate + off
+            for value, rate in zip(self.point, before.rates(self.point), strict=True)
+        ]
         self.matrix = (self.smooth.filled(around((window * slope).exp() - 1)) + 1) * self.matrix
         if not before.level(border, self.box) < 0:
             raise TooWide(f"that every state has crossed {border.name} could not be shown")
@@ -231,7 +254,10 @@ class _Piece:
         """The states at a time, or over a ball of times."""
         if t.is_exact() and (t == 0 or t == self.step):
             return self.first if t == 0 else self.last
-        return [polynomial(each, t) + around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
+        return [
+            polynomial(each, t) + around(tail)
+            for each, tail in zip(self.series, self.tails, strict=True)
+        ]
 
 
 def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
@@ -295,7 +321,10 @@ class Smooth:
 
     def rates(self, state: Numbers) -> Numbers:
         """The rates of all numbers of a state."""
-        return [*state[len(self.field.coordinates) :], *self.field.acceleration(state, self.constants, self.mode, XP)]
+        return [
+            *state[len(self.field.coordinates) :],
+            *self.field.acceleration(state, self.constants, self.mode, XP),
+        ]
 
     def slopes(self, state: Numbers) -> list[Numbers]:
         """Derivatives of the accelerations by the state, one operation after the other.
@@ -316,7 +345,12 @@ class Smooth:
 
     def steepness(self, state: Numbers) -> Any:
         """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
-        return most([arb(1), *(sum(abs(acb(value)).abs_upper() for value in row) for row in self.slopes(state))])
+        return most(
+            [
+                arb(1),
+                *(sum(abs(acb(value)).abs_upper() for value in row) for row in self.slopes(state)),
+            ]
+        )
 
     def solution(self, state: Numbers, order: int) -> Numbers:
         """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
@@ -329,15 +363,25 @@ class Smooth:
             known, count = len(rows[0]), min(2 * len(rows[0]), order + 1)
             with _terms(count):
                 series = [arb_series(row, prec=count) for row in rows]
-                accelerations = self.field.acceleration(variables(series, 1), self.constants, self.mode, XP)
-            rates, slopes = [constant(each) for each in accelerations], [gradient(each, m) for each in accelerations]
-            by_state = [arb_mat(n, m, [_term(value, k) for row in slopes for value in row]) for k in range(count - known)]
+                accelerations = self.field.acceleration(
+                    variables(series, 1), self.constants, self.mode, XP
+                )
+            rates, slopes = (
+                [constant(each) for each in accelerations],
+                [gradient(each, m) for each in accelerations],
+            )
+            by_state = [
+                arb_mat(n, m, [_term(value, k) for row in slopes for value in row])
+                for k in range(count - known)
+            ]
             added: list[Any] = []
             for k in range(known, count):
                 pull = arb_mat(n, 1, [_term(rate, k - 1) for rate in rates])
                 for slope, more in zip(by_state, reversed(added), strict=False):
                     pull += slope * more
-                following = [row[k - 1] / k for row in rows[n:]] + [value / k for value in pull.entries()]
+                following = [row[k - 1] / k for row in rows[n:]] + [
+                    value / k for value in pull.entries()
+                ]
                 added.append(arb_mat(m, 1, following))
                 for row, value in zip(rows, following, strict=True):
                     row.append(value)
@@ -348,14 +392,18 @@ class Smooth:
         n, m = len(self.field.coordinates), self.field.size
         with _terms(order + 1):
             rows = self.slopes(within)
-        slopes = [arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)]
+        slopes = [
+            arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)
+        ]
         parts = [self.filled(0) + 1]
         for k in range(order):
             total = slopes[0] * parts[k]
             for i in range(1, k + 1):
                 total += slopes[i] * parts[k - i]
             # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
-            parts.append(arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1)))
+            parts.append(
+                arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1))
+            )
         return reduce(lambda found, part: found * step + part, reversed(parts))
 
 

@@ -14,7 +14,19 @@ from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
 from ..models.field import Field, exact_field
-from .ball_flow import APART, XP, Accuracy, Balls, NotProved, Numbers, Smooth, TooWide, around, bits, polynomial
+from .ball_flow import (
+    APART,
+    XP,
+    Accuracy,
+    Balls,
+    NotProved,
+    Numbers,
+    Smooth,
+    TooWide,
+    around,
+    bits,
+    polynomial,
+)
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
 ROUNDS, GAINED = 14, 6
@@ -47,7 +59,9 @@ def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
                 return {"digits": digits, **proved(field, claim | {"digits": digits})}
         except TooWide as reason:
             if digits >= ENOUGH:
-                raise NotProved(f"{reason} (of half width 1e-{digits}); give more digits") from reason
+                raise NotProved(
+                    f"{reason} (of half width 1e-{digits}); give more digits"
+                ) from reason
             digits = min(math.ceil(1.5 * digits), ENOUGH)
 
 
@@ -58,10 +72,14 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     slopes, n = np.array(claim["slopes"]), len(field.coordinates)
     moved = [i for i in range(field.size) if i != n]
     if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
-        raise NotProved("a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone")
+        raise NotProved(
+            "a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone"
+        )
     inverse = arb_mat(np.linalg.inv(slopes).tolist())
     mode = field.exact(field.initial_mode(claim["state"], field.constants(claim["values"])))
-    begun = Smooth(field, list(field.constants([arb(value) for value in claim["values"]], XP)), mode)
+    begun = Smooth(
+        field, list(field.constants([arb(value) for value in claim["values"]], XP)), mode
+    )
     state, period, times = _refined(begun, claim, inverse, moved)
 
     start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
@@ -106,13 +124,19 @@ def accuracy_for(digits: int) -> Accuracy:
 
 def _refined(
     begun: Smooth, claim: dict[str, Any], inverse: Any, moved: list[int]
-) -> tuple[Numbers, Any, list[tuple[int, Any]]]:  # fmt: skip
+) -> tuple[Numbers, Any, list[tuple[int, Any]]]:
     """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
 
     Each round works with as many digits as it may gain.
     """
-    digits, state, period = claim["digits"], [arb(value) for value in claim["state"]], arb(claim["period"])
-    state[len(begun.field.coordinates)] = arb(0)  # exactly: the section is where the first coordinate is largest
+    digits, state, period = (
+        claim["digits"],
+        [arb(value) for value in claim["state"]],
+        arb(claim["period"]),
+    )
+    state[len(begun.field.coordinates)] = arb(
+        0
+    )  # exactly: the section is where the first coordinate is largest
     missed, slow, now = 1.0, 0, min(digits, 2 * AHEAD)
     for _ in range(ROUNDS + digits // GAINED):
         with bits(accuracy_for(now).bits):
@@ -123,13 +147,17 @@ def _refined(
             state[column] = (state[column] - steps[i]).mid()
         period = (period - steps[-1]).mid()
         before, missed = missed, max(_size(gap) for gap in gaps)
-        if now == digits and (missed < 10.0 ** -(1.1 * digits + 6) or before < min(missed, 10.0 ** -(1.05 * digits))):
+        if now == digits and (
+            missed < 10.0 ** -(1.1 * digits + 6) or before < min(missed, 10.0 ** -(1.05 * digits))
+        ):
             return state, period, times
         slow = slow + 1 if missed >= before / 3 else 0
         if slow > 1 or missed >= 1:
             break
         now = min(digits, max(now, math.ceil(AHEAD - math.log10(missed)) if missed else digits))
-    raise NotProved(f"Newton's method in many digits does not converge from the cycle as given: it stays open by {missed:.1e}")
+    raise NotProved(
+        f"Newton's method in many digits does not converge from the cycle as given: it stays open by {missed:.1e}"
+    )
 
 
 def _size(value: Any) -> float:
@@ -140,7 +168,7 @@ def _size(value: Any) -> float:
 
 def _traced(
     piece: Smooth, state: Numbers, period: Any, crossings: list[Any], digits: int
-) -> tuple[Numbers, list[tuple[int, Any]]]:  # fmt: skip
+) -> tuple[Numbers, list[tuple[int, Any]]]:
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
     clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
     least = arb(10) ** -(1.1 * digits + 16)
@@ -151,7 +179,11 @@ def _traced(
         while True:
             jets = piece.solution(now, order)
             size = max(abs(jet[order]).mid() for jet in jets)
-            reach = min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0) if size > 0 else 1.0
+            reach = (
+                min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0)
+                if size > 0
+                else 1.0
+            )
             left = (target - clock).mid()
             if float(left) <= reach:
                 break
@@ -169,8 +201,10 @@ def _traced(
                 if not abs(change) > SLOWEST:
                     raise NotProved(
                         f"{that.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative "
-                        "to stand on; move a parameter" if abs(level) < SLOWEST else uncrossed
-                    )  # fmt: skip
+                        "to stand on; move a parameter"
+                        if abs(level) < SLOWEST
+                        else uncrossed
+                    )
                 left = (left - level / change).mid()
                 if not abs(left - begun) < 0.1:
                     raise NotProved(uncrossed)
@@ -186,7 +220,9 @@ def _traced(
 # -------------------------------------------------------------------------------------------------- the theorem
 
 
-def _krawczyk(balls: Balls, state: Numbers, period: Any, radius: float, inverse: Any, moved: list[int]) -> dict[str, Any]:
+def _krawczyk(
+    balls: Balls, state: Numbers, period: Any, radius: float, inverse: Any, moved: list[int]
+) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
     near = [value + around(1e-6) for value in balls.box]
     balls.keeps_clear(near)
@@ -197,20 +233,34 @@ def _krawczyk(balls: Balls, state: Numbers, period: Any, radius: float, inverse:
     share = ((balls.smooth.steepness(near) * radius).exp() - 1).abs_upper()
     rows = balls.matrix.tolist()
     sizes = [sum(value.abs_upper() for value in column) for column in zip(*rows, strict=True)]
-    monodromy = [[value + around(share * size) for value, size in zip(row, sizes, strict=True)] for row in rows]
-    slopes = [[*(row[j] - int(i == j) for j in moved), rate] for i, (row, rate) in enumerate(zip(monodromy, rates, strict=True))]
+    monodromy = [
+        [value + around(share * size) for value, size in zip(row, sizes, strict=True)]
+        for row in rows
+    ]
+    slopes = [
+        [*(row[j] - int(i == j) for j in moved), rate]
+        for i, (row, rate) in enumerate(zip(monodromy, rates, strict=True))
+    ]
     gaps = [[value - begun] for value, begun in zip(balls.point, state, strict=True)]
     inside = [
         correction.abs_upper() + sum(value.abs_upper() for value in row) * radius
-        for correction, row in zip((inverse * arb_mat(gaps)).entries(), (1 - inverse * arb_mat(slopes)).tolist(), strict=True)
+        for correction, row in zip(
+            (inverse * arb_mat(gaps)).entries(),
+            (1 - inverse * arb_mat(slopes)).tolist(),
+            strict=True,
+        )
     ]
     if not all(value < radius for value in inside):
         worst = max(float((value / radius).mid()) for value in inside)
-        raise TooWide(f"Newton's operator does not map the box into itself: {worst:.3g} times its size")
+        raise TooWide(
+            f"Newton's operator does not map the box into itself: {worst:.3g} times its size"
+        )
     return {
-        "state": [spoken(value) for value in state], "period": spoken(period),
-        "error": max((spoken(value.upper()) for value in inside), key=Fraction), **_multipliers(monodromy),
-    }  # fmt: skip
+        "state": [spoken(value) for value in state],
+        "period": spoken(period),
+        "error": max((spoken(value.upper()) for value in inside), key=Fraction),
+        **_multipliers(monodromy),
+    }
 
 
 def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
@@ -222,10 +272,17 @@ def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
     trivial = [value for value in eigenvalues if (value - 1).contains(0)]
     others = [value for value in eigenvalues if not (value - 1).contains(0)]
     others.sort(key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
-    inside, outside = all(abs(value) < 1 for value in others), any(abs(value) > 1 for value in others)
+    inside, outside = (
+        all(abs(value) < 1 for value in others),
+        any(abs(value) > 1 for value in others),
+    )
     return {
         "multipliers": [
-            [spoken(value.real), spoken(value.imag), max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction)]
+            [
+                spoken(value.real),
+                spoken(value.imag),
+                max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction),
+            ]
             for value in [*trivial, *others]
         ],
         "stable": inside if len(trivial) == 1 and (inside or outside) else None,

@@ -86,10 +86,18 @@ class BasinBoundary(Result):
 
 
 def basin_boundary(
-    p: ParameterSet, *, V: float | None = None, d: float | None = None, plane: tuple[str, str] | None = None, start: Any = None,
-    saddle: Any = None, to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
+    p: ParameterSet,
+    *,
+    V: float | None = None,
+    d: float | None = None,
+    plane: tuple[str, str] | None = None,
+    start: Any = None,
+    saddle: Any = None,
+    to: tuple[tuple[float, float], tuple[float, float]] | None = None,
+    step: float = 0.02,
+    points: int = 80,
     backend: str | None = None,
-) -> BasinBoundary:  # fmt: skip
+) -> BasinBoundary:
     """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
 
     Parameters
@@ -155,11 +163,19 @@ def basin_boundary(
     first, error, span = walk.begun(state_of(model, start))
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
-    differ, told = map(np.array, zip(*(walk.told_sides(each, span) for each, _ in found), strict=True))
+    differ, told = map(
+        np.array, zip(*(walk.told_sides(each, span) for each, _ in found), strict=True)
+    )
     return BasinBoundary(
-        plane, np.array([each[axes] for each, _ in found]), np.array([error for _, error in found]),
-        differ, told, known.state, known.growth, (why_back, why_forth),
-    )  # fmt: skip
+        plane,
+        np.array([each[axes] for each, _ in found]),
+        np.array([error for _, error in found]),
+        differ,
+        told,
+        known.state,
+        known.growth,
+        (why_back, why_forth),
+    )
 
 
 def _surely(system: System, start: FloatArray) -> Verdict:
@@ -170,7 +186,11 @@ def _surely(system: System, start: FloatArray) -> Verdict:
 
 def _differ(system: System, one: Verdict, other: Verdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
-    return one.decided and other.decided and not same_limit(one.outcome, other.outcome, system.field.around)
+    return (
+        one.decided
+        and other.decided
+        and not same_limit(one.outcome, other.outcome, system.field.around)
+    )
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
@@ -182,7 +202,9 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     else:
         places = [as_numbers("saddle", near)]
         if places[0].shape not in ((n,), (2 * n,)):
-            raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
+            raise ParameterError(
+                f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it"
+            )
     found: list[Saddle] = []
     for place in places:
         with suppress(ConvergenceError):
@@ -214,7 +236,9 @@ class _Walk:
         """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
         passage = self.system.flow.fly(state, self.system.constants, span)
         measure = self.saddle.measure
-        return float(measure @ (passage.state - self.saddle.state)), self.plane @ (measure @ passage.by_state)
+        return float(measure @ (passage.state - self.saddle.state)), self.plane @ (
+            measure @ passage.by_state
+        )
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
         """A first point, along the first direction of the plane, between starts that leave to different sides."""
@@ -229,13 +253,26 @@ class _Walk:
         sides = [self.leaves(at(way))[0] for way in ways]
         changes = np.flatnonzero(np.abs(np.diff(sides)) > 1).tolist()
         if not changes:
-            raise ConvergenceError("no start in that line of the plane leaves the saddle to the other side; give another start")
+            raise ConvergenceError(
+                "no start in that line of the plane leaves the saddle to the other side; give another start"
+            )
         for near in sorted(changes, key=lambda i: abs(ways[i] - self.plane[0] @ self.saddle.state)):
-            begun = at(bisect(lambda way: self.leaves(at(way))[0], ways[near], ways[near + 1], xtol=NEAR * (high - low)))
+            begun = at(
+                bisect(
+                    lambda way: self.leaves(at(way))[0],
+                    ways[near],
+                    ways[near + 1],
+                    xtol=NEAR * (high - low),
+                )
+            )
             for span in (0.75 * self.leaves(begun)[1], 3 / self.saddle.growth):
-                with suppress(ConvergenceError):  # a side that changes because a motion turns late is no boundary
+                with suppress(
+                    ConvergenceError
+                ):  # a side that changes because a motion turns late is no boundary
                     return self.refined(begun, np.array([1.0, 0.0]), span)
-        raise ConvergenceError("no place in that line of the plane where the side changes is on the boundary; give another start")
+        raise ConvergenceError(
+            "no place in that line of the plane where the side changes is on the boundary; give another start"
+        )
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
         """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
@@ -249,7 +286,9 @@ class _Walk:
                 break
         return float(np.sign(part)), clock
 
-    def refined(self, state: FloatArray, direction: FloatArray, span: float) -> tuple[FloatArray, float, float]:
+    def refined(
+        self, state: FloatArray, direction: FloatArray, span: float
+    ) -> tuple[FloatArray, float, float]:
         """The start on the manifold near another, along a direction in the plane; what the last refinement changed; the time.
 
         The longer the motion is followed, the more is known of the start, by a factor of e every 1 / growth, each by a few
@@ -275,7 +314,9 @@ class _Walk:
             before, span = first, span + MORE / self.saddle.growth
         raise ConvergenceError("the boundary could not be refined")
 
-    def follow(self, first: FloatArray, span: float, sign: float) -> tuple[list[tuple[FloatArray, float]], str]:
+    def follow(
+        self, first: FloatArray, span: float, sign: float
+    ) -> tuple[list[tuple[FloatArray, float]], str]:
         """Points in one direction, and why they end."""
         found: list[tuple[FloatArray, float]] = []
         state, way, step = first, None, self.step
@@ -288,16 +329,23 @@ class _Walk:
             try:
                 seen = norm(slope) * step**2 / (BENT * magnitude(self.saddle.measure))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
-                    ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
+                    ahead, error, later = self.refined(
+                        guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth
+                    )
                 moved = self.plane @ (ahead - state)
                 if moved @ along < STRAIGHT * norm(moved) or norm(moved) > 3 * step:
-                    raise ConvergenceError("farther off the tangent it is another fold of the manifold")
+                    raise ConvergenceError(
+                        "farther off the tangent it is another fold of the manifold"
+                    )
             except ConvergenceError:
                 step /= 2
                 if step < 1e-4:
                     return found, "it could not be followed farther"
                 continue
-            if not all(low <= place <= high for place, (low, high) in zip(self.plane @ ahead, self.to, strict=True)):
+            if not all(
+                low <= place <= high
+                for place, (low, high) in zip(self.plane @ ahead, self.to, strict=True)
+            ):
                 return found, "the range ends"
             found.append((ahead, error))
             state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
@@ -309,7 +357,10 @@ class _Walk:
         if not _differ(self.system, *both):
             return False, [each.told() for each in both]
         nearer = self.sides(state, span, NEARER * ASIDE)
-        other = [not near.decided or _differ(self.system, one, near) for one, near in zip(both, nearer, strict=True)]
+        other = [
+            not near.decided or _differ(self.system, one, near)
+            for one, near in zip(both, nearer, strict=True)
+        ]
         told = [
             one.told() + (f", and nearer by {near.told()}" if differs else "")
             for one, near, differs in zip(both, nearer, other, strict=True)

@@ -19,8 +19,31 @@ from ..numerics.vectors import norm
 from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
-from .arclength import Point, Setting, at_zero, between, corrected, cut_anew, placed, point_of, started, steps, turning, within
-from .events import FINEST, MERGES, SCATTER, SLIDING, Finding, arrivals, findings, touching, vertical
+from .arclength import (
+    Point,
+    Setting,
+    at_zero,
+    between,
+    corrected,
+    cut_anew,
+    placed,
+    point_of,
+    started,
+    steps,
+    turning,
+    within,
+)
+from .events import (
+    FINEST,
+    MERGES,
+    SCATTER,
+    SLIDING,
+    Finding,
+    arrivals,
+    findings,
+    touching,
+    vertical,
+)
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
@@ -157,9 +180,10 @@ class CycleBranch(Result):
         """Events at which the stability changes, each with the number of points before it."""
         for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
             between = [
-                event for event, before in zip(self.events, self.places, strict=True)
+                event
+                for event, before in zip(self.events, self.places, strict=True)
                 if before == place and event.kind in CRITERIA
-            ]  # fmt: skip
+            ]
             if between:
                 yield place, between[0 if self.stable[place - 1] else -1]
 
@@ -171,7 +195,7 @@ class CycleBranch(Result):
 
 def cycle_branch(
     cycle: Cycle, vary: str, to: tuple[float, float], *, points: int = 400, longest: float = LONGEST
-) -> CycleBranch:  # fmt: skip
+) -> CycleBranch:
     """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the branch ends.
 
     Parameters
@@ -220,7 +244,9 @@ def cycle_branch(
     points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
     value = cycle.values[index]
     if not low <= value <= high:
-        raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
+        raise ParameterError(
+            f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one"
+        )
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
     begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
@@ -237,17 +263,33 @@ def cycle_branch(
         elif item.kind != "closed":
             loop = item.loop
             value = loop.values[index] if np.isnan(item.value) else item.value
-            events.append(CycleEvent(item.kind, value, cycle_of(loop), item.error, item.how, vary, item))
+            events.append(
+                CycleEvent(item.kind, value, cycle_of(loop), item.error, item.how, vary, item)
+            )
             places.append(len(loops))
-    columns = [(loop.values[index], loop.period, loop.moments()[1], *range_of(loop)) for loop in loops]
+    columns = [
+        (loop.values[index], loop.period, loop.moments()[1], *range_of(loop)) for loop in loops
+    ]
     values, periods, rms, lowest, highest = np.array(columns).T.copy()
     stable = np.array([is_stable(loop) for loop in loops])
     return CycleBranch(
-        vary, values, periods, rms, lowest, highest, stable, Cycles(tuple(loops)), tuple(events), (low, high), tuple(places)
+        vary,
+        values,
+        periods,
+        rms,
+        lowest,
+        highest,
+        stable,
+        Cycles(tuple(loops)),
+        tuple(events),
+        (low, high),
+        tuple(places),
     )
 
 
-def _followed(followed: list[Point], to: Span, points: int, longest: float) -> Iterator[Point | Finding]:
+def _followed(
+    followed: list[Point], to: Span, points: int, longest: float
+) -> Iterator[Point | Finding]:
     """Points and findings in one direction behind the last of some points, an end the last of them."""
     start = followed[-1]
 
@@ -267,7 +309,9 @@ def _followed(followed: list[Point], to: Span, points: int, longest: float) -> I
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
         items, before = list[Point | Finding](), followed[-2] if len(followed) > 1 else None
-        if before and followed[-1] is not point:  # it was cut anew, and is compared with what is cut like it
+        if (
+            before and followed[-1] is not point
+        ):  # it was cut anew, and is compared with what is cut like it
             before = corrected(point, -arc)
         for happened in findings(point, found, arc, before):
             if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
@@ -287,7 +331,9 @@ def _followed(followed: list[Point], to: Span, points: int, longest: float) -> I
         yield _lost(followed, error)
         return
     before, last = [start, *followed][-2:]
-    yield Finding("end", last.loop, abs(last.value - before.value), how=f"{points} points were followed")
+    yield Finding(
+        "end", last.loop, abs(last.value - before.value), how=f"{points} points were followed"
+    )
 
 
 def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str) -> Finding:
@@ -302,7 +348,10 @@ def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str
     for point in points:
         if (now := size(point)) < SPACED * known[-1][0]:
             known.append((now, point.value))
-    ends = [float(KroghInterpolator(*zip(*known[i - 2 : i + 1], strict=True))(0.0)) for i in range(3, len(known))]
+    ends = [
+        float(KroghInterpolator(*zip(*known[i - 2 : i + 1], strict=True))(0.0))
+        for i in range(3, len(known))
+    ]
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))
     return Finding("end", points[-1].loop, SCATTER * off + 1e-12, how=how, value=value)
@@ -310,7 +359,9 @@ def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str
 
 def _shrunk(followed: Sequence[Point]) -> Finding:
     """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-    return _vanishing(followed, lambda point: extent(point.loop) ** 2, "it shrinks onto an equilibrium")
+    return _vanishing(
+        followed, lambda point: extent(point.loop) ** 2, "it shrinks onto an equilibrium"
+    )
 
 
 def _at_border(followed: Sequence[Point]) -> Finding | None:
@@ -321,7 +372,11 @@ def _at_border(followed: Sequence[Point]) -> Finding | None:
         return min((*sticking, *(abs(touch.level) for touch in point.touches)), default=np.inf)
 
     found, last = _vanishing(followed, off, TOUCHES), followed[-1]
-    return None if max(found.error, abs(found.value - last.value)) > NEAR * last.setting.spans[0] else found
+    return (
+        None
+        if max(found.error, abs(found.value - last.value)) > NEAR * last.setting.spans[0]
+        else found
+    )
 
 
 def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> Iterator[Finding]:
@@ -347,7 +402,11 @@ def _joins(followed: Sequence[Point], found: Point) -> Iterator[Finding]:
         kind = "crossing-sliding" if len(arrivals(found)) == len(came) else "grazing-sliding"
         yield replace(edge, kind=kind, how=found.loop.field.borders[came[0].way[0]].name)
     else:
-        edge = _vanishing(followed, lambda point: float(np.sqrt(np.abs(point.loop.multipliers.others - 1).min())), FAMILIES)
+        edge = _vanishing(
+            followed,
+            lambda point: float(np.sqrt(np.abs(point.loop.multipliers.others - 1).min())),
+            FAMILIES,
+        )
     yield replace(edge, how=FAMILIES)
 
 
@@ -356,7 +415,12 @@ def _lost(followed: Sequence[Point], error: ConvergenceError) -> Finding:
     loop = point.loop
     if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
         return Finding("homoclinic", loop, 1e-6, how=rest)
-    lost = Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}" if point.alone else FAMILIES)
+    lost = Finding(
+        "end",
+        loop,
+        SHORTEST,
+        how=f"it could not be followed farther: {error}" if point.alone else FAMILIES,
+    )
     return _at_border(followed) or lost
 
 
@@ -384,7 +448,10 @@ def _rests(loop: Loop) -> str:
     if min(sizes) >= STILL:
         return ""
     names, place = loop.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
-    told = [At(name, (float(value),), "g", " rad" * loop.field.is_angle(name)) for name, value in zip(names, place, strict=False)]
+    told = [
+        At(name, (float(value),), "g", " rad" * loop.field.is_angle(name))
+        for name, value in zip(names, place, strict=False)
+    ]
     return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)
 
 
@@ -417,8 +484,12 @@ class EventCurve(Result):
 
 
 def cycle_events(
-    event: CycleEvent, vary: tuple[str, str], *, to: dict[str, tuple[float, float]] | None = None, points: int = 60
-) -> EventCurve:  # fmt: skip
+    event: CycleEvent,
+    vary: tuple[str, str],
+    *,
+    to: dict[str, tuple[float, float]] | None = None,
+    points: int = 60,
+) -> EventCurve:
     """Follow a fold, doubling, torus or grazing of cycles in two parameters.
 
     Parameters
@@ -456,9 +527,13 @@ def cycle_events(
     >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
     ([43.03, 43.12, 43.21], 0.5)
     """
-    require_kind("event", event, CycleEvent, "one of the events of a branch, of ss.cycle_branch(...)")
+    require_kind(
+        "event", event, CycleEvent, "one of the events of a branch, of ss.cycle_branch(...)"
+    )
     if event.kind not in (*CRITERIA, "grazing"):
-        raise ParameterError(f"event = {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
+        raise ParameterError(
+            f"event = {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing"
+        )
     model = event.cycle.field
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
     if len(vary) != 2 or vary[0] == vary[1]:
@@ -466,10 +541,16 @@ def cycle_events(
     loop = event.found.loop
     bounds = [(to or {}).get(name, (-np.inf, np.inf)) for name in vary]
     spans = [
-        (high - low) / 2 if 0 < high - low < np.inf else max(SPAN * abs(loop.values[index]), NARROWEST)
+        (high - low) / 2
+        if 0 < high - low < np.inf
+        else max(SPAN * abs(loop.values[index]), NARROWEST)
         for index, (low, high) in zip(free, bounds, strict=True)
     ]
-    holds = partial(touching, event.found.border) if event.kind == "grazing" else partial(at_zero, event.kind)
+    holds = (
+        partial(touching, event.found.border)
+        if event.kind == "grazing"
+        else partial(at_zero, event.kind)
+    )
     setting = Setting(loop.flow, free, event.cycle.period, tuple(spans), holds)
     first = point_of(setting, setting.looped(loop.guess))
 
@@ -481,7 +562,10 @@ def cycle_events(
         found: list[Loop] = []
         try:
             for point in islice(steps(first.turned(direction), ahead, *OF_EVENTS), points):
-                if not all(low <= value <= high for value, (low, high) in zip(point.loop.guess.varied, bounds, strict=True)):
+                if not all(
+                    low <= value <= high
+                    for value, (low, high) in zip(point.loop.guess.varied, bounds, strict=True)
+                ):
                     return found, "the range ends"
                 if event.kind == "torus" and not is_complex_pair(point.loop):
                     return found, "its multipliers become real"
@@ -494,6 +578,10 @@ def cycle_events(
     loops = [*reversed(back), first.loop, *forth]
     cycles = tuple(cycle_of(each) for each in loops)
     return EventCurve(
-        event.kind, vary, np.array([each.guess.varied for each in loops]),
-        np.array([each.period for each in loops]), (why_back, why_forth), cycles,
-    )  # fmt: skip
+        event.kind,
+        vary,
+        np.array([each.guess.varied for each in loops]),
+        np.array([each.period for each in loops]),
+        (why_back, why_forth),
+        cycles,
+    )

@@ -51,9 +51,14 @@ LOST = 1e-11
 
 #: A label for each kind of event: as AUTO and MatCont have them.
 LABELS = {
-    "fold": "LPC", "period_doubling": "PD", "torus": "NS", "grazing": "GR", "homoclinic": "HC", "crossing": "BPC",
+    "fold": "LPC",
+    "period_doubling": "PD",
+    "torus": "NS",
+    "grazing": "GR",
+    "homoclinic": "HC",
+    "crossing": "BPC",
     **dict(zip(SLIDING, ("GS", "CS", "SS", "AS"), strict=True)),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +125,13 @@ class Diagram(Result):
 
 
 def diagram(
-    p: ParameterSet, vary: str, to: tuple[float, float], *, starts: Sequence[Any] = (), doublings: int = 1, points: int = 100
+    p: ParameterSet,
+    vary: str,
+    to: tuple[float, float],
+    *,
+    starts: Sequence[Any] = (),
+    doublings: int = 1,
+    points: int = 100,
 ) -> Diagram:
     """Equilibria and cycles of one parameter over a range.
 
@@ -175,7 +186,9 @@ def diagram(
             start.require(motion, "starts")
             for name, value in start.parameters.items():
                 if name != vary and value != (own := float(getattr(p, name))):
-                    raise ParameterError(f"starts: a cycle at {name} = {value:.10g}, the diagram at {own:.10g}; give cycles at p")
+                    raise ParameterError(
+                        f"starts: a cycle at {name} = {value:.10g}, the diagram at {own:.10g}; give cycles at p"
+                    )
     rests = list(_equilibria(p, vary, (low, high)))
     branches: list[CycleBranch] = []
     onsets, born_at = None, np.empty(0)
@@ -190,19 +203,37 @@ def diagram(
                 branches.append(cycle_branch(born, vary, (low, high), points=points))
             except SpragsymError as error:
                 at = _at(vary, born.parameters[vary])
-                remarks.append(Remark(f"the cycle of period {born.period:.6g} at {{}} was not followed: {{}}", at, error))
+                remarks.append(
+                    Remark(
+                        f"the cycle of period {born.period:.6g} at {{}} was not followed: {{}}",
+                        at,
+                        error,
+                    )
+                )
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, born_at)
     lines = tuple(branch for branch, _ in rests)
-    return Diagram(vary, (low, high), lines, tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0], model)
+    return Diagram(
+        vary,
+        (low, high),
+        lines,
+        tuple(branches),
+        tuple(labels),
+        tuple(remarks),
+        model.coordinates[0],
+        model,
+    )
 
 
 def _left_alone(vary: str, labels: Sequence[Label], known: FloatArray) -> Iterator[str]:
     """Hopf points of the motion that are none of the statics', whose friction may be another: none is followed from there."""
     for value in (label.value for label in labels if label.label == "H"):
         if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
-            yield Remark("no cycles were followed from the Hopf point {}: it is the motion's, not the statics'", _at(vary, value))
+            yield Remark(
+                "no cycles were followed from the Hopf point {}: it is the motion's, not the statics'",
+                _at(vary, value),
+            )
 
 
 def _at(vary: str, value: float) -> At:
@@ -223,7 +254,9 @@ def _followed(rest: Rest, point: Point, to: Span) -> Iterator[Point]:
 
     with suppress(ConvergenceError):
         for found in islice(steps(point, ahead, LONGEST / 8, LONGEST, SHORTEST), STEPS):
-            if (found.coordinates != point.coordinates).any():  # as it is where the range ends at the first point
+            if (
+                found.coordinates != point.coordinates
+            ).any():  # as it is where the range ends at the first point
                 yield found
             if found.value in to:
                 return
@@ -244,11 +277,15 @@ def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
     for one, other in pairwise(line):
         fold, hopf = (_located(one, other, test) for test in (turning, rest.pairs))
         if hopf is not None:
-            total, pair = min((abs(a + b), abs(a.imag)) for a, b in combinations(rest.eigenvalues(hopf), 2))
+            total, pair = min(
+                (abs(a + b), abs(a.imag)) for a, b in combinations(rest.eigenvalues(hopf), 2)
+            )
             hopf = hopf if pair > 1e-6 > total else None
         for label, place in (("LP", fold), ("H", hopf)):
             if place is not None:
-                yield Label(label, place.value, float(place.loop.states[0, 0]), "equilibria", number)
+                yield Label(
+                    label, place.value, float(place.loop.states[0, 0]), "equilibria", number
+                )
 
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
@@ -256,7 +293,11 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     place, around = point.loop.state, point.loop.field.around
     for one, other in pairwise(line):
         near = magnitude(apart(place, one.loop.state, around)) < 2 * LONGEST
-        if near and (one.value - point.value) * (other.value - point.value) <= 0 and one.value != other.value:
+        if (
+            near
+            and (one.value - point.value) * (other.value - point.value) <= 0
+            and one.value != other.value
+        ):
             with suppress(ConvergenceError):
                 met = placed(one, point.value, other.coordinates - one.coordinates).loop.state
                 if magnitude(apart(place, met, around)) < ONE:
@@ -264,7 +305,9 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     return False
 
 
-def _equilibria(p: ParameterSet, vary: str, to: Span) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
+def _equilibria(
+    p: ParameterSet, vary: str, to: Span
+) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
     """All branches on which there is an equilibrium at one of some values of the parameter, with their labels."""
     model, found = p.model, list[tuple[bool, list[Point]]]()
     grid = np.linspace(*to, SEEDS)
@@ -287,7 +330,9 @@ def _equilibria(p: ParameterSet, vary: str, to: Span) -> Iterator[tuple[Equilibr
             back, forth = (list(_followed(rest, point.turned(sign), to)) for sign in (-1.0, 1.0))
             line = [*(each.turned(-1.0) for each in reversed(back)), point, *forth]
             states = np.array([each.loop.states[0, : len(model.coordinates)] for each in line])
-            stable = np.array([max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line])
+            stable = np.array(
+                [max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line]
+            )
             values = np.array([each.value for each in line])
             branch = EquilibriumBranch(values, states, stable, "contact" if contact else "lift-off")
             yield branch, list(_labels(rest, line, len(found)))
@@ -298,14 +343,21 @@ def _equilibria(p: ParameterSet, vary: str, to: Span) -> Iterator[tuple[Equilibr
 
 
 def _cycles(
-    p: ParameterSet, vary: str, onsets: Any, born_at: FloatArray, starts: Sequence[Any], remarks: list[str]
-) -> Iterator[Cycle]:  # fmt: skip
+    p: ParameterSet,
+    vary: str,
+    onsets: Any,
+    born_at: FloatArray,
+    starts: Sequence[Any],
+    remarks: list[str],
+) -> Iterator[Cycle]:
     """A cycle of each family that is known of: born at a Hopf point, or near a start."""
     for i, value in enumerate(born_at.tolist()):
         try:
             yield cycle(onset=onsets, index=i)
         except SpragsymError as error:
-            remarks.append(Remark("no cycle was found at the Hopf point {}: {}", _at(vary, value), error))
+            remarks.append(
+                Remark("no cycle was found at the Hopf point {}: {}", _at(vary, value), error)
+            )
     for start in starts:
         try:
             yield start if isinstance(start, Cycle) else cycle(p, start)
@@ -317,16 +369,20 @@ def _known(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
     """Whether a cycle is on a branch that is there: that branch's own cycle at the same value of the parameter is it."""
     for branch in branches:
         value = cycle.parameters[branch.vary]
-        for i in np.flatnonzero((branch.values[:-1] - value) * (branch.values[1:] - value) <= 0).tolist():
+        for i in np.flatnonzero(
+            (branch.values[:-1] - value) * (branch.values[1:] - value) <= 0
+        ).tolist():
             with suppress(ConvergenceError):
-                if same_cycle(cycle_near(System(cycle.loop.flow, cycle.values), branch.cycles[i]), cycle):
+                if same_cycle(
+                    cycle_near(System(cycle.loop.flow, cycle.values), branch.cycles[i]), cycle
+                ):
                     return True
     return False
 
 
 def _doubled(
     branches: list[CycleBranch], vary: str, to: Span, depth: int, points: int, remarks: list[str]
-) -> None:  # fmt: skip
+) -> None:
     """Branches of doubled cycles, added to the others, so many doublings deep."""
     begin = 0
     for _ in range(depth):
@@ -335,10 +391,18 @@ def _doubled(
             for event in branch.of("period_doubling"):
                 try:
                     doubled = branch.switch(event)
-                    if to[0] <= doubled.parameters[vary] <= to[1] and not _known(branches[begin:], doubled):
+                    if to[0] <= doubled.parameters[vary] <= to[1] and not _known(
+                        branches[begin:], doubled
+                    ):
                         branches.append(cycle_branch(doubled, vary, to, points=points))
                 except SpragsymError as error:
-                    remarks.append(Remark("the doubled cycle at {} was not found: {}", _at(vary, event.value), error))
+                    remarks.append(
+                        Remark(
+                            "the doubled cycle at {} was not found: {}",
+                            _at(vary, event.value),
+                            error,
+                        )
+                    )
 
 
 def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
@@ -346,4 +410,6 @@ def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
         for event in branch.events:
             kind = "crossing" if event.found.crossed is not None else event.kind
             if kind in LABELS:
-                yield Label(LABELS[kind], event.value, float(event.cycle.state[0]), "cycles", number)
+                yield Label(
+                    LABELS[kind], event.value, float(event.cycle.state[0]), "cycles", number
+                )

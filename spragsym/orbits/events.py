@@ -27,7 +27,7 @@ from .arclength import (
     turning,
     uncertainty,
     zero_of,
-)  # fmt: skip
+)
 
 #: What test functions tell, a grazing apart.
 KINDS = (*CRITERIA, "crossing")
@@ -103,7 +103,9 @@ class Finding:
     value: float = math.nan
 
 
-def findings(one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0) -> Iterator[Finding]:
+def findings(
+    one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0
+) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it.
 
     A test function changes its sign since the point ``before`` where that at the first of the two is not known.
@@ -113,14 +115,24 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
     changed = [kind for kind in kinds if known(kind, since[kind]) * known(kind, other) < 0]
     pairs, came = paired(one.touches, other.touches), paired(arrivals(one), arrivals(other))
     left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
-    ended = [[(near, touch)] for near, touch in left if oftener(other if near is one else one, near)[touch.way[0]]]
-    through, switched = ([pair for pair in each if (pair[0].level < 0) != (pair[1].level < 0)] for each in (pairs, came))
+    ended = [
+        [(near, touch)]
+        for near, touch in left
+        if oftener(other if near is one else one, near)[touch.way[0]]
+    ]
+    through, switched = (
+        [pair for pair in each if (pair[0].level < 0) != (pair[1].level < 0)]
+        for each in (pairs, came)
+    )
     touched = [*([(one, touch), (other, after)] for touch, after in through), *ended]
     hidden = (
         unlike(one, other) != 2 * len(touched) + len(switched)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
         or len(left) > len(ended)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in kinds))
+        or (
+            before is not None
+            and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in kinds)
+        )
         or len(changed) + len(touched) + len(switched) > 1
     )
     if hidden and depth < DEEPEST:
@@ -138,7 +150,13 @@ def findings(one: Point, other: Point, length: float, before: Point | None = Non
         yield from _switching(one, other, arrival, length)
     for kind in changed:
         first = since[kind]
-        yield from _located(kind, partial(criterion, kind), first, other, length if first is one else between(first, other))
+        yield from _located(
+            kind,
+            partial(criterion, kind),
+            first,
+            other,
+            length if first is one else between(first, other),
+        )
 
 
 def vertical(one: Point, other: Point, length: float) -> bool:
@@ -151,7 +169,10 @@ def vertical(one: Point, other: Point, length: float) -> bool:
     return (
         length > FINEST
         and abs(one.value - other.value) < still * length
-        and all(abs(turning(end)) < still and np.abs(end.loop.multipliers.others - 1).min() < DOUBLE for end in ends)
+        and all(
+            abs(turning(end)) < still and np.abs(end.loop.multipliers.others - 1).min() < DOUBLE
+            for end in ends
+        )
     )
 
 
@@ -164,7 +185,9 @@ def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
     return (b - slope**2 / (4 * bend)) * b < 0.05 * b * b
 
 
-def _grazing(one: Point, other: Point, turns: list[tuple[Point, Touch]], length: float) -> Iterator[Finding]:
+def _grazing(
+    one: Point, other: Point, turns: list[tuple[Point, Touch]], length: float
+) -> Iterator[Finding]:
     """Where an orbit touches a border, by its turns there: of both points, or of the one that does not slide on the border."""
     turns = sorted(turns, key=lambda pair: abs(pair[1].level))
     nearest, first = turns[0]
@@ -200,7 +223,14 @@ def arrivals(point: Point) -> list[Touch]:
     for crossing in loop.crossings():
         if stays := loop.field.borders[crossing.border].stays:
             level = stays(crossing.state.tolist(), loop.constants, loop.mode(crossing.state))
-            found.append(Touch((crossing.border, crossing.came), crossing.t / loop.period, crossing.state, level))
+            found.append(
+                Touch(
+                    (crossing.border, crossing.came),
+                    crossing.t / loop.period,
+                    crossing.state,
+                    level,
+                )
+            )
     return found
 
 
@@ -214,7 +244,10 @@ def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Itera
 
     passing, staying = sorted((one, other), key=stays)
     returns = len(arrivals(passing)) > len(arrivals(staying))
-    kind, name = "switching-sliding" if returns else "crossing-sliding", one.loop.field.borders[arrival.way[0]].name
+    kind, name = (
+        "switching-sliding" if returns else "crossing-sliding",
+        one.loop.field.borders[arrival.way[0]].name,
+    )
     yield from _located(kind, stays, one, other, length, name)
 
 
@@ -230,8 +263,13 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
 
 
 def _located(
-    kind: str, test: Callable[[Point], float], one: Point, other: Point, length: float, how: str = ""
-) -> Iterator[Finding]:  # fmt: skip
+    kind: str,
+    test: Callable[[Point], float],
+    one: Point,
+    other: Point,
+    length: float,
+    how: str = "",
+) -> Iterator[Finding]:
     """Where a test function is zero, by bracketing along the arc."""
     width = abs(one.value - other.value)
     try:
@@ -283,7 +321,9 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
 
 def oftener(one: Point, other: Point) -> Counter[int]:
     """How much oftener one orbit crosses each border than another."""
-    one_way, other_way = (Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other))
+    one_way, other_way = (
+        Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other)
+    )
     return one_way - other_way
 
 
@@ -298,7 +338,9 @@ def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
     for i, touch in enumerate(one):
         for k, each in enumerate(other):
             if touch.way == each.way:
-                apart = abs((touch.share - each.share + 0.5) % 1 - 0.5) + magnitude(touch.state - each.state)
+                apart = abs((touch.share - each.share + 0.5) % 1 - 0.5) + magnitude(
+                    touch.state - each.state
+                )
                 off.append((apart, i, k))
     for apart, i, k in sorted(off):
         if apart < ALIKE and i not in found and k not in found.values():
@@ -310,9 +352,13 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
     """Whether the cubic through levels and slopes of a pair comes to 0 between its ends, which have one sign."""
     from scipy.interpolate import CubicHermiteSpline
 
-    cubic = CubicHermiteSpline([0.0, 1.0], [one.level, other.level], [length * one.slope, length * other.slope])
+    cubic = CubicHermiteSpline(
+        [0.0, 1.0], [one.level, other.level], [length * one.slope, length * other.slope]
+    )
     lowest = float((np.sign(one.level) * cubic(np.linspace(0.0, 1.0, 41))).min())
-    return lowest < min(0.1 * abs(one.level - other.level), 0.5 * abs(one.level), 0.5 * abs(other.level))
+    return lowest < min(
+        0.1 * abs(one.level - other.level), 0.5 * abs(one.level), 0.5 * abs(other.level)
+    )
 
 
 def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tuple[Point, Touch]]:
@@ -321,7 +367,8 @@ def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tup
     return [
         (near, touch)
         for touch in near.touches
-        if id(touch) not in kept and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
+        if id(touch) not in kept
+        and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
     ]
 
 
@@ -343,12 +390,18 @@ def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Loop:
         guess = loop.guess
 
 
-def touching(border: int, _: Setting, near: Loop, target: FloatArray, level: float = 0.0) -> Conditions:
+def touching(
+    border: int, _: Setting, near: Loop, target: FloatArray, level: float = 0.0
+) -> Conditions:
     """A border has a level, of rate zero, at the first state, in the mode of a target near there."""
     mode = near.mode(target[: near.field.size])
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        both, begin, size = partial(level_and_rate, loop, border, mode), loop.states.size + 1, loop.field.size
+        both, begin, size = (
+            partial(level_and_rate, loop, border, mode),
+            loop.states.size + 1,
+            loop.field.size,
+        )
         place = np.append(loop.state, loop.guess.varied)
         slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]

@@ -95,9 +95,14 @@ class Lyapunov(Result):
 
 
 def lyapunov(
-    p: ParameterSet, *, V: float | None = None, d: float | None = None, start: Any = None, t_end: float = 4000.0,
+    p: ParameterSet,
+    *,
+    V: float | None = None,
+    d: float | None = None,
+    start: Any = None,
+    t_end: float = 4000.0,
     backend: str | None = None,
-) -> Lyapunov:  # fmt: skip
+) -> Lyapunov:
     """The Lyapunov exponents of a motion with their errors, and what they prove.
 
     The first half of the motion is left out. Where the motion comes to an equilibrium or to a cycle, the eigenvalues or
@@ -153,14 +158,24 @@ def lyapunov(
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     verdict = judged(system, state, times=(t_end,))
     if verdict.decided:
-        with suppress(ConvergenceError):  # an attractor that Newton's method does not find again decides nothing
+        with suppress(
+            ConvergenceError
+        ):  # an attractor that Newton's method does not find again decides nothing
             kind, limit, _ = settled(system, verdict)
             why = f"it comes to {verdict.told()}"
     return Lyapunov(
-        late.exponents[order], late.error[order], zero[order], late.trivial,
-        float(late.volumes.sum() / late.span), np.asarray(t_end - late.span + times),
-        (np.cumsum(late.logs, axis=0) / times[:, None])[:, order], kind, why, limit, late.end,
-    )  # fmt: skip
+        late.exponents[order],
+        late.error[order],
+        zero[order],
+        late.trivial,
+        float(late.volumes.sum() / late.span),
+        np.asarray(t_end - late.span + times),
+        (np.cumsum(late.logs, axis=0) / times[:, None])[:, order],
+        kind,
+        why,
+        limit,
+        late.end,
+    )
 
 
 @dataclass(frozen=True)
@@ -180,14 +195,19 @@ class Rates:
     def after(self, begin: int) -> Rates:
         """Those of the stretches from one on."""
         left = self.logs[begin:]
-        return Rates(left, self.volumes[begin:], len(left) * self.stretch, self.flow[begin:], self.end)
+        return Rates(
+            left, self.volumes[begin:], len(left) * self.stretch, self.flow[begin:], self.end
+        )
 
     def joined(self, later: Rates) -> Rates:
         """With what follows."""
         return Rates(
-            np.vstack([self.logs, later.logs]), np.append(self.volumes, later.volumes), self.span + later.span,
-            np.append(self.flow, later.flow[1:]), later.end,
-        )  # fmt: skip
+            np.vstack([self.logs, later.logs]),
+            np.append(self.volumes, later.volumes),
+            self.span + later.span,
+            np.append(self.flow, later.flow[1:]),
+            later.end,
+        )
 
     @property
     def stretch(self) -> float:
@@ -280,9 +300,13 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
     if not np.isfinite(flow).all():
-        raise ParameterError(f"start = {state.tolist()}: the motion is not defined there; start anywhere else")
+        raise ParameterError(
+            f"start = {state.tolist()}: the motion is not defined there; start anywhere else"
+        )
 
-    def carried(state: FloatArray, frame: FloatArray, span: float) -> tuple[FloatArray, FloatArray, FloatArray, float]:
+    def carried(
+        state: FloatArray, frame: FloatArray, span: float
+    ) -> tuple[FloatArray, FloatArray, FloatArray, float]:
         """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
         flow = rate(field, state, constants)
         passage = system.flow.fly(state, constants, span)
@@ -290,18 +314,24 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         if norm(flow) > STILL:  # the flow is carried into itself
             ahead[:, 0] = rate(field, passage.state, constants) / norm(flow)
         norms = np.linalg.norm(ahead, axis=0)
-        order = np.argsort(norms <= LOST * norms.max(), kind="stable")  # what has ended spans nothing, and comes last
+        order = np.argsort(
+            norms <= LOST * norms.max(), kind="stable"
+        )  # what has ended spans nothing, and comes last
         back = np.argsort(order)
         turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))
         lost = sizes <= LOST * sizes.max()
         met = (state, *(crossing.state for crossing in passage.crossings))
-        if not lost.any() or (lost.sum() == 1 and any(field.stays(system.mode(each)) for each in met)):
+        if not lost.any() or (
+            lost.sum() == 1 and any(field.stays(system.mode(each)) for each in met)
+        ):
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
             volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
             return passage.state, turned[:, back], np.log(sizes[back]), volume
         if span < stretch / 2**HALVINGS:
-            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff")
+            raise ConvergenceError(
+                f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff"
+            )
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)
         return end, frame, first + second, shrunk + more

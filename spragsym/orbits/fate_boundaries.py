@@ -27,7 +27,18 @@ from .branch import cycle_branch
 from .events import MERGES
 from .finding import cycle_at, returns
 from .orbit import distance, same_cycle
-from .system import JUDGED, PARTED, TOLERANCES, Saddle, System, Verdict, growth_of_cycle, judged, saddle_near, surely
+from .system import (
+    JUDGED,
+    PARTED,
+    TOLERANCES,
+    Saddle,
+    System,
+    Verdict,
+    growth_of_cycle,
+    judged,
+    saddle_near,
+    surely,
+)
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
 LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
@@ -109,9 +120,15 @@ class FateBoundary(Result):
 
 
 def fate_boundary(
-    p: ParameterSet, *, vary: str, bracket: tuple[float, float], V: float | None = None, d: float | None = None,
-    start: Any = None, backend: str | None = None,
-) -> FateBoundary:  # fmt: skip
+    p: ParameterSet,
+    *,
+    vary: str,
+    bracket: tuple[float, float],
+    V: float | None = None,
+    d: float | None = None,
+    start: Any = None,
+    backend: str | None = None,
+) -> FateBoundary:
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
 
     Bisection on the attractors that the motion comes to, which are proved by Newton's method and their eigenvalues or
@@ -181,7 +198,10 @@ def fate_boundary(
     ends = asked.ask(low), asked.ask(high)  # with what has turned out to be one attractor
     if not found and ends[0].label == ends[1].label >= 0:
         raise asked.no_change(*ends)
-    why = "; ".join(dict.fromkeys(found)) or f"{asked.told(*ends)}; give values at which the motion settles"
+    why = (
+        "; ".join(dict.fromkeys(found))
+        or f"{asked.told(*ends)}; give values at which the motion settles"
+    )
     raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {why}")
 
 
@@ -215,8 +235,12 @@ class _Asked:
             if (before.value, before.way) == (value, way):
                 return before
         if sum(each.verdict.t for each in self.known) > LONGEST:
-            raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
-        with doing("the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)):
+            raise _TooLong(
+                f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket"
+            )
+        with doing(
+            "the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)
+        ):
             verdict = judged(self.at(value), self.start + way[1], rtol=way[0])
         found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
@@ -226,11 +250,15 @@ class _Asked:
         """A fate, or an undecided one where rounding decides it."""
         if fate.label >= 0:
             verdict = surely(
-                self.at(fate.value), self.start, fate.verdict,
+                self.at(fate.value),
+                self.start,
+                fate.verdict,
                 # whatever labels they have: two may turn out to be one later
-                lambda beside: same_limit(fate.verdict.outcome, beside.outcome, self.system.field.around)
-                or self._label(fate.value, beside) == fate.label,
-            )  # fmt: skip
+                lambda beside: (
+                    same_limit(fate.verdict.outcome, beside.outcome, self.system.field.around)
+                    or self._label(fate.value, beside) == fate.label
+                ),
+            )
             if not verdict.decided:
                 self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
         return fate
@@ -241,7 +269,9 @@ class _Asked:
         To follow an attractor in vain takes seconds: only the likeliest is, and not any more after some failures.
         """
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
-        nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
+        nearest = {
+            each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))
+        }
         for label, each in nearest.items():
             if same_limit(each.verdict.outcome, verdict.outcome, self.system.field.around):
                 return label
@@ -270,26 +300,38 @@ class _Asked:
 
     def merge(self, one: int, other: int) -> None:
         """Two attractors have turned out to be one."""
-        self.known[:] = [replace(each, label=one) if each.label == other else each for each in self.known]
+        self.known[:] = [
+            replace(each, label=one) if each.label == other else each for each in self.known
+        ]
 
     def change(self, low: float, high: float) -> tuple[_Fate, _Fate] | None:
         """Two values that differ in their fates, if they still do, or the first such neighbours between."""
         ends = self.ask(low), self.ask(high)
         if ends[0].label != ends[1].label:
             return ends
-        return next((pair for pair in self.changes() if low <= pair[0].value and pair[1].value <= high), None)
+        return next(
+            (pair for pair in self.changes() if low <= pair[0].value and pair[1].value <= high),
+            None,
+        )
 
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
         """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
         decided = [each for each in self.known if each.label >= 0 and each.way == ROUGH]
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
-        yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
+        yield from sorted(
+            pairs,
+            key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known),
+        )
 
     def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
         """Error: both ends of the bracket have one fate."""
         other = next((each for each in self.known if each.label not in (-1, low.label)), None)
         one, another = low.verdict.told(), high.verdict.told()
-        ends = f"{one} at both ends" if one == another else f"{one} at one end and to {another} at the other"
+        ends = (
+            f"{one} at both ends"
+            if one == another
+            else f"{one} at one end and to {another} at the other"
+        )
         return ParameterError(
             f"bracket = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is one attractor"
             + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
@@ -298,7 +340,10 @@ class _Asked:
 
     def told(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
-        return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
+        return " and ".join(
+            f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}"
+            for each in (low, high)
+        )
 
     def inside(self, *values: float) -> list[float]:
         """Those of some values that lie in the bracket."""
@@ -327,7 +372,9 @@ class _Bracket:
     @property
     def sides(self) -> list[bool | None]:
         """Whether the fate is ``kept`` at either value; None where it is undecided."""
-        return [each.label == self.kept if each.label >= 0 else None for each in (self.low, self.high)]
+        return [
+            each.label == self.kept if each.label >= 0 else None for each in (self.low, self.high)
+        ]
 
     def narrowed(self, width: float, way: tuple[float, float] = ROUGH) -> _Bracket:
         """A narrower bracket, as far as motions are decided."""
@@ -350,7 +397,9 @@ class _Bracket:
         """The bracket found again about a value, by the tolerance and from the start of another way, narrowed."""
         half, most = max(self.width, NARROW * (1 + abs(near))), most * (1 + abs(near))
         while half < most:
-            found = replace(self, low=self.asked.ask(near - half, way), high=self.asked.ask(near + half, way))
+            found = replace(
+                self, low=self.asked.ask(near - half, way), high=self.asked.ask(near + half, way)
+            )
             if found.sides == self.sides:
                 return found.narrowed(1e-15 * (1 + abs(near)), way)
             half *= 8
@@ -411,11 +460,18 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     low, high = bracket.low, bracket.high
     wide = bracket.width > TOO_WIDE * (1 + abs(low.value))
     try:
-        met = _doubles(asked, low, high) if wide else any(
-            same(asked.followed(one, other.value), asked.attractor(other)) for one, other in ((low, high), (high, low))
-        )  # fmt: skip
+        met = (
+            _doubles(asked, low, high)
+            if wide
+            else any(
+                same(asked.followed(one, other.value), asked.attractor(other))
+                for one, other in ((low, high), (high, low))
+            )
+        )
     except ConvergenceError as why:
-        raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
+        raise ConvergenceError(
+            f"{asked.told(low, high)}, but this is no boundary of basins: {why}"
+        ) from why
     if met:
         asked.merge(low.label, high.label)
         return None
@@ -425,7 +481,9 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a margin, is its error.
     fine = bracket.anew(bracket.middle, FINE, TOO_WIDE)
     moved, value = bracket.anew(fine.middle, MOVED, FARTHEST), fine.middle
-    error = max(fine.width, moved.width) + 2 * (abs(value - bracket.middle) + abs(moved.middle - value))
+    error = max(fine.width, moved.width) + 2 * (
+        abs(value - bracket.middle) + abs(moved.middle - value)
+    )
     error += 4 * float(np.spacing(abs(value)))
     if not bracket.resolved(value, error):
         raise bracket.alternating(value, RESOLVED[-1] * error)
@@ -433,11 +491,22 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         asked.ask(place)
     kind, state, growth, distance = _saddle(bracket)
     away = [(a.value, b.value) for a, b in asked.changes() if a.value < b.value]
-    others = {(a, b) for a, b in away if b < value - error or a > value + error}  # what the error reaches is this one
+    others = {
+        (a, b) for a, b in away if b < value - error or a > value + error
+    }  # what the error reaches is this one
     return FateBoundary(
-        asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
-        np.array(sorted(others)).reshape(-1, 2), asked.system.field,
-    )  # fmt: skip
+        asked.vary,
+        value,
+        error,
+        kind,
+        state,
+        growth,
+        distance,
+        low.verdict.outcome,
+        high.verdict.outcome,
+        np.array(sorted(others)).reshape(-1, 2),
+        asked.system.field,
+    )
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
@@ -448,13 +517,21 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
     try:
         single, double = asked.attractor(short), asked.attractor(long)
         # Beyond where the other one is, since the range tells how long steps are as well.
-        bounds = (low.value, asked.known[-1].value) if long is low else (asked.known[0].value, high.value)
+        bounds = (
+            (low.value, asked.known[-1].value)
+            if long is low
+            else (asked.known[0].value, high.value)
+        )
         assert single.orbit
         assert double.orbit
         branch = cycle_branch(double.orbit, asked.vary, bounds, points=FOLLOWED)
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):
-            if end.how == MERGES and low.value < end.value < high.value and branch.stable[between].all():
+            if (
+                end.how == MERGES
+                and low.value < end.value < high.value
+                and branch.stable[between].all()
+            ):
                 met = followed_cycle(single.orbit, asked.at(end.value).values)
                 return same_cycle(met, end.cycle)
     except ConvergenceError:
@@ -466,11 +543,19 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
     asked = bracket.asked
     system, around = asked.at(bracket.middle), asked.system.field.around
-    one, other = (asked.at(each.value).motion(asked.start, JUDGED[0], rtol=FINE[0]) for each in (bracket.low, bracket.high))
+    one, other = (
+        asked.at(each.value).motion(asked.start, JUDGED[0], rtol=FINE[0])
+        for each in (bracket.low, bracket.high)
+    )
     times = np.linspace(0.0, JUDGED[0], int(10 * JUDGED[0]) + 1)
     parted = times[np.abs(one(times) - other(times)).max(axis=0) > PARTED]
-    hovering = system.flow.plain(asked.start, system.constants, float(parted.min(initial=JUDGED[0])))
-    states = np.array([turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0] or [hovering.state])
+    hovering = system.flow.plain(
+        asked.start, system.constants, float(parted.min(initial=JUDGED[0]))
+    )
+    states = np.array(
+        [turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0]
+        or [hovering.state]
+    )
     rests: dict[float, Saddle] = {}
     for state in states:
         with suppress(ConvergenceError):

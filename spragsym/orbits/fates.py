@@ -88,9 +88,14 @@ class Fate(Result):
 
 
 def fate(
-    p: ParameterSet, *, V: float | None = None, d: float | None = None, start: Any = None, t_end: float = 40_000.0,
+    p: ParameterSet,
+    *,
+    V: float | None = None,
+    d: float | None = None,
+    start: Any = None,
+    t_end: float = 40_000.0,
     backend: str | None = None,
-) -> Fate:  # fmt: skip
+) -> Fate:
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
     An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers decide. Where none is found, the
@@ -156,27 +161,50 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
         why = f"it comes to {verdict.told()}"
         try:
             kind, known, error = settled(system, verdict)
-            trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
-            return Fate(kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
+            trivial = (
+                int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
+            )
+            return Fate(
+                kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end
+            )
         except ConvergenceError as failed:
-            return _untold(system, f"{why}, which Newton's method does not find again: {failed}", verdict.t, scale, verdict.end)
+            return _untold(
+                system,
+                f"{why}, which Newton's method does not find again: {failed}",
+                verdict.t,
+                scale,
+                verdict.end,
+            )
     rates = rates_along(system, verdict.end, SHARES[0] * t_end)
-    if rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
+    if (
+        rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any()
+    ):  # others are no chaos, however long
         rates = rates.joined(rates_along(system, rates.end, SHARES[1] * t_end))
     why, near = rates.undecided(t_end) or _transient(system, start, t_end), ""
     if why:
         why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
         if scale < np.inf:
-            where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, place, strict=False))
+            where = ", ".join(
+                f"{name} = {value:.6g}"
+                for name, value in zip(system.field.coordinates, place, strict=False)
+            )
             why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
-    lasting = (BESIDE + 1) * t_end / 3  # none of so many has settled: with 95 %, the mean life is above a third of their time
+    lasting = (
+        (BESIDE + 1) * t_end / 3
+    )  # none of so many has settled: with 95 %, the mean life is above a third of their time
     told = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
     )
-    kind, exponents, error = "undecided" if why else "chaotic", rates.exponents[rates.order], rates.error[rates.order]
+    kind, exponents, error = (
+        "undecided" if why else "chaotic",
+        rates.exponents[rates.order],
+        rates.error[rates.order],
+    )
     t = verdict.t + rates.span
-    return Fate(kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end)
+    return Fate(
+        kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end
+    )
 
 
 def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
@@ -210,7 +238,13 @@ def _near(system: System, end: FloatArray) -> str:
     except ConvergenceError:
         return "no cycle"
     repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + NEUTRAL).any())
-    word = "stable" if found.stable else "unstable" if repels else "neither stable nor unstable by its multipliers"
+    word = (
+        "stable"
+        if found.stable
+        else "unstable"
+        if repels
+        else "neither stable nor unstable by its multipliers"
+    )
     return f"a cycle of period {found.period:.6g}, {word}, {distance(found, end):.2g} away"
 
 
@@ -268,27 +302,51 @@ class FateMap(Result):
 
     def count(self) -> dict[str, int]:
         """How many points are of each kind."""
-        return {kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind)) for kind in Kind}
+        return {
+            kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind))
+            for kind in Kind
+        }
 
     @property
     def _explained(self) -> dict[str, tuple[str, str]]:
-        return {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
+        return {
+            **self.model.quantities,
+            "t": (self.model.quantities["t"][0], "how long the motion was followed"),
+        }
 
     def _attributes(self) -> dict[str, Any]:
-        begin = {f"{name}0": value for name, value in zip(self.model.components, self.start, strict=True)}
+        begin = {
+            f"{name}0": value for name, value in zip(self.model.components, self.start, strict=True)
+        }
         settings = {"t_end": self.t_end, "backend": self.backend}
         key = fingerprint(self.model, self.inputs, {"start": self.start, **settings}, "orbits")
-        return {**storage.provenance(), "model": self.model.name, **begin, **settings, "fingerprint": key}
+        return {
+            **storage.provenance(),
+            "model": self.model.name,
+            **begin,
+            **settings,
+            "fingerprint": key,
+        }
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        columns = with_degrees(self.model, self.inputs) | {name: getattr(self, name) for name in (*MEASURED, "why")}
+        columns = with_degrees(self.model, self.inputs) | {
+            name: getattr(self, name) for name in (*MEASURED, "why")
+        }
         return {name: np.broadcast_to(values, self.kind.shape) for name, values in columns.items()}
 
 
 def fate_map(
-    p: ParameterSet, *, V: Any = None, d: Any = None, start: Any = None, t_end: float = 40_000.0,
-    backend: str | None = None, workers: Workers = 1, progress: bool = False, store: str | os.PathLike[str] | None = None,
-) -> FateMap:  # fmt: skip
+    p: ParameterSet,
+    *,
+    V: Any = None,
+    d: Any = None,
+    start: Any = None,
+    t_end: float = 40_000.0,
+    backend: str | None = None,
+    workers: Workers = 1,
+    progress: bool = False,
+    store: str | os.PathLike[str] | None = None,
+) -> FateMap:
     """What the motion from one start comes to, at every point of a broadcast of parameters.
 
     Parameters
@@ -330,9 +388,10 @@ def fate_map(
     p = p.given(V=V, d=d)
     inputs = {name: getattr(p, name) for name in p.ranges}
     settings = {
-        "start": tuple(state_of(model, start).tolist()), "t_end": as_number("t_end", t_end, POSITIVE),
+        "start": tuple(state_of(model, start).tolist()),
+        "t_end": as_number("t_end", t_end, POSITIVE),
         "backend": integrators.choose(backend, integrators.OF_ANY_MODEL),
-    }  # fmt: skip
+    }
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
     work, made = partial(_records, model, settings), partial(_made, model, inputs, settings)
@@ -340,22 +399,32 @@ def fate_map(
     return made_or_loaded(inputs, work, made, MEASURED, "why", key, workers, progress, store)
 
 
-def _records(model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
+def _records(
+    model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
+) -> list[Record]:
     """The record of one point, which is a task of its own; undecided with the reason where no motion begins there."""
     (values,) = points
     try:
-        found = fate(model.Parameters(**dict(zip(model.parameters, values, strict=True))), **settings)
+        found = fate(
+            model.Parameters(**dict(zip(model.parameters, values, strict=True))), **settings
+        )
     except (ParameterError, ArithmeticError) as error:
         return [([], f"{UNFOLLOWED}: {error}")]
     kind = Kind[found.kind.upper().replace("-", "_")]
     which = 1 if found.trivial == 0 else 0
     largest, width = float(found.exponents[which]), float(found.error[which])
-    return [([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)]
+    return [
+        ([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)
+    ]
 
 
 def _made(
-    model: Model, inputs: dict[str, FloatArray], settings: Mapping[str, Any], columns: dict[str, Any], _: object
-) -> FateMap:  # fmt: skip
+    model: Model,
+    inputs: dict[str, FloatArray],
+    settings: Mapping[str, Any],
+    columns: dict[str, Any],
+    _: object,
+) -> FateMap:
     """The map of these columns."""
     columns["kind"] = np.nan_to_num(columns["kind"], nan=Kind.UNDECIDED).astype(np.int8)
     return FateMap(inputs, **settings, **columns, model=model)

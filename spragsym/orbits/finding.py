@@ -57,9 +57,17 @@ MET, TRIALS, FARTHEST = 1e-3, 20, 2.0
 
 
 def cycle(
-    p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None,
-    backend: str | None = None, patient: bool = True, onset: Onsets | None = None, index: int = 0, amplitude: float | None = None,
-) -> Cycle:  # fmt: skip
+    p: ParameterSet | None = None,
+    near: Any = None,
+    *,
+    V: float | None = None,
+    d: float | None = None,
+    backend: str | None = None,
+    patient: bool = True,
+    onset: Onsets | None = None,
+    index: int = 0,
+    amplitude: float | None = None,
+) -> Cycle:
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
 
     Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose contact and overtake the belt as
@@ -115,7 +123,9 @@ def cycle(
     """
     if onset is not None:
         if p is not None or near is not None:
-            raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
+            raise ParameterTypeError(
+                "an onset knows its parameters and its state; leave out p and near, or the onset"
+            )
         require_kind("onset", onset, Onsets, "a result of ss.flutter_onsets(...)")
         return born_at(onset, index, amplitude, backend)
     if p is None:
@@ -133,7 +143,9 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     looks = None if patient or approached else 1
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     if not np.isfinite(rate(field, start, system.constants)).all():
-        raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
+        raise ParameterError(
+            f"near = {start.tolist()}: the motion is not defined there; give another state"
+        )
     try:
         for time in () if approached else LOOKED_AT[:looks]:
             passage = flow.plain(start, system.constants, time, loose=True)
@@ -161,8 +173,15 @@ def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
 
 def _steep(system: System) -> str:
     """What may be too much for an integrator."""
-    value, name = max((abs(value), name) for name, value in zip(system.field.parameters, system.values, strict=True))
-    return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
+    value, name = max(
+        (abs(value), name)
+        for name, value in zip(system.field.parameters, system.values, strict=True)
+    )
+    return (
+        f"; {name} = {value:g} is larger than it can carry: give a smaller one"
+        if value > STEEP
+        else ""
+    )
 
 
 def _towards(flow: Flow, known: Guess, values: Values, halvings: int = 6) -> Loop:
@@ -194,7 +213,9 @@ def _rests(loop: Loop) -> bool:
 def _state(field: Field, near: Any) -> FloatArray:
     state = np.zeros(field.size) if near is None else as_numbers("near", near)
     if state.shape != (field.size,):
-        raise ParameterError(f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle")
+        raise ParameterError(
+            f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle"
+        )
     return state
 
 
@@ -203,13 +224,17 @@ def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
     around = system.field.around
     for begin, end in [pair for row in (0, -1, None) for pair in returns(turns, around, row)]:
         with suppress(ConvergenceError):
-            loop = _from_guess(system.flow, Guess(begin.state[None], end.t - begin.t, system.values))
+            loop = _from_guess(
+                system.flow, Guess(begin.state[None], end.t - begin.t, system.values)
+            )
             if not _rests(loop):
                 return loop
     return None
 
 
-def returns(turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None) -> list[tuple[Turn, Turn]]:
+def returns(
+    turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None
+) -> list[tuple[Turn, Turn]]:
     """Pairs of alike states, largest in x: of each number of rounds the nearest, or the first one (0), or the last one (−1).
 
     One counts only if it is twice as near as those of fewer rounds that count. Those come first that are the nearest, times
@@ -217,7 +242,10 @@ def returns(turns: Sequence[Turn], around: tuple[int, ...], row: int | None = No
     """
     turns = [turn for turn in turns if turn.border == -1]
     highest, found, best = [turn for turn in turns if turn.direction < 0], [], 2 * FAR
-    states, scale = np.array([turn.state for turn in highest]), np.ptp([turn.state for turn in turns] or np.zeros((1, 1)), axis=0)
+    states, scale = (
+        np.array([turn.state for turn in highest]),
+        np.ptp([turn.state for turn in turns] or np.zeros((1, 1)), axis=0),
+    )
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     for rounds in range(1, min(len(highest), ROUNDS)):
         off = np.abs(apart(states[rounds:], states[:-rounds], around) / scale).max(axis=1)
@@ -231,7 +259,9 @@ def returns(turns: Sequence[Turn], around: tuple[int, ...], row: int | None = No
 def _from_guess(flow: Flow, guess: Guess) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
     loop = split(flow, guess)
-    return solved(flow, loop.guess, across(loop), reach=0.5 * extent(loop) if loop.turns() else np.inf)
+    return solved(
+        flow, loop.guess, across(loop), reach=0.5 * extent(loop) if loop.turns() else np.inf
+    )
 
 
 def stands_still(system: System, state: FloatArray) -> str:
@@ -268,7 +298,11 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     """
     if not len(onsets):
         raise ParameterError("there are no onsets; search where there is one to begin from")
-    row, model, vary = as_count("index", index, 0, len(onsets) - 1), onsets.parameters.model, onsets.vary[0]
+    row, model, vary = (
+        as_count("index", index, 0, len(onsets) - 1),
+        onsets.parameters.model,
+        onsets.vary[0],
+    )
     form = onsets.normal_forms[row]
     if isinstance(form, str):
         raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
@@ -278,9 +312,13 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     given, state, radius = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
     flow = Flow.of(model.field, backend)
     try:
-        form = normal_form(model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed")
+        form = normal_form(
+            model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed"
+        )
     except Undecided as reason:
-        raise ConvergenceError(f"the motion has no generic Hopf point beside the onset: {reason}") from reason
+        raise ConvergenceError(
+            f"the motion has no generic Hopf point beside the onset: {reason}"
+        ) from reason
     most = int(np.abs(form.q[: len(state)]).argmax())
     size = float(np.abs(form.q[most]))
     border, reach = _first_border(model, given, state, form)
@@ -296,15 +334,21 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
         try:
             found = _along(flow, given, state, place, form, z)
         except ConvergenceError as error:
-            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}") from error
+            raise ConvergenceError(
+                f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}"
+            ) from error
         reached = float(np.ptp(found.samples.states[most])) / 2
         if amplitude is None or abs(reached / asked - 1) < MET:
             return found
         z *= min(max(asked / reached, 1 / FARTHEST), FARTHEST)
-    raise ConvergenceError(f"no cycle of the amplitude {asked:g} was found: the last one has {reached:.6g}; {remedy}")
+    raise ConvergenceError(
+        f"no cycle of the amplitude {asked:g} was found: the last one has {reached:.6g}; {remedy}"
+    )
 
 
-def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float) -> Cycle:
+def _along(
+    flow: Flow, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float
+) -> Cycle:
     """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first order."""
     n = len(state)
     known = abs(form.lyapunov) > form.lyapunov_error
@@ -324,13 +368,15 @@ def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: N
         wide[:, : 2 * n] = measure.real, measure.imag
         return np.array([seen.real - wanted, seen.imag]), wide
 
-    guess = split(flow, Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()), (place,))).guess
+    guess = split(
+        flow, Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()), (place,))
+    ).guess
     return cycle_of(solved(flow, guess, conditions, reach=4 * z))
 
 
 def _of_the_motion(
     model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm
-) -> tuple[FloatArray, FloatArray, float]:  # fmt: skip
+) -> tuple[FloatArray, FloatArray, float]:
     """Parameters and coordinates at the Hopf point of the motion itself, and how well they are known, by Newton's method."""
     field, n = model.field, len(state)
 
@@ -359,7 +405,9 @@ def _of_the_motion(
     return there, found[:n], 4 * max(width, AROUND * scale)
 
 
-def _first_border(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> tuple[str, float]:
+def _first_border(
+    model: Model, given: FloatArray, state: FloatArray, form: NormalForm
+) -> tuple[str, float]:
     """The border that gap or sliding speed would come to first, and the |z| at which they do, to first order; none, infinity."""
     field = model.field
     constants, rest = field.constants(given.tolist()), np.append(state, np.zeros(len(state)))

@@ -121,7 +121,9 @@ class Cycle(Result):
         own = self.field
         if own is not field and not (own.where and own.where == field.where):
             one, other = (each.name.partition(":")[0] for each in (own, field))
-            raise ParameterTypeError(f"{name} is a cycle of {one}, not of {other}; give one of the same model")
+            raise ParameterTypeError(
+                f"{name} is a cycle of {one}, not of {other}; give one of the same model"
+            )
 
     @property
     def values(self) -> tuple[float, ...]:
@@ -153,11 +155,16 @@ class Cycle(Result):
     @cached_property
     def forces(self) -> dict[str, tuple[float, float]]:
         """Least and largest of every force of the model: of its contact, and of its springs, ``spring_force_1``, … of several."""
-        return {name: _range(self.samples, force, self.loop.constants) for name, force in self.field.forces}
+        return {
+            name: _range(self.samples, force, self.loop.constants)
+            for name, force in self.field.forces
+        }
 
     def _force(self, name: str) -> tuple[float, float]:
         if name not in self.forces:
-            raise ParameterError(f"{name} is no force of this model, which has {', '.join(self.forces) or 'none'}; see forces")
+            raise ParameterError(
+                f"{name} is no force of this model, which has {', '.join(self.forces) or 'none'}; see forces"
+            )
         return self.forces[name]
 
     @cached_property
@@ -174,16 +181,23 @@ class Cycle(Result):
         """An ``xarray.Dataset``: the samples of one period, with everything else as attributes (extra ``sweep``)."""
         dataset = self.trajectory().to_dataset()
         dataset.attrs |= {
-            "cycle_period": self.period, "cycle_stable": int(self.stable), "cycle_error": self.error,
-            "cycle_residual": self.residual, "cycle_multipliers_real": self.multipliers.real,
-            "cycle_multipliers_imaginary": self.multipliers.imag, "cycle_rms": self.rms, "cycle_mean": self.mean,
-        }  # fmt: skip
+            "cycle_period": self.period,
+            "cycle_stable": int(self.stable),
+            "cycle_error": self.error,
+            "cycle_residual": self.residual,
+            "cycle_multipliers_real": self.multipliers.real,
+            "cycle_multipliers_imaginary": self.multipliers.imag,
+            "cycle_rms": self.rms,
+            "cycle_mean": self.mean,
+        }
         return dataset
 
     def _save_columns(self, path: Path) -> None:
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
         motion = self.trajectory()
-        storage.write(path, self.to_dataset, motion.data(), motion._attributes(), motion.model.quantities)
+        storage.write(
+            path, self.to_dataset, motion.data(), motion._attributes(), motion.model.quantities
+        )
 
     def __repr__(self) -> str:
         return (
@@ -209,18 +223,29 @@ def cycle_of(loop: Loop) -> Cycle:
         )
     (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
     return Cycle(
-        period=loop.period, state=loop.state.copy(), multipliers=found.values, multiplier_errors=found.errors,
-        stable=is_stable(loop), error=max(error_of(loop, difference(loop)), lost), residual=loop.missed,
+        period=loop.period,
+        state=loop.state.copy(),
+        multipliers=found.values,
+        multiplier_errors=found.errors,
+        stable=is_stable(loop),
+        error=max(error_of(loop, difference(loop)), lost),
+        residual=loop.missed,
         events=events_of(loop.field, loop.crossings()),
-        rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=loop.flow.backend,
+        rms=rms,
+        mean=mean,
+        amplitude=(highest - lowest) / 2,
+        backend=loop.flow.backend,
         loop=loop,
-    )  # fmt: skip
+    )
 
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """Whether two cycles at the same values of the parameters are one."""
     size = max(one.amplitude, other.amplitude)
-    if abs(one.period / other.period - 1) >= ALIKE or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= ALIKE * size:
+    if (
+        abs(one.period / other.period - 1) >= ALIKE
+        or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= ALIKE * size
+    ):
         return False
     return distance(one, other.state) < ON * size
 
@@ -282,7 +307,10 @@ def range_of(loop: Loop) -> tuple[float, float]:
     """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in a state only."""
     if loop.winding:
         return -math.pi, math.pi
-    values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.states[:, 0].tolist()]
+    values = [
+        *(float(turn.state[0]) for turn in loop.turns() if turn.border == -1),
+        *loop.states[:, 0].tolist(),
+    ]
     return min(values), max(values)
 
 
@@ -291,7 +319,9 @@ def refined(loop: Loop, begin: float) -> Loop:
     cut: Guess | None = recut(loop, len(loop.states), begin)
     while cut:
         try:
-            found = solved(loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
+            found = solved(
+                loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS
+            )
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
             found = looped(loop.flow, cut)
             if found.missed > OPEN:
@@ -311,6 +341,8 @@ def _top(loop: Loop) -> float:
 def _range(samples: PiecewisePolynomial, force: Any, constants: Values) -> tuple[float, float]:
     """Least and largest value, at a sample or where the values turn between two."""
     values = force(samples.states, constants)
-    rates = PiecewisePolynomial(samples.t, PiecewisePolynomial(samples.t, values[None]).slopes(0)[None])
+    rates = PiecewisePolynomial(
+        samples.t, PiecewisePolynomial(samples.t, values[None]).slopes(0)[None]
+    )
     values = np.append(values, force(samples(rates.zeros()), constants))
     return float(values.min()), float(values.max())

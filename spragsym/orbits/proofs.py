@@ -69,7 +69,9 @@ class CycleProof(Result):
         ``digits`` are significant ones; by default as many as are proved. A multiplier's imaginary part has a row of its own.
         """
         told = {
-            f"state_{i + 1}": around(value, self.error, digits) if value else Decimal("0", "0")  # the section is exactly x' = 0
+            f"state_{i + 1}": around(value, self.error, digits)
+            if value
+            else Decimal("0", "0")  # the section is exactly x' = 0
             for i, value in enumerate(self.state)
         }
         if self.proved:
@@ -83,8 +85,16 @@ class CycleProof(Result):
     def as_table(self) -> Table:
         """The decimals, a row each."""
         verdict = {True: "stable", False: "unstable", None: "stability open"}[self.stable]
-        title = f"CycleProof, proved, {verdict}" if self.proved else f"CycleProof, not proved: {self.reason}"
-        return Table(title, ("", "value", "error"), tuple((name, *each) for name, each in self.decimals().items()))
+        title = (
+            f"CycleProof, proved, {verdict}"
+            if self.proved
+            else f"CycleProof, not proved: {self.reason}"
+        )
+        return Table(
+            title,
+            ("", "value", "error"),
+            tuple((name, *each) for name, each in self.decimals().items()),
+        )
 
 
 def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENCE) -> CycleProof:
@@ -124,7 +134,9 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
         raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
     digits = as_count("digits", digits, 10, 200)
     if not cycle.field.where:
-        return _unproved(cycle, "the field of this cycle can't be made again in the process that proves")
+        return _unproved(
+            cycle, "the field of this cycle can't be made again in the process that proves"
+        )
     found = _run(claim_of(cycle, digits), patience)
     if not found["proved"]:
         return _unproved(cycle, found["reason"])
@@ -134,13 +146,23 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
 def proof_of(cycle: Cycle, found: dict[str, Any]) -> CycleProof:
     """What was proved, every bit of it, from what the process says."""
     multipliers = tuple(
-        (mpmath.mp.make_mpc((_binary(real)._mpf_, _binary(imaginary)._mpf_)), float_above(Fraction(radius)))
+        (
+            mpmath.mp.make_mpc((_binary(real)._mpf_, _binary(imaginary)._mpf_)),
+            float_above(Fraction(radius)),
+        )
         for real, imaginary, radius in found["multipliers"]
     )
     return CycleProof(
-        True, "", 10.0 ** -found["digits"], float_above(Fraction(found["error"])), tuple(map(_binary, found["state"])),
-        _binary(found["period"]), multipliers, found["stable"], cycle.values,
-    )  # fmt: skip
+        True,
+        "",
+        10.0 ** -found["digits"],
+        float_above(Fraction(found["error"])),
+        tuple(map(_binary, found["state"])),
+        _binary(found["period"]),
+        multipliers,
+        found["stable"],
+        cycle.values,
+    )
 
 
 def _binary(text: str) -> mpmath.mpf:
@@ -149,7 +171,9 @@ def _binary(text: str) -> mpmath.mpf:
 
 
 def _unproved(cycle: Cycle, reason: str) -> CycleProof:
-    return CycleProof(False, reason, float("nan"), float("nan"), (), mpmath.nan, (), None, cycle.values)
+    return CycleProof(
+        False, reason, float("nan"), float("nan"), (), mpmath.nan, (), None, cycle.values
+    )
 
 
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
@@ -158,10 +182,14 @@ def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
     flow = cycle.loop.rate(cycle.state)
     slopes = np.column_stack([np.delete(cycle.loop.monodromy - np.eye(m), n, axis=1), flow])
     return {
-        "field": cycle.field.where, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
-        "digits": digits, "slopes": slopes.tolist(),
+        "field": cycle.field.where,
+        "values": list(cycle.values),
+        "state": cycle.state.tolist(),
+        "period": cycle.period,
+        "digits": digits,
+        "slopes": slopes.tolist(),
         "crossings": [[crossing.t, crossing.border] for crossing in cycle.loop.crossings()],
-    }  # fmt: skip
+    }
 
 
 def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
@@ -170,10 +198,21 @@ def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
     try:
         # What it says may hold paths, in an encoding that only it knows.
         done = subprocess.run(
-            call, input=json.dumps(claim), capture_output=True, text=True, errors="replace", timeout=patience, check=False
+            call,
+            input=json.dumps(claim),
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=patience,
+            check=False,
         )
     except subprocess.TimeoutExpired:
-        return {"proved": False, "reason": f"it was given up after {patience:g} s; give a larger patience or fewer digits"}
+        return {
+            "proved": False,
+            "reason": f"it was given up after {patience:g} s; give a larger patience or fewer digits",
+        }
     if done.returncode:
-        raise ConvergenceError(f"the proof stopped: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}")
+        raise ConvergenceError(
+            f"the proof stopped: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}"
+        )
     return json.loads(done.stdout)

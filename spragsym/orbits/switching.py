@@ -11,7 +11,17 @@ from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, extent, solved
 from ..numerics.vectors import magnitude, norm
-from .arclength import SURE, Point, Setting, at_zero, corrected, directions, fixed, point_of, turning
+from .arclength import (
+    SURE,
+    Point,
+    Setting,
+    at_zero,
+    corrected,
+    directions,
+    fixed,
+    point_of,
+    turning,
+)
 from .events import MERGES
 from .orbit import Cycle, cycle_of
 
@@ -30,7 +40,9 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     """The cycle of :meth:`CycleBranch.switch`."""
     cycle = event.cycle
     if event not in branch.events:
-        raise ParameterError(f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events")
+        raise ParameterError(
+            f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events"
+        )
     step = as_number("step", step, POSITIVE)
     if not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
         raise ParameterError(
@@ -67,9 +79,20 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     It is of unit size in the first state; ``crossed`` is the branch's direction, where a tangent can't be computed.
     """
     setting, guess = point.setting, point.loop.guess
-    loop = setting.looped(Guess(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values))
-    known, size, weights = point.tangent if crossed is None else crossed, guess.states.size, setting.weights(loop)
-    along = np.concatenate([*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]) * weights
+    loop = setting.looped(
+        Guess(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values)
+    )
+    known, size, weights = (
+        point.tangent if crossed is None else crossed,
+        guess.states.size,
+        setting.weights(loop),
+    )
+    along = (
+        np.concatenate(
+            [*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]
+        )
+        * weights
+    )
     along = along / norm(along)
     plane = directions(setting, loop)[1][-2:]
     plane = plane - np.outer(plane @ along, along)
@@ -115,7 +138,11 @@ def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
     """
     kind, setting, a, b = "period_doubling", one.setting, one.loop.guess, other.loop.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
-    guess = Guess((states[:half] + states[half:]) / 2, ((1 - share) * a.period + share * b.period) / 2, a.values)
+    guess = Guess(
+        (states[:half] + states[half:]) / 2,
+        ((1 - share) * a.period + share * b.period) / 2,
+        a.values,
+    )
     guess = guess.at(setting.free[0], one.value + share * (other.value - one.value))
     try:
         near = fixed(setting, setting.looped(guess))
@@ -127,5 +154,9 @@ def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
     if not norm(loop.states - guess.states) < reach:
         return None
     there = point_of(setting, loop)
-    steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)
-    return loop, unsure(loop, kind) * abs(turning(there) / steepness) + 1e-15 * (1 + abs(there.value))
+    steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(
+        1.0, SURE * unsure(near, kind) / CLOSED
+    )
+    return loop, unsure(loop, kind) * abs(turning(there) / steepness) + 1e-15 * (
+        1 + abs(there.value)
+    )

@@ -68,12 +68,17 @@ class System:
         self.field.check(vary, value)
         return replace(
             self,
-            values=tuple(value if name == vary else own for name, own in zip(self.field.parameters, self.values, strict=True)),
+            values=tuple(
+                value if name == vary else own
+                for name, own in zip(self.field.parameters, self.values, strict=True)
+            ),
         )
 
     def motion(self, start: FloatArray, t_end: float, **options: Any) -> Trajectory:
         """The motion from a state."""
-        return motion_of(self.field, self.values, start, t_end, backend=self.flow.backend, **options)
+        return motion_of(
+            self.field, self.values, start, t_end, backend=self.flow.backend, **options
+        )
 
     def mode(self, state: FloatArray) -> Mode:
         """The mode of a state."""
@@ -120,7 +125,9 @@ class Verdict:
         return limit + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
 
 
-def judged(system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12) -> Verdict:
+def judged(
+    system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12
+) -> Verdict:
     """What the motion from a state comes to, looked at later and later as long as that is undecided."""
     state, begun = start, 0.0
     for t_end in times:
@@ -132,7 +139,9 @@ def judged(system: System, start: FloatArray, *, times: Sequence[float] = JUDGED
     return verdict
 
 
-def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[[Verdict], bool]) -> Verdict:
+def surely(
+    system: System, start: FloatArray, verdict: Verdict, alike: Callable[[Verdict], bool]
+) -> Verdict:
     """A verdict, or an undecided one where rounding decides it.
 
     That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
@@ -145,7 +154,9 @@ def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[
     if not magnitude(one - other) > PARTED:
         return verdict
     for i in range(BESIDE + 1):
-        beside = judged(system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1])
+        beside = judged(
+            system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1]
+        )
         if not beside.decided:  # it may only take longer
             later = judged(system, beside.end)
             beside = replace(later, t=beside.t + later.t)
@@ -215,7 +226,9 @@ class Rest:
 
     def started(self, system: System, state: FloatArray, index: int, span: float) -> Point:
         """An equilibrium of a system as a point from which it is followed in one parameter."""
-        setting = Setting(replace(system.flow, other=self.fly), (index,), 1.0, (span,), _of_one_time)
+        setting = Setting(
+            replace(system.flow, other=self.fly), (index,), 1.0, (span,), _of_one_time
+        )
         return started(setting, Guess(state[None], 1.0, system.values))
 
     def at(self, state: FloatArray, constants: Values) -> tuple[list[float], Values, Mode]:
@@ -225,14 +238,21 @@ class Rest:
         kept = len(own) - self.field.ways
         return numbers, constants, (self.mode or own)[:kept] + own[kept:]
 
-    def fly(self, state: FloatArray, constants: Values, _: float, directions: FloatArray) -> Passage:
+    def fly(
+        self, state: FloatArray, constants: Values, _: float, directions: FloatArray
+    ) -> Passage:
         """The map with its derivatives."""
-        there, by_parameters = self.at(state, constants), np.zeros((self.field.size, len(directions)))
+        there, by_parameters = (
+            self.at(state, constants),
+            np.zeros((self.field.size, len(directions))),
+        )
         n = len(self.field.coordinates)
         try:
             force = self.field.acceleration(*there, FLOATS)
             by_state = np.eye(self.field.size) + self.field.matrix(*there)
-            by_parameters[n:] = np.array(self.field.by_parameters(*there, FLOATS), dtype=float) @ directions.T
+            by_parameters[n:] = (
+                np.array(self.field.by_parameters(*there, FLOATS), dtype=float) @ directions.T
+            )
         except ArithmeticError as error:
             raise ConvergenceError("there is no motion") from error
         return Passage(state + np.append(state[n:], force), by_state, by_parameters, (), ())
@@ -245,13 +265,17 @@ class Rest:
     def pairs(self, point: Point) -> float:
         """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
         pairs = combinations(self.eigenvalues(point), 2)
-        return float(math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real)
+        return float(
+            math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real
+        )
 
     def inside(self, point: Point) -> bool:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
         state, constants, mode = self.at(point.loop.state, point.loop.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
-        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
+        return all(
+            border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks
+        )
 
 
 def _of_one_time(_: Setting, near: Loop, __: FloatArray) -> Conditions:

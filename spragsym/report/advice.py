@@ -55,7 +55,10 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
         return
     length = 1e3 * study.values["L_0"]
     for current, where in ((True, ""), (False, " in another state")):
-        deepest = max((-state.places.get("y_mm", 0.0) for state in found if state.current == current), default=0.0)
+        deepest = max(
+            (-state.places.get("y_mm", 0.0) for state in found if state.current == current),
+            default=0.0,
+        )
         if deepest > DEEP * length:
             yield f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of L_0: check F_L and k_c"
 
@@ -119,7 +122,11 @@ def of_data(study: Study) -> Iterator[str]:
         yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
     if belt in study.values and abs(speed := study.values[belt]) > FAST:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
-    if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
+    if (
+        angle is not None
+        and angle.unit in ("deg", "°", "degree", "degrees")
+        and math.degrees(angle.value) < FLAT
+    ):
         number = f"{study.in_file('theta0', angle.value):g}"
         yield f"theta0 = {study.shown('theta0')} looks like radians; write {number} rad if that is meant"
     length = study.values.get("L_0", 1.0)
@@ -146,7 +153,10 @@ MOST, NAMED = 5, 4
 
 def next_steps(report: Report) -> Rows:
     """Verb and object of each step, the most useful first, the command to go on with last."""
-    study, steps = report.study, [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)]
+    study, steps = (
+        report.study,
+        [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)],
+    )
     command = f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it move"
     run = [("run", command)] if study.source else []
     yield from (*steps[: MOST - len(run)], *run)
@@ -157,10 +167,19 @@ def _changes(report: Report) -> Rows:
     if study.rise is None and study.kind.rises:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
     for one in report.redesign[:1]:
-        values = " and ".join(f"{name} from {study.shown(name, old)} to {study.shown(name, one.after[name])}"
-                              for name, old in one.before.items())  # fmt: skip
-        then = "it does not jump" if math.isnan(one.jump_at) else f"it jumps at {study.amount(one.jump_at)}"
-        yield "change", f"{values}: then {then}{', proved for all tolerances' if one.outcome == 'proved' else ''}"
+        values = " and ".join(
+            f"{name} from {study.shown(name, old)} to {study.shown(name, one.after[name])}"
+            for name, old in one.before.items()
+        )
+        then = (
+            "it does not jump"
+            if math.isnan(one.jump_at)
+            else f"it jumps at {study.amount(one.jump_at)}"
+        )
+        yield (
+            "change",
+            f"{values}: then {then}{', proved for all tolerances' if one.outcome == 'proved' else ''}",
+        )
     if report.needed and not report.redesign:
         yield (
             "allow",
@@ -172,7 +191,10 @@ def _ranges(report: Report) -> Rows:
     study, jump, odds = report.study, report.jump_at, report.probability
     low, _, high = study.working
     if jump is not None and low < jump <= high and low < high:
-        yield "narrow", f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less than {study.amount(jump)}"
+        yield (
+            "narrow",
+            f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less than {study.amount(jump)}",
+        )
         return
     # The largest total index stands first.
     for name, (_, total, _) in [*(odds.sobol if odds and odds.probability else {}).items()][:1]:
@@ -185,18 +207,31 @@ def _measurements(report: Report) -> Rows:
     study, here = report.study, report.current
     missing = [name for name in study.kind.of_the_law if name not in study.quantities]
     if missing:
-        write = " and ".join(f'{name} = "{example_of(name, study.kind.units[name])}"' for name in missing)
-        yield "measure", f"{' and '.join(missing)}, and add {write}: then its motion is followed too"
+        write = " and ".join(
+            f'{name} = "{example_of(name, study.kind.units[name])}"' for name in missing
+        )
+        yield (
+            "measure",
+            f"{' and '.join(missing)}, and add {write}: then its motion is followed too",
+        )
     elif here is not None and here.settles is None:
         at = " and ".join(f"{frequency:.4g} Hz" for frequency in here.frequencies_hz)
-        yield "measure", f"the damping of the real brake{f' at {at}' if at else ''}: the model has next to none"
+        yield (
+            "measure",
+            f"the damping of the real brake{f' at {at}' if at else ''}: the model has next to none",
+        )
     elif here is not None and not here.settles and study.belt and study.source:
         command = f"spragsym bifurcation --data {shlex.quote(study.source)} --vary {study.belt}"
         yield "find", f"the {study.belt} at which sliding becomes stable: {command}"
-    exact = [name for name in deciding(study) if not study.quantities[name].varies and study.values[name]]
+    exact = [
+        name for name in deciding(study) if not study.quantities[name].varies and study.values[name]
+    ]
     if exact:
         more = f" and {len(exact) - NAMED} more" if len(exact) > NAMED else ""
-        yield "measure", f"how far {', '.join(exact[:NAMED])}{more} may be off: without a tolerance they are taken as exact"
+        yield (
+            "measure",
+            f"how far {', '.join(exact[:NAMED])}{more} may be off: without a tolerance they are taken as exact",
+        )
 
 
 def _other_state(report: Report) -> Rows:

@@ -40,7 +40,17 @@ _TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0":
 #: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those of the examples.
 _FASTEST = 10.0
 #: Keys of a file that are no quantities.
-_KEYS = ("friction", "correlation", "model", "vary", "begin", "state", "may_change", "title", "date")
+_KEYS = (
+    "friction",
+    "correlation",
+    "model",
+    "vary",
+    "begin",
+    "state",
+    "may_change",
+    "title",
+    "date",
+)
 
 
 def read_brake(path: FilePath, trust: bool | str = False) -> Study:
@@ -54,7 +64,10 @@ def read_brake(path: FilePath, trust: bool | str = False) -> Study:
     ``trust`` says whether the code of a model's folder may run that the file names, or the one folder whose code may. Every
     mistake is a ParameterError that names the file, the line, the key, the value and what to write.
     """
-    return _Reader(os.fspath(path), text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")).read(trust)
+    return _Reader(
+        os.fspath(path),
+        text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±"),
+    ).read(trust)
 
 
 def example_of(key: str, unit: str) -> str:
@@ -70,7 +83,11 @@ class _Reader:
 
     def of(self, key: str, pattern: str = r"""\s*(?:brake\s*\.\s*)?["']?{}["']?\s*=""") -> str:
         """The line of a key."""
-        found = (number for number, line in enumerate(self.lines, 1) if re.match(pattern.format(re.escape(key)), line))
+        found = (
+            number
+            for number, line in enumerate(self.lines, 1)
+            if re.match(pattern.format(re.escape(key)), line)
+        )
         number = next(found, None)
         return f"{self.path}, line {number}" if number else self.path
 
@@ -98,18 +115,26 @@ class _Reader:
                 if key not in kind.units:
                     known = [*kind.units, *_KEYS]
                     remark = hint(key, known) or f"; the keys are {', '.join(known)}"
-                    raise ParameterError(f"{key} = {value!r} is not a quantity of the model {model}{remark}")
+                    raise ParameterError(
+                        f"{key} = {value!r} is not a quantity of the model {model}{remark}"
+                    )
                 found[key] = _quantity(key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
         missing = [key for key in kind.units if key not in found and key not in kind.of_the_law]
         if missing:
             wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
-            raise ParameterError(f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
+            raise ParameterError(
+                f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}"
+            )
         study = Study.of(
-            quantities={key: found[key] for key in kind.units if key in found}, model=model, source=Path(self.path).name, fit=fit,
-            title=str(own["title"] or ""), date=str(own["date"] or ""),
-        )  # fmt: skip
+            quantities={key: found[key] for key in kind.units if key in found},
+            model=model,
+            source=Path(self.path).name,
+            fit=fit,
+            title=str(own["title"] or ""),
+            date=str(own["date"] or ""),
+        )
         with self.at("correlation"):
             study.correlation = _correlation(own["correlation"], study)
         with self.at("state"):
@@ -123,17 +148,26 @@ class _Reader:
     def _table(self) -> dict[str, Any]:
         try:
             content = tomllib.loads(self.text)
-        except (ValueError, RecursionError) as error:  # TOML that is none, and numbers that are too long
+        except (
+            ValueError,
+            RecursionError,
+        ) as error:  # TOML that is none, and numbers that are too long
             raise ParameterError(self._syntax(str(error))) from error
         if not content:
-            raise ParameterError(f"{self.path} is empty: [brake] is missing; begin with a line [brake]")
+            raise ParameterError(
+                f"{self.path} is empty: [brake] is missing; begin with a line [brake]"
+            )
         other = next((name for name in content if name != "brake"), "brake")
         table, held = content.get("brake"), content[other]
         if isinstance(table, dict) and other == "brake":
             return table
         where = self.table(other) if isinstance(held, dict) else self.of(other)
-        missing = "" if isinstance(table, dict) else f", and [brake] is missing{hint(other, ['brake'])}"
-        raise ParameterError(f"{where}: {other!r} does not belong here{missing}; all keys go below one line [brake]")
+        missing = (
+            "" if isinstance(table, dict) else f", and [brake] is missing{hint(other, ['brake'])}"
+        )
+        raise ParameterError(
+            f"{where}: {other!r} does not belong here{missing}; all keys go below one line [brake]"
+        )
 
     def _syntax(self, message: str) -> str:
         """What tomllib says, with the line before it and how a line is written."""
@@ -156,14 +190,22 @@ class _Reader:
             if key in found:
                 raise ParameterError(f"{key} is given too; leave out one of the two")
         fit = fit_friction(*read_friction(Path(self.path).parent / given))
-        found |= {"mu0": _fitted(fit.mu0, fit.mu0_error, ""), "d": _fitted(fit.d, fit.d_error, "s/m")}
+        found |= {
+            "mu0": _fitted(fit.mu0, fit.mu0_error, ""),
+            "d": _fitted(fit.d, fit.d_error, "s/m"),
+        }
         return fit
 
 
 def _model(name: Any, trust: bool | str) -> str:
     if not isinstance(name, str):
         raise ParameterError(f'{name!r} is no name; write model = "kang_nam"')
-    if name not in shipped() and trust is not True and trust != name and os.path.isdir(name[:4096].replace("\0", "")):
+    if (
+        name not in shipped()
+        and trust is not True
+        and trust != name
+        and os.path.isdir(name[:4096].replace("\0", ""))
+    ):
         cure = f"if you trust it, give --trust or --model {name}, in Python trust=True"
         raise ParameterError(f"{name!r} is a folder, whose code runs; {cure}")
     quantities(name)
@@ -172,10 +214,17 @@ def _model(name: Any, trust: bool | str) -> str:
 
 def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
     example = _EXAMPLES.get(key, "")
-    if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
+    if (
+        unit == "1"
+        and isinstance(given, list)
+        and len(given) == 2
+        and all(type(end) in (int, float) for end in given)
+    ):
         given = f"[{given[0]!r}, {given[1]!r}]"
     if isinstance(given, bool) or not isinstance(given, str | int | float):
-        raise ParameterError(f"{key} = {given!r} is neither text nor a number; write {remedy(unit, allowed, example)}")
+        raise ParameterError(
+            f"{key} = {given!r} is neither text nor a number; write {remedy(unit, allowed, example)}"
+        )
     try:
         return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
     except ParameterError as error:
@@ -185,14 +234,26 @@ def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
 def _correlation(given: Any, study: Study) -> Correlation:
     """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
     fit, rows = study.fit, given if isinstance(given, list) else [] if given is None else [given]
-    rows = [*rows, ["mu0", "d", fit.correlation]] if fit is not None and {"mu0", "d"} <= set(study.tolerances) else rows
+    rows = (
+        [*rows, ["mu0", "d", fit.correlation]]
+        if fit is not None and {"mu0", "d"} <= set(study.tolerances)
+        else rows
+    )
     for row in rows:
-        if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
+        if not (
+            isinstance(row, list)
+            and len(row) == 3
+            and all(isinstance(name, str) for name in row[:2])
+        ):
             cure = 'write correlation = [["k", "k_x", 0.9]]'
-            raise ParameterError(f"correlation = {given!r} is no list of two names and a number each; {cure}")
+            raise ParameterError(
+                f"correlation = {given!r} is no list of two names and a number each; {cure}"
+            )
     found = {(one, other): value for one, other, value in rows}
     if len(set(map(frozenset, found))) < len(rows):
-        raise ParameterError(f"correlation = {given!r} has a pair twice, or that of the measured file; keep one of them")
+        raise ParameterError(
+            f"correlation = {given!r} has a pair twice, or that of the measured file; keep one of them"
+        )
     dependence(list(study.tolerances), found)
     return found
 
@@ -200,8 +261,12 @@ def _correlation(given: Any, study: Study) -> Correlation:
 def _state(given: Any, kind: Quantities) -> Numbers:
     units = kind.coordinates
     if not isinstance(given, dict) or not set(given) <= set(units):
-        example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
-        raise ParameterError(f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
+        example = ", ".join(
+            f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items()
+        )
+        raise ParameterError(
+            f"state = {given!r} does not name coordinates; write state = {{ {example} }}"
+        )
     return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
 
 
@@ -209,7 +274,10 @@ def _may_change(given: Any, kind: Quantities) -> Ranges:
     if not isinstance(given, dict) or not set(given) <= set(kind.units):
         cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
         raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
-    ends = {name: _quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
+    ends = {
+        name: _quantity(name, text, kind.units[name], kind.ranges()[name])
+        for name, text in given.items()
+    }
     return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
 
 
@@ -225,7 +293,9 @@ def _rise(vary: Any, begin: Any, study: Study) -> Rise | None:
 def _fitted(value: float, error: float, unit: str) -> Measured:
     """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0 else."""
     cut = error == 0 or value <= WITHIN * error
-    return Measured(value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, cut)
+    return Measured(
+        value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, cut
+    )
 
 
 def example(model: Model) -> str:
@@ -240,14 +310,19 @@ def example(model: Model) -> str:
     kind, (_, p) = quantities(model.where), model.cases()[0]
     sizes = {name: _SIZES.get(unit, 1.0) for name, unit in kind.bases.items()}
     values = sizes | {
-        quantity: float(getattr(p, name)) * kind.scale(kind.units[quantity], sizes) for quantity, name in kind.parameters.items()
+        quantity: float(getattr(p, name)) * kind.scale(kind.units[quantity], sizes)
+        for quantity, name in kind.parameters.items()
     }
     given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > _FASTEST else ("m/s^2",)
 
     def written(name: str, value: float) -> str:
         si = kind.units[name]
         unit = PLAIN_UNITS.get(si, si)
-        return example_of(name, si) if si in given else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
+        return (
+            example_of(name, si)
+            if si in given
+            else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
+        )
 
     rises, lines = kind.rises, []
     for name in kind.units:
@@ -258,27 +333,71 @@ def example(model: Model) -> str:
     if rises is not None:
         least = kind.ranges()[rises]
         lines.append(f'vary = "{rises}"')
-        lines += [] if least.contains(least.low) else [f'begin = "{written(rises, 0.5 * values[rises])}"']
+        lines += (
+            []
+            if least.contains(least.low)
+            else [f'begin = "{written(rises, 0.5 * values[rises])}"']
+        )
     where = Path(model.where).as_posix()
-    return "\n".join([f"# {kind.about['summary']}", "[brake]", f"model = {json.dumps(where, ensure_ascii=False)}", *lines]) + "\n"
+    return (
+        "\n".join(
+            [
+                f"# {kind.about['summary']}",
+                "[brake]",
+                f"model = {json.dumps(where, ensure_ascii=False)}",
+                *lines,
+            ]
+        )
+        + "\n"
+    )
 
 
 #: Names of the two columns, in small letters without hyphens; a name that is not here is that of another column.
 SPEED = frozenset(
     (
-        "v", "v rel", "v s", "v slip", "vrel", "vel", "velocity", "speed", "sliding speed", "sliding velocity", "slip speed",
-        "slip velocity", "relative speed", "relative velocity", "geschwindigkeit", "gleitgeschwindigkeit",
-        "relativgeschwindigkeit", "vitesse", "vitesse de glissement", "velocidad",
+        "v",
+        "v rel",
+        "v s",
+        "v slip",
+        "vrel",
+        "vel",
+        "velocity",
+        "speed",
+        "sliding speed",
+        "sliding velocity",
+        "slip speed",
+        "slip velocity",
+        "relative speed",
+        "relative velocity",
+        "geschwindigkeit",
+        "gleitgeschwindigkeit",
+        "relativgeschwindigkeit",
+        "vitesse",
+        "vitesse de glissement",
+        "velocidad",
     )
-)  # fmt: skip
+)
 FRICTION = frozenset(
     (
-        "mu", "mu k", "muk", "mue",
-        "friction", "friction coefficient", "coefficient of friction", "friction coeff", "coefficient", "cof",
-        "reibwert", "reibzahl", "reibungszahl", "reibungskoeffizient", "reibkoeffizient", "frottement",
+        "mu",
+        "mu k",
+        "muk",
+        "mue",
+        "friction",
+        "friction coefficient",
+        "coefficient of friction",
+        "friction coeff",
+        "coefficient",
+        "cof",
+        "reibwert",
+        "reibzahl",
+        "reibungszahl",
+        "reibungskoeffizient",
+        "reibkoeffizient",
+        "frottement",
         "coefficient de frottement",
     )
-)  # fmt: skip
+)
 #: Characters between columns; blanks last.
 _BETWEEN = (";", "\t", ",", "|", " ")
 _COMMENT = ("#", "%", "//")
@@ -315,9 +434,15 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     """
     text = text_of(path, MEASURED, "a text file with sliding speed and coefficient").splitlines()
     stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
-    lines = [(number, line) for number, line in stripped if line.strip() and not line.strip().startswith(_COMMENT)]
+    lines = [
+        (number, line)
+        for number, line in stripped
+        if line.strip() and not line.strip().startswith(_COMMENT)
+    ]
     if len(lines) > _LINES:
-        raise ParameterError(f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so")
+        raise ParameterError(
+            f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so"
+        )
     found, failures = set[tuple[Span, ...]](), list[_RefusedError]()
     said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
     for between in (said[1],) if said else _BETWEEN:
@@ -326,7 +451,9 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         except _RefusedError as error:
             failures.append(error)
     if len(found) > 1:
-        raise ParameterError(f"{path} may be read in two ways; put semicolons between the columns, and nowhere else")
+        raise ParameterError(
+            f"{path} may be read in two ways; put semicolons between the columns, and nowhere else"
+        )
     if not found:
         reason, line, _ = max((one.args for one in failures), key=lambda one: one[2])
         raise ParameterError(f"{path}{f', line {line}' if line else ''}: {reason}")
@@ -334,19 +461,27 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     speed, friction = np.abs([*zip(*rows, strict=True)] or [(), ()])
     if len(set(speed[speed > 0].tolist())) < 2:
         few = f"{path} has {len(rows)} measurements"
-        raise ParameterError(f"{few}; at least two at different sliding speeds are needed to fit mu0 and d")
+        raise ParameterError(
+            f"{few}; at least two at different sliding speeds are needed to fit mu0 and d"
+        )
     if not ((speed == 0) | ((speed > _SLOWEST) & (speed < 1 / _SLOWEST))).all():
         ends = f"{speed.min():g} to {speed.max():g} m/s"
-        raise ParameterError(f"{path}: no sliding speeds are from {ends}; look at the unit in the head")
+        raise ParameterError(
+            f"{path}: no sliding speeds are from {ends}; look at the unit in the head"
+        )
     if not friction.any():
-        raise ParameterError(f"{path}: all coefficients are 0; without friction there is nothing to fit, so give mu0 = 0 and d")
+        raise ParameterError(
+            f"{path}: all coefficients are 0; without friction there is nothing to fit, so give mu0 = 0 and d"
+        )
     return speed, friction
 
 
 def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
     """Speed in m/s and coefficient of every line, if columns stand between these characters."""
     if not lines:
-        raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0)
+        raise _RefusedError(
+            f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0
+        )
     cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
     # Above the head may stand what a test rig says of itself.
     words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
@@ -356,39 +491,63 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
         said = "this is no head: it does not say which column is which, and in what unit"
         raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", number, 3)
     units = [""] * len(names)
-    if data and len(data[0][1]) == len(names) and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", "")):
+    if (
+        data
+        and len(data[0][1]) == len(names)
+        and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", ""))
+    ):
         units, data = [cell.strip("[]()") for cell in data[0][1]], data[1:]
-    speed, friction = _column(names, units, SPEED, "m/s", number), _column(names, units, FRICTION, "1", number)
+    speed, friction = (
+        _column(names, units, SPEED, "m/s", number),
+        _column(names, units, FRICTION, "1", number),
+    )
     used = []
     for number, row in data:
         if len(row) < len(names) or any(row[len(names) :]):
             said = f"{texts[number]!r} has {len(row)} columns, and the head has {len(names)}"
-            raise _RefusedError(f"{said}; give every column a name, and put semicolons between them", number, 3)
+            raise _RefusedError(
+                f"{said}; give every column a name, and put semicolons between them", number, 3
+            )
         used += [row[speed[0]], row[friction[0]]]
         for cell in used[-2:]:
             if not _NUMBER.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
                 said = f"{texts[number]!r} is not a sliding speed and a coefficient"
                 raise _RefusedError(f"{said}, such as 0.5;0.41 or 0,5;0,41", number, 4)
     marks = {mark for mark in ".," for cell in used if mark in cell}
-    if len(marks) > 1 or any(all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks):
+    if len(marks) > 1 or any(
+        all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks
+    ):
         said = "points and commas may stand before decimals or thousands; write all numbers with a decimal point"
         raise _RefusedError(f"{said}, such as 1500 and 1.50", data[0][0], 5)
     for number, row in data:
         at, value = (one[1] * float(row[one[0]].replace(",", ".")) for one in (speed, friction))
         if value < 0:
-            raise _RefusedError(f"{texts[number]!r}: the coefficient {value:g} is negative; give its size", number, 6)
+            raise _RefusedError(
+                f"{texts[number]!r}: the coefficient {value:g} is negative; give its size",
+                number,
+                6,
+            )
         if value > _LARGEST:
             cure = "write mu [%] in the head if it is in percent"
-            raise _RefusedError(f"{texts[number]!r}: the coefficient {value:g} is more than any brake has; {cure}", number, 6)
+            raise _RefusedError(
+                f"{texts[number]!r}: the coefficient {value:g} is more than any brake has; {cure}",
+                number,
+                6,
+            )
         yield at, value
 
 
 def _cells(line: str, between: str) -> list[str]:
     if between != " ":
         try:
-            return [_number(cell.strip(" \t\"'")) for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
+            return [
+                _number(cell.strip(" \t\"'"))
+                for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))
+            ]
         except csv.Error as error:
-            raise _RefusedError(f"a line of {len(line)} characters is too long ({error}); write one a line", 0, 0) from error
+            raise _RefusedError(
+                f"a line of {len(line)} characters is too long ({error}); write one a line", 0, 0
+            ) from error
     # Blanks in a row are one: patterns go back over each of them.
     together = re.sub(r" in (\S+)", r"[\1]", re.sub(r" (?=[\[(])", "", " ".join(line.split())))
     return [_number(cell.strip("\"'")) for cell in together.split()]
@@ -410,9 +569,15 @@ def _number(cell: str) -> str:
     return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
 
 
-def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int) -> tuple[int, float]:
+def _column(
+    names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int
+) -> tuple[int, float]:
     """Which column has one of these names, and what its unit is in SI."""
-    what, write = ("the sliding speed", "v [m/s]") if si == "m/s" else ("the friction coefficient", "mu or mu [%]")
+    what, write = (
+        ("the sliding speed", "v [m/s]")
+        if si == "m/s"
+        else ("the friction coefficient", "mu or mu [%]")
+    )
     found = [i for i, name in enumerate(names) if _word(name) in known]
     if len(found) != 1:
         several = f"is named {len(found)} times" if found else "is not among the names"
@@ -421,10 +586,16 @@ def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], s
     parts = _HEAD.fullmatch(" ".join(name.split()))
     given = parts[parts.lastindex or 0] if parts and parts.lastgroup != "name" else ""
     if given and below:
-        raise _RefusedError(f"{name!r} has a unit, and the line below gives {below!r}; give one of them", line, 2)
+        raise _RefusedError(
+            f"{name!r} has a unit, and the line below gives {below!r}; give one of them", line, 2
+        )
     unit = (given or below).strip()
     if not unit and si == "m/s":
-        raise _RefusedError(f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v [mm/s]", line, 2)
+        raise _RefusedError(
+            f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v [mm/s]",
+            line,
+            2,
+        )
     try:
         return i, factor("" if si == "1" and unit in ("-", "–", "1") else unit, si)
     except ParameterError as error:
@@ -478,7 +649,9 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     grid = np.linspace(math.log(1e-4 / moving.max()), math.log(40.0 / moving.min()), 400)
     k = int(np.argmin([best(value)[1] for value in grid]))
     ends = grid[np.clip([k - 1, k + 1], 0, grid.size - 1)]
-    found = minimize_scalar(lambda log_d: best(log_d)[1], bounds=ends, method="bounded", options={"xatol": 1e-12})
+    found = minimize_scalar(
+        lambda log_d: best(log_d)[1], bounds=ends, method="bounded", options={"xatol": 1e-12}
+    )
     d, (mu0, left) = math.exp(float(found.x)), best(float(found.x))
     spread = math.sqrt(left / max(speed.size - 2, 1))
     slopes = np.stack([shape(d), mu0 * speed * np.exp(-d * speed)], axis=1)
@@ -486,7 +659,13 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     sizes = np.sqrt(np.abs(np.diag(covariance)))
     mu0_error, d_error = (spread * sizes).tolist()
     return FrictionFit(
-        mu0, d, mu0_error, d_error,
-        correlation=float(np.clip(covariance[0, 1] / max(sizes.prod(), 1e-300), -1.0, 1.0)), rms=spread, points=speed.size,
-        slowest=float(moving.min()), fastest=float(speed.max()),
-    )  # fmt: skip
+        mu0,
+        d,
+        mu0_error,
+        d_error,
+        correlation=float(np.clip(covariance[0, 1] / max(sizes.prod(), 1e-300), -1.0, 1.0)),
+        rms=spread,
+        points=speed.size,
+        slowest=float(moving.min()),
+        fastest=float(speed.max()),
+    )

@@ -20,7 +20,17 @@ from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results import Result
 from .study import Study
-from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, samples, values_at, varied
+from .tolerances import (
+    begins_alike,
+    certificate,
+    corners,
+    counterexample,
+    effort,
+    ending,
+    samples,
+    values_at,
+    varied,
+)
 from .units import Numbers
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
@@ -77,7 +87,11 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 def distance(study: Study) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without one, or a jump."""
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
-    return float(jump_margin(design(study), scale, **study.along()).distance) if scale and study.rise else math.nan
+    return (
+        float(jump_margin(design(study), scale, **study.along()).distance)
+        if scale and study.rise
+        else math.nan
+    )
 
 
 def design(study: Study) -> Design:
@@ -85,9 +99,15 @@ def design(study: Study) -> Design:
     kind = study.kind
     works = {"mu0": float(study.at_work.mu0)} if "mu0" in kind.model.parameters else {}
     return Design(
-        study.values | works, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, study.begins,
-        study.dimensionless.followed, {study.rises.name: study.rises.quantity},
-    )  # fmt: skip
+        study.values | works,
+        kind.ranges(study.values),
+        kind.groups,
+        dict,
+        kind.model.Parameters,
+        study.begins,
+        study.dimensionless.followed,
+        {study.rises.name: study.rises.quantity},
+    )
 
 
 class _Search:
@@ -95,8 +115,12 @@ class _Search:
 
     def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.effort = study, target, effort(study)
-        self.span = {name: self._span(name) for name in study.kind.balanced if name != study.rises.quantity}
-        self.scale = {name: self._scale(name) for name, (low, high) in self.span.items() if low < high}
+        self.span = {
+            name: self._span(name) for name in study.kind.balanced if name != study.rises.quantity
+        }
+        self.scale = {
+            name: self._scale(name) for name, (low, high) in self.span.items() if low < high
+        }
         self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
         within = {name: Range(*ends, closed_high=True) for name, ends in self.span.items()}
         self.within = replace(design(study), ranges=self.allowed | within)
@@ -107,7 +131,11 @@ class _Search:
         if self.study.may_change:
             return self.study.may_change.get(name, (start, start))
         low, high = sorted((start / FACTOR, start * FACTOR))
-        return (max(low, _ANGLE), min(high, math.pi - _ANGLE)) if self.study.kind.units[name] == "rad" else (low, high)
+        return (
+            (max(low, _ANGLE), min(high, math.pi - _ANGLE))
+            if self.study.kind.units[name] == "rad"
+            else (low, high)
+        )
 
     def _scale(self, name: str) -> float:
         study, si = self.study, self.study.kind.units
@@ -115,28 +143,47 @@ class _Search:
             return study.tolerances[name]
         if si[name] == "rad":
             return _ANGLE
-        alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
+        alike = [
+            value for other, value in study.values.items() if value > 0 and si[other] == si[name]
+        ]
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
     def _keep(self, designs: Sequence[Numbers]) -> BoolArray:
         """Whether each of some designs may be, jumps at the target at the earliest, and at no corner of its tolerances."""
-        new = {i: self.study.changed(one) for i, one in enumerate(designs) if all(self._may_be(*item) for item in one.items())}
+        new = {
+            i: self.study.changed(one)
+            for i, one in enumerate(designs)
+            if all(self._may_be(*item) for item in one.items())
+        }
         for shares, target in (None, self.target), (self.corners, None):
             if new:
-                around = [one.values if shares is None else values_at(one, shares) for one in new.values()]
-                values = {name: np.concatenate([np.atleast_1d(one[name]) for one in around]) for name in self.study.values}
-                goes_on = (ending(self.study, values, target, hasty=True) == 0).reshape(len(new), -1).all(axis=1)
+                around = [
+                    one.values if shares is None else values_at(one, shares) for one in new.values()
+                ]
+                values = {
+                    name: np.concatenate([np.atleast_1d(one[name]) for one in around])
+                    for name in self.study.values
+                }
+                goes_on = (
+                    (ending(self.study, values, target, hasty=True) == 0)
+                    .reshape(len(new), -1)
+                    .all(axis=1)
+                )
                 new = dict(itertools.compress(new.items(), goes_on))
         return np.isin(np.arange(len(designs)), [*new])
 
     def singles(self) -> list[Change]:
         """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
         least = filter(None, (self._least((name,)) for name in self.scale))
-        found = [self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]]
+        found = [
+            self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]
+        ]
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
     def _distance(self, after: Numbers) -> float:
-        return math.hypot(*((value - self.study.values[name]) / self.scale[name] for name, value in after.items()))
+        return math.hypot(
+            *((value - self.study.values[name]) / self.scale[name] for name, value in after.items())
+        )
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
@@ -146,7 +193,9 @@ class _Search:
                 designs = space(design(self.study), self.scale, None)
                 start = Border(designs, self.study.rises.name, self.study.begins())
                 _, moved = start.ahead(np.zeros(len(designs.names)))
-                names = tuple(designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable")[:3])
+                names = tuple(
+                    designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable")[:3]
+                )
         except SpragsymError:
             return None
         return self._first_proved(self._least(names))
@@ -156,15 +205,31 @@ class _Search:
         study = self.study
         try:
             target = {study.rises.name: self.target}
-            after: Any = redesign(self.within, names, target, self.scale, begin=study.begins()).parameters
+            after: Any = redesign(
+                self.within, names, target, self.scale, begin=study.begins()
+            ).parameters
         except SpragsymError:
             return None
-        return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
+        return (
+            {name: float(np.clip(value, *self.span[name])) for name, value in after.items()}
+            if after
+            else None
+        )
 
     def _further(self, after: Numbers) -> Iterator[Numbers]:
         """A change where no corner of its tolerances jumps, and further ones, up to the end of what a quantity may be."""
-        before, way = self.study.values, {name: value - self.study.values[name] for name, value in after.items()}
-        left = min([(self.span[name][step > 0] - after[name]) / step for name, step in way.items() if step], default=0.0)
+        before, way = (
+            self.study.values,
+            {name: value - self.study.values[name] for name, value in after.items()},
+        )
+        left = min(
+            [
+                (self.span[name][step > 0] - after[name]) / step
+                for name, step in way.items()
+                if step
+            ],
+            default=0.0,
+        )
         left = left if len(way) == 1 else min(left, _STRETCH)
 
         def at(share: float) -> Numbers:
@@ -200,11 +265,21 @@ class _Search:
     def _printed(self, after: Numbers) -> Numbers | None:
         """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
         for further in range(4):
-            rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
+            rounded = {
+                name: _rounded(self.study, name, value, further) for name, value in after.items()
+            }
             new = self.study.changed(rounded).quantities
-            inside = all(self.allowed[name].contains(end) for name in rounded for end in (new[name].low, new[name].high))
+            inside = all(
+                self.allowed[name].contains(end)
+                for name in rounded
+                for end in (new[name].low, new[name].high)
+            )
             if inside and self._keep([rounded]).all():
-                return {name: value for name, value in rounded.items() if value != self.study.values[name]}
+                return {
+                    name: value
+                    for name, value in rounded.items()
+                    if value != self.study.values[name]
+                }
         return None
 
     def _may_be(self, name: str, value: float) -> bool:
@@ -223,11 +298,24 @@ class _Search:
             return None
         outcome = certificate(new, hasty=True).outcome
         undecided = outcome == "undecided"
-        if outcome == "refuted" or (undecided and (proof_only or counterexample(new, self.effort.many) is not None)):
+        if outcome == "refuted" or (
+            undecided and (proof_only or counterexample(new, self.effort.many) is not None)
+        ):
             return None
-        share = float(np.nanmean(ending(new, values_at(new, samples(new, self.effort.shares))))) if undecided else 0.0
+        share = (
+            float(np.nanmean(ending(new, values_at(new, samples(new, self.effort.shares)))))
+            if undecided
+            else 0.0
+        )
         before = {name: study.values[name] for name in after}
-        return Change(before, after, jump, self._distance(after), share if varied(study) else math.nan, outcome)
+        return Change(
+            before,
+            after,
+            jump,
+            self._distance(after),
+            share if varied(study) else math.nan,
+            outcome,
+        )
 
 
 def _rounded(study: Study, name: str, after: float, further: int) -> float:

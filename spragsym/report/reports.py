@@ -25,7 +25,17 @@ from ..statics.equilibria import equilibria
 from . import texts
 from .advice import FRICTION, cautions, next_steps
 from .redesigns import Change, changes, distance
-from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
+from .states import (
+    JumpPeak,
+    Oscillation,
+    State,
+    current,
+    in_units,
+    jump_peak,
+    oscillation_of,
+    others,
+    states,
+)
 from .study import Study
 from .tolerances import bracket, certificate, chance, effort, speed_for, varied
 from .units import Numbers
@@ -74,7 +84,9 @@ class Report(Result):
             law = " and ".join(study.kind.of_the_law)
             without = f", or leave {law} out for friction at full slip" if law else ""
             speed = study.shown_speed(study.values[study.belt or "V"])
-            raise ParameterError(f"{speed}: nothing slides at that speed; give the speed of the belt{without}")
+            raise ParameterError(
+                f"{speed}: nothing slides at that speed; give the speed of the belt{without}"
+            )
         self.study, self.asked, self.remarks = study, asked, list[str]()
 
     def _known(self, what: str, question: Callable[[], T]) -> T | None:
@@ -87,7 +99,10 @@ class Report(Result):
 
     def _brief(self, *reasons: object) -> str:
         """The first clause of each reason, in the units of the file."""
-        study, of = self.study, {name: quantity for quantity, name in self.study.kind.parameters.items()}
+        study, of = (
+            self.study,
+            {name: quantity for quantity, name in self.study.kind.parameters.items()},
+        )
 
         def units(name: str) -> tuple[str, float]:
             quantity = of.get(name, "")
@@ -96,7 +111,9 @@ class Report(Result):
             unit, size = study.unit_of(study.kind.units[quantity], quantity)
             return f"{quantity}/{unit}" if unit else quantity, size
 
-        told = (reason.told(units) if isinstance(reason, Remark) else str(reason) for reason in reasons)
+        told = (
+            reason.told(units) if isinstance(reason, Remark) else str(reason) for reason in reasons
+        )
         return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in told))
 
     @cached_property
@@ -104,13 +121,19 @@ class Report(Result):
         """Where the followed state jumps, as the parameter that rises; NaN where it does not."""
         study = self.study
         if study.rise is None:
-            asked = f'say which quantity rises until the state jumps, as vary = "{study.kind.rises}"'
-            self.remarks.append(f"the model has no mu0: {asked if study.kind.rises else 'no quantity moves its states'}")
+            asked = (
+                f'say which quantity rises until the state jumps, as vary = "{study.kind.rises}"'
+            )
+            self.remarks.append(
+                f"the model has no mu0: {asked if study.kind.rises else 'no quantity moves its states'}"
+            )
             return None
         along = f"the jump along {study.rise.quantity} is"
         found = self._known(along, study.jump)
         if found is not None and math.isnan(found) and study.working[2] > study.top:
-            self.remarks.append(f"{along} not known: there is none up to {study.amount(study.top)}, where the search ends")
+            self.remarks.append(
+                f"{along} not known: there is none up to {study.amount(study.top)}, where the search ends"
+            )
             return None
         return found
 
@@ -125,7 +148,9 @@ class Report(Result):
         study, at = self.study, self.study.at_work
         if "theta0" not in at.model.parameters or study.rises.name == "theta0":
             return None
-        return self._known("the jump along theta0 is", lambda: math.degrees(jump_value(at, "theta0")))
+        return self._known(
+            "the jump along theta0 is", lambda: math.degrees(jump_value(at, "theta0"))
+        )
 
     @property
     def _has_plane(self) -> bool:
@@ -136,14 +161,23 @@ class Report(Result):
         if not self._has_plane:
             return None
         found = self._known(
-            "the friction below which it jumps at no angle is", lambda: critical_friction(self.study.dimensionless)
+            "the friction below which it jumps at no angle is",
+            lambda: critical_friction(self.study.dimensionless),
         )
         if found is not None and found.kind == "undecided":
-            below = f"below a friction of {found.value:.4g} it cannot jump at any angle; above that" if found.value else ""
-            self.remarks.append(f"{below or 'whether some friction is too small for a jump at any angle'} is not decided")
+            below = (
+                f"below a friction of {found.value:.4g} it cannot jump at any angle; above that"
+                if found.value
+                else ""
+            )
+            self.remarks.append(
+                f"{below or 'whether some friction is too small for a jump at any angle'} is not decided"
+            )
             return None
         if found is not None and not found.complete:
-            self.remarks.append(f"that nothing jumps below mu_lowest is not proved: {self._brief(*found.remarks)}")
+            self.remarks.append(
+                f"that nothing jumps below mu_lowest is not proved: {self._brief(*found.remarks)}"
+            )
         return found
 
     @property
@@ -167,13 +201,20 @@ class Report(Result):
         if not self._has_plane:
             return None
         study = self.study
-        return self._known("the lowest cusp is", lambda: study.of_statics(float(cusp_friction(study.dimensionless))))
+        return self._known(
+            "the lowest cusp is",
+            lambda: study.of_statics(float(cusp_friction(study.dimensionless))),
+        )
 
     @cached_property
     def speed(self) -> float:
         """The speed of the belt in m/s above which the largest friction within the tolerances reaches the jump; else NaN."""
         jump = self.jump_at
-        return math.nan if jump is None or math.isnan(jump) or not self.study.of_friction else speed_for(self.study, jump)
+        return (
+            math.nan
+            if jump is None or math.isnan(jump) or not self.study.of_friction
+            else speed_for(self.study, jump)
+        )
 
     @property
     def reach(self) -> str:
@@ -207,7 +248,9 @@ class Report(Result):
 
     @cached_property
     def _here(self) -> Numbers | None:
-        return self._known("the state that the brake is in is", lambda: current(self.study, self._equilibria))
+        return self._known(
+            "the state that the brake is in is", lambda: current(self.study, self._equilibria)
+        )
 
     @cached_property
     def states(self) -> tuple[State, ...]:
@@ -219,7 +262,9 @@ class Report(Result):
         """Other stable states, by coordinate and unit, and where each ends as the loading parameter goes on; NaN if nowhere."""
         found = () if self._here is None else others(self.study, self._equilibria, self.states)
         if self._here is None and self.study.rise is None:
-            self.remarks.append("which state the brake is in is not known, since nothing is said to rise: name it with state")
+            self.remarks.append(
+                "which state the brake is in is not known, since nothing is said to rise: name it with state"
+            )
         if not self._equilibria.complete:
             self.remarks.append(f"states may be missing: {self._brief(*self._equilibria.remarks)}")
         return found
@@ -236,12 +281,21 @@ class Report(Result):
         p, found = study.at_work, dict[str, Points]()
         for vary in dict.fromkeys((rise.name, "theta0")):
             asked = partial(folds, p, vary)
-            if vary in p.model.parameters and (known := self._known(f"folds along {vary} are", asked)) is not None:
+            if (
+                vary in p.model.parameters
+                and (known := self._known(f"folds along {vary} are", asked)) is not None
+            ):
                 found[vary] = known
         own = found.get(rise.name)
         # Folds at more friction than any brake has do not matter.
-        if own is not None and not own.complete and (len(own.undecided) or not study.of_friction or study.top <= FRICTION):
-            self.remarks.append(f"folds along {rise.quantity} may be missing: {self._brief(*own.remarks)}")
+        if (
+            own is not None
+            and not own.complete
+            and (len(own.undecided) or not study.of_friction or study.top <= FRICTION)
+        ):
+            self.remarks.append(
+                f"folds along {rise.quantity} may be missing: {self._brief(*own.remarks)}"
+            )
         return found
 
     @cached_property
@@ -263,7 +317,10 @@ class Report(Result):
     def complete(self) -> bool:
         """Whether states and folds along the loading parameter are proved to be all there are."""
         rise = self.study.rise
-        return bool(self._equilibria.complete and (rise is None or (rise.name in self.folds and self.folds[rise.name].complete)))
+        return bool(
+            self._equilibria.complete
+            and (rise is None or (rise.name in self.folds and self.folds[rise.name].complete))
+        )
 
     @cached_property
     def peak(self) -> JumpPeak | None:
@@ -271,7 +328,9 @@ class Report(Result):
         value = self._jump
         if not (self.asked.oscillation and self.study.moves) or value is None or math.isnan(value):
             return None
-        return self._known("the jump as a motion is", lambda: jump_peak(self.study, value, self.speed))
+        return self._known(
+            "the jump as a motion is", lambda: jump_peak(self.study, value, self.speed)
+        )
 
     @cached_property
     def oscillation(self) -> Oscillation | None:
@@ -287,7 +346,9 @@ class Report(Result):
         """What is proved of all brakes within the tolerances, if it was asked."""
         if not self.asked.probability or self.study.rise is None:
             return None
-        return self._known("whether nothing within the tolerances jumps is", lambda: certificate(self.study))
+        return self._known(
+            "whether nothing within the tolerances jumps is", lambda: certificate(self.study)
+        )
 
     @property
     def within(self) -> str:
@@ -336,11 +397,17 @@ class Report(Result):
     def needed(self) -> bool:
         """Whether changes were looked for."""
         study, jump = self.study, self.jump_at
-        if not self.asked.redesign or jump is None or not (jump < self.target or self.hits or self.within == "refuted"):
+        if (
+            not self.asked.redesign
+            or jump is None
+            or not (jump < self.target or self.hits or self.within == "refuted")
+        ):
             return False
         plain = not study.of_friction or study.kind.law["at_rest"] == "mu0"
         if not plain:
-            self.remarks.append("changes are not looked for: statics of this model does not take mu0 itself for the friction")
+            self.remarks.append(
+                "changes are not looked for: statics of this model does not take mu0 itself for the friction"
+            )
         if not self.target > 0:
             times = f"{self.asked.safety:g} times {study.named(study.working[2])}"
             self.remarks.append(f"changes are not looked for: {times} does not lie beyond it")
@@ -377,7 +444,11 @@ class Report(Result):
     @property
     def margin_percent(self) -> float | None:
         """By how much the jump lies beyond the largest value within the tolerances."""
-        return None if self.jump_at is None else texts.percent_beyond(self.jump_at, self.study.working[2])
+        return (
+            None
+            if self.jump_at is None
+            else texts.percent_beyond(self.jump_at, self.study.working[2])
+        )
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -394,9 +465,12 @@ class Report(Result):
         """Title and date, as the file gives them, the file, its model, and the version of spragsym."""
         study = self.study
         return {
-            "title": study.title, "date": study.date, "file": study.source, "model": f"model {study.kind.about['name']}",
+            "title": study.title,
+            "date": study.date,
+            "file": study.source,
+            "model": f"model {study.kind.about['name']}",
             "version": f"spragsym {__version__}",
-        }  # fmt: skip
+        }
 
     @property
     def next_steps(self) -> tuple[str, ...]:
@@ -423,10 +497,16 @@ class Report(Result):
 
     def as_table(self) -> Table:
         """The rows of its text."""
-        return Table(self.verdict, ("", "value"), tuple(row for _, rows in texts.sections(self) for row in rows))
+        return Table(
+            self.verdict,
+            ("", "value"),
+            tuple(row for _, rows in texts.sections(self) for row in rows),
+        )
 
     def _for_file(self) -> Report:
-        raise ParameterError("path: a report is computed anew from its study; write to_html(path), or json.dumps(to_dict())")
+        raise ParameterError(
+            "path: a report is computed anew from its study; write to_html(path), or json.dumps(to_dict())"
+        )
 
     def table_values(self) -> texts.Json:
         """It has no columns."""

@@ -42,9 +42,12 @@ _FALLS, _GROWS = 0.99, 2.0
 _FAR = (1.5, 0.5)
 #: What a motion comes to.
 _COMES_TO = {
-    Regime.EQUILIBRIUM: "rest", Regime.APPROACHES_EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle",
-    Regime.APPROACHES_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off",
-}  # fmt: skip
+    Regime.EQUILIBRIUM: "rest",
+    Regime.APPROACHES_EQUILIBRIUM: "rest",
+    Regime.LIMIT_CYCLE: "cycle",
+    Regime.APPROACHES_CYCLE: "cycle",
+    Regime.LIFT_OFF: "lift-off",
+}
 
 #: Of the only inclined spring a number, of several their numbers by name, and of none None.
 OfSprings: TypeAlias = float | Numbers | None
@@ -81,7 +84,11 @@ class State(Named):
     def settles(self) -> bool | None:
         """Whether a small disturbance dies out."""
         least = min(self.damping_ratio, default=math.inf)
-        return None if self.statics == "stable" and (self.growth_per_s == 0 or abs(least) < NEUTRAL) else self.stable
+        return (
+            None
+            if self.statics == "stable" and (self.growth_per_s == 0 or abs(least) < NEUTRAL)
+            else self.stable
+        )
 
 
 @dataclass(frozen=True)
@@ -144,7 +151,9 @@ class Oscillation(Result):
     @property
     def lifts_off(self) -> bool:
         """Whether the contact opens."""
-        return self.kind == "lift-off" or (self.contact_force_N is not None and self.contact_force_N[0] == 0)
+        return self.kind == "lift-off" or (
+            self.contact_force_N is not None and self.contact_force_N[0] == 0
+        )
 
 
 def unit_of(study: Study, name: str = "") -> tuple[str, float]:
@@ -181,13 +190,19 @@ def _extremes(p: Any, states: FloatArray) -> Ranges:
 def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
     """Every state of ``eq``, in contact at the friction that works, in its order; the one that is ``here`` is ``current``."""
     places = _places(eq)
-    off = [max(abs(value - here[name]) for name, value in place.items()) if here else math.inf for place in places]
+    off = [
+        max(abs(value - here[name]) for name, value in place.items()) if here else math.inf
+        for place in places
+    ]
     return tuple(
-        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < SAME) for slot, place in enumerate(places)
+        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < SAME)
+        for slot, place in enumerate(places)
     )
 
 
-def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[Numbers, float | None], ...]:
+def others(
+    study: Study, eq: Equilibria, known: Sequence[State]
+) -> tuple[tuple[Numbers, float | None], ...]:
     """Other stable states of ``eq``, as they are known, than the current one: each place in units, and the loading parameter
     where it ends, NaN where it does not, None where that is not known."""
     at, rise, found = study.at_work, study.rise, []
@@ -197,7 +212,11 @@ def others(study: Study, eq: Equilibria, known: Sequence[State]) -> tuple[tuple[
         end = None
         if rise is not None:
             with suppress(SpragsymError):
-                end = study.told(float(jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
+                end = study.told(
+                    float(
+                        jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])
+                    )
+                )
         found.append((state.places, end))
     return tuple(found)
 
@@ -207,12 +226,17 @@ def current(study: Study, eq: Equilibria) -> Numbers | None:
     if study.rise is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
     (value,), begin = study.at_work.scalars(study.rise.name), study.begins()
-    path = quasi_static_path(study.at_work, study.rise.name, [begin, value] if value > begin else [begin])
+    path = quasi_static_path(
+        study.at_work, study.rise.name, [begin, value] if value > begin else [begin]
+    )
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
 def _places(eq: Equilibria) -> list[Numbers]:
-    return [{name: float(column[slot]) for name, column in eq.coordinates.items()} for slot in range(int(eq.count))]
+    return [
+        {name: float(column[slot]) for name, column in eq.coordinates.items()}
+        for slot in range(int(eq.count))
+    ]
 
 
 def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: bool) -> State:
@@ -221,7 +245,9 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     def of(names: Iterable[str], scale: float) -> Any:
         return _of_springs(study, [scale * float(getattr(eq, name)[slot]) for name in names])
 
-    where = [name for name in forces.columns_of(model) if name not in place]  # direction and length of each spring in turn
+    where = [
+        name for name in forces.columns_of(model) if name not in place
+    ]  # direction and length of each spring in turn
     told = forces.told_of(model)
     rate = _roots(study, list(place.values())) / scales.time
     size = np.abs(rate).max()
@@ -237,7 +263,9 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
         places=in_units(study, place),
         spring_length_mm=of(where[1::2], 1e3 * scales.length),
         spring_force_N=of((name for name in told if name != "contact_force"), scales.force),
-        contact_force_N=scales.force * float(eq.contact_force[slot]) if "contact_force" in told else None,
+        contact_force_N=scales.force * float(eq.contact_force[slot])
+        if "contact_force" in told
+        else None,
         frequencies_hz=tuple(float(root.imag) / (2 * math.pi) for root in upper),
         damping_ratio=tuple(float(-root.real / abs(root)) + 0.0 for root in upper),
         growth_per_s=growth,
@@ -247,10 +275,14 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
 def _roots(study: Study, q: list[float]) -> ComplexArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope where that is not known."""
     p, belt = study.dimensionless, study.kind.law["belt"]
-    if not study.moves and belt in p.model.parameters:  # friction is that at rest then, whatever the speed
+    if (
+        not study.moves and belt in p.model.parameters
+    ):  # friction is that at rest then, whatever the speed
         p = p.replace(**{belt: LEVEL})
     given = np.array(p.scalars(*p.model.parameters))
-    return roots(*linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None]))[0]
+    return roots(
+        *linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None])
+    )[0]
 
 
 def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
@@ -272,7 +304,10 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
     if not path.jumps:
         return None
     turn = path.jumps[0]
-    begin, end = (np.array([where[name] for name in p.model.coordinates]) for where in (turn.before, turn.after))
+    begin, end = (
+        np.array([where[name] for name in p.model.coordinates])
+        for where in (turn.before, turn.after)
+    )
     held = int(np.abs(end - begin).argmax())
     start = _balanced(p.replace(**{rise.name: value}), begin + AWAY * (end - begin), held)
     for t_end in _T_END:
@@ -292,10 +327,16 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
         unit, size = unit_of(study, name)
         ranges[f"{name}_{unit}"] = size * float(row.min()), size * float(row.max())
     return JumpPeak(
-        at=study.told(value), before=in_units(study, turn.before), after=in_units(study, turn.after), ranges=ranges,
-        spring_force_N=springs, contact_force_N=contact, lifts_off=contact is not None and contact[0] == 0,
-        settles=_COMES_TO.get(comes_to, "unsettled"), followed_s=float(motion.t[-1] * study.scales.time),
-    )  # fmt: skip
+        at=study.told(value),
+        before=in_units(study, turn.before),
+        after=in_units(study, turn.after),
+        ranges=ranges,
+        spring_force_N=springs,
+        contact_force_N=contact,
+        lifts_off=contact is not None and contact[0] == 0,
+        settles=_COMES_TO.get(comes_to, "unsettled"),
+        followed_s=float(motion.t[-1] * study.scales.time),
+    )
 
 
 def _moving(study: Study, value: float, speed: float) -> Any:
@@ -338,18 +379,36 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
         with suppress(ConvergenceError):
             found = cycle(p, near=start, patient=False)
             if found.stable:  # no motion comes to one that is not
-                frequency, told = 1 / (found.period * study.scales.time), _forces(study, found.forces)
-                return Oscillation("cycle", frequency, found.amplitude * size, unit, *told, settles, word, found)
+                frequency, told = (
+                    1 / (found.period * study.scales.time),
+                    _forces(study, found.forces),
+                )
+                return Oscillation(
+                    "cycle", frequency, found.amplitude * size, unit, *told, settles, word, found
+                )
     motion, word = simulate(p, t_end=T_END), "rest"
     if settles is False and not motion.state.any():  # where it rests it is unstable
         motion, word = simulate(p, start=far, t_end=T_END), "far out"
     late, regime = motion.after(0.75 * T_END), Regime.UNSETTLED
     with suppress(ConvergenceError):
         regime = motion.outcome(0.75 * T_END).regime
-    quarters = ((motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75))
+    quarters = (
+        (motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75)
+    )
     before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
-    goes = "falls" if holds and now < _FALLS * before else "grows" if now > _GROWS * before else "motion" if now else "rest"
+    goes = (
+        "falls"
+        if holds and now < _FALLS * before
+        else "grows"
+        if now > _GROWS * before
+        else "motion"
+        if now
+        else "rest"
+    )
     kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
-    told, lives = _forces(study, _extremes(p, late.state), goes_on), settles if kind == "motion" else None
+    told, lives = (
+        _forces(study, _extremes(p, late.state), goes_on),
+        settles if kind == "motion" else None,
+    )
     return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, word, late)

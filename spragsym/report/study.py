@@ -31,7 +31,13 @@ if TYPE_CHECKING:
 #: Least, as drawn, and largest within the tolerances.
 Spread: TypeAlias = tuple[float, float, float]
 #: Units of the report where the data came as plain numbers in SI.
-PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "N/m^3": "N/mm^3", "m": "mm", "rad": "deg", "1": ""}
+PLAIN_UNITS: Mapping[str, str] = {
+    "N/m": "N/mm",
+    "N/m^3": "N/mm^3",
+    "m": "mm",
+    "rad": "deg",
+    "1": "",
+}
 
 
 @dataclass(frozen=True)
@@ -61,25 +67,35 @@ class Rise:
 _NOTHING = Rise("", "", math.nan, False)
 
 
-def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Numbers) -> Rise | None:
+def rise_of(
+    kind: Quantities, vary: str | None, begin: float | None, values: Numbers
+) -> Rise | None:
     """The loading parameter: the quantity that is named, else the friction at full slip; None for a model without it.
 
     ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
     """
     if vary is None:
         if begin is not None:
-            raise ParameterError(f"begin = {begin!r} says from where a quantity rises; give vary, its name, too")
+            raise ParameterError(
+                f"begin = {begin!r} says from where a quantity rises; give vary, its name, too"
+            )
         return Rise("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
     if vary not in kind.may_rise:
         cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
-        raise ParameterError(f"vary = {vary!r} does not move the states of {kind.model.where}, or is a unit{cure}")
+        raise ParameterError(
+            f"vary = {vary!r} does not move the states of {kind.model.where}, or is a unit{cure}"
+        )
     allowed = kind.ranges(values)[vary]
     if begin is None and not allowed.contains(allowed.low):
-        raise ParameterError(f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises")
+        raise ParameterError(
+            f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises"
+        )
     start = allowed.low if begin is None else as_number("begin", begin, allowed)
     of_friction = kind.of_mu0 and kind.parameters[vary] == "mu0"
     if of_friction and start != allowed.low:
-        raise ParameterError(f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out")
+        raise ParameterError(
+            f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out"
+        )
     return Rise(vary, kind.parameters[vary], start, of_friction).check(values)
 
 
@@ -147,22 +163,35 @@ class Study:
     date: str = ""
 
     def __init__(
-        self, parameters: PhysicalParameters | Numbers, tolerance: Mapping[str, Any] | None = None,
-        correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
-        state: Numbers | None = None, may_change: Ranges | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        parameters: PhysicalParameters | Numbers,
+        tolerance: Mapping[str, Any] | None = None,
+        correlation: Correlation | None = None,
+        *,
+        model: str = USUAL,
+        vary: str | None = None,
+        begin: float | None = None,
+        state: Numbers | None = None,
+        may_change: Ranges | None = None,
+    ) -> None:
         kind, off = quantities(model), dict(tolerance or {})
         given, allowed = _given(parameters, kind, model), kind.ranges()
         for name in off:
             if name not in given:
-                raise ParameterError(f"tolerance of {name!r}: no such quantity{hint(name, kind.units)}; leave it out")
+                raise ParameterError(
+                    f"tolerance of {name!r}: no such quantity{hint(name, kind.units)}; leave it out"
+                )
         self.model, self.correlation, self.state = model, dict(correlation or {}), dict(state or {})
         self.quantities = {
             name: _measured(name, given[name], off.get(name), si, allowed[name])
-            for name, si in kind.units.items() if name in given
-        }  # fmt: skip
+            for name, si in kind.units.items()
+            if name in given
+        }
         self.rise = rise_of(kind, vary, begin, self.values)
-        self.may_change = {name: spanned(kind, name, (low, high)) for name, (low, high) in (may_change or {}).items()}
+        self.may_change = {
+            name: spanned(kind, name, (low, high))
+            for name, (low, high) in (may_change or {}).items()
+        }
         self.dimensionless  # noqa: B018  # an error for a state that is none here, not later
         dependence(list(self.tolerances), self.correlation)
 
@@ -197,12 +226,17 @@ class Study:
 
     def changed(self, after: Numbers) -> Study:
         """The study of another design: a quantity that changes keeps its tolerance as a share of its value, an angle as it is."""
-        new = {name: self.quantities[name].scaled(value, self.kind.units[name] != "rad") for name, value in after.items()}
+        new = {
+            name: self.quantities[name].scaled(value, self.kind.units[name] != "rad")
+            for name, value in after.items()
+        }
         return self.with_quantities({**self.quantities, **new})
 
     def at_full_slip(self) -> Study:
         """The study without the belt's speed: friction is μ₀."""
-        return self.with_quantities({name: one for name, one in self.quantities.items() if name not in self.kind.of_the_law})
+        return self.with_quantities(
+            {name: one for name, one in self.quantities.items() if name not in self.kind.of_the_law}
+        )
 
     @cached_property
     def kind(self) -> Quantities:
@@ -217,7 +251,9 @@ class Study:
     @property
     def tolerances(self) -> Numbers:
         """Half of the width of every quantity that has one, in SI."""
-        return {name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies}
+        return {
+            name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies
+        }
 
     @cached_property
     def scales(self) -> Scales:
@@ -240,7 +276,10 @@ class Study:
     @property
     def near(self) -> Numbers:
         """Coordinates near which that lies, as the model has them."""
-        return {name: value / self.scale(self.kind.coordinates.get(name, "1")) for name, value in self.state.items()}
+        return {
+            name: value / self.scale(self.kind.coordinates.get(name, "1"))
+            for name, value in self.state.items()
+        }
 
     @cached_property
     def at_work(self) -> Any:
@@ -256,7 +295,9 @@ class Study:
     def belt(self) -> str | None:
         """The quantity that is the speed of the belt, whatever the page calls it; None where none alone is that."""
         belt = self.kind.law["belt"]
-        return next((quantity for quantity, name in self.kind.parameters.items() if name == belt), None)
+        return next(
+            (quantity for quantity, name in self.kind.parameters.items() if name == belt), None
+        )
 
     @cached_property
     def law(self) -> str:
@@ -282,12 +323,20 @@ class Study:
         if not set(friction_depends_on(self)) & set(self.tolerances):
             return here, here, here
         low, high = friction_bounds(self)
-        return low, here, high if high > here + NOTHING else here  # bounds of a friction that is 0 are a little above it
+        return (
+            low,
+            here,
+            high if high > here + NOTHING else here,
+        )  # bounds of a friction that is 0 are a little above it
 
     def of_statics(self, mu0: float) -> float:
         """The friction that statics takes with a value of μ₀."""
         p = self.dimensionless
-        return float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest")) if mu0 < math.inf else mu0
+        return (
+            float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest"))
+            if mu0 < math.inf
+            else mu0
+        )
 
     @property
     def rises(self) -> Rise:
@@ -351,7 +400,11 @@ class Study:
         p = self.placed(self.kind.parameter_set(values))
         if "mu0" in p.model.parameters:
             works = p.mu0 * (share(p.model, p) if self.law == "friction_at_speed" else 1.0)
-            p = p.replace(mu0=np.broadcast_to(works if target is None or not self.of_friction else target, p.shape))
+            p = p.replace(
+                mu0=np.broadcast_to(
+                    works if target is None or not self.of_friction else target, p.shape
+                )
+            )
         return p
 
     @property
@@ -362,7 +415,9 @@ class Study:
     def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
         """A value of a quantity, by default its own, as text in the unit in which it came."""
         one = self.quantities[name]
-        return shown_in(one.value if value is None else value, one.unit, self.kind.units[name], digits)
+        return shown_in(
+            one.value if value is None else value, one.unit, self.kind.units[name], digits
+        )
 
     def in_file(self, name: str, value: float) -> float:
         """A value of a quantity in the unit in which it came."""
@@ -372,7 +427,8 @@ class Study:
         """Every quantity as it came: its value, its unit, and what one of that is in SI."""
         si = self.kind.units
         return {
-            name: (self.in_file(name, one.value), one.unit, factor(one.unit, si[name])) for name, one in self.quantities.items()
+            name: (self.in_file(name, one.value), one.unit, factor(one.unit, si[name]))
+            for name, one in self.quantities.items()
         }
 
     def shown_speed(self, speed: float, digits: int = 4) -> str:
@@ -383,7 +439,11 @@ class Study:
 
     def amount(self, value: float, digits: int = 4) -> str:
         """A value of the loading parameter: a friction as a number, a quantity with its unit."""
-        return f"{value:.{digits}g}" if self.of_friction else self.shown(self.rises.quantity, value, digits)
+        return (
+            f"{value:.{digits}g}"
+            if self.of_friction
+            else self.shown(self.rises.quantity, value, digits)
+        )
 
     def named(self, value: float, digits: int = 4) -> str:
         """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
@@ -403,9 +463,15 @@ class Study:
         return unit, self.scale(si) / factor(unit, si)
 
     def report(
-        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2,
-        n: int | None = None, progress: bool = False,
-    ) -> Report:  # fmt: skip
+        self,
+        *,
+        probability: bool = True,
+        redesign: bool = True,
+        oscillation: bool = True,
+        safety: float = 1.2,
+        n: int | None = None,
+        progress: bool = False,
+    ) -> Report:
         """Everything that can be said of this brake.
 
         Parameters
@@ -430,7 +496,10 @@ class Study:
         """
         from .reports import Asked, Report
 
-        found = Report(self, Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n))
+        found = Report(
+            self,
+            Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n),
+        )
         with show_progress() if progress else nullcontext(), doing(""):
             found.text()
         return found

@@ -31,7 +31,9 @@ MOST_DIGITS = 8
 def percent_beyond(value: float, other: float) -> float:
     """By how much a value exceeds another, in percent of the size of that; infinite where that is 0."""
     gap = value - other
-    return 100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
+    return (
+        100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
+    )
 
 
 def verdict(report: Report) -> Iterator[str]:
@@ -54,7 +56,11 @@ def _on_others(report: Report) -> str:
 
 def followed_state(study: Study) -> str:
     """What the state is called that is followed."""
-    return f"the state chosen near {_places(in_units(study, study.near))}" if study.state else "the reference state"
+    return (
+        f"the state chosen near {_places(in_units(study, study.near))}"
+        if study.state
+        else "the reference state"
+    )
 
 
 def _on_the_motion(report: Report) -> str:
@@ -64,10 +70,17 @@ def _on_the_motion(report: Report) -> str:
     sliding = report.study.slides
     if found is None or not (found.alive or found.kind == "lift-off"):
         unstable = bool(here) and all(state.settles is False for state in here)
-        return f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow." if unstable else ""
+        return (
+            f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow."
+            if unstable
+            else ""
+        )
     if found.kind == "lift-off":
         return "From rest it lifts off the belt for good."
-    beside, at = f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else "", f"{found.frequency_hz:.4g} Hz"
+    beside, at = (
+        f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else "",
+        f"{found.frequency_hz:.4g} Hz",
+    )
     if found.kind == "motion":
         return f"From {found.start} it goes on swinging, and had not repeated itself when it was left{beside}."
     if found.start == "rest":
@@ -92,41 +105,71 @@ def _on_the_jump(report: Report) -> str:
         what = f"has no jump at any {study.looked}" if report.reach == "never" else jumps
         if report.reach == "beyond" and full:
             what += f", {percent_beyond(jump, full):.0f} % above the largest that you have, {study.amount(full, digits)}"
-        return f"{'As drawn it' if study.tolerances else 'It'} does not sprag{model}: {state} {what}."
+        return (
+            f"{'As drawn it' if study.tolerances else 'It'} does not sprag{model}: {state} {what}."
+        )
     if report.reach == "faster":
         at = "the belt's speed" if study.belt is None else study.shown(study.belt, digits=3)
-        above = "at a higher speed" if math.isnan(report.speed) else f"above {study.shown_speed(report.speed, 3)}"
-        works = f"only {high:.{digits}g} of your {full:.{digits}g}" if high < full else f"{high:.{digits}g}"
+        above = (
+            "at a higher speed"
+            if math.isnan(report.speed)
+            else f"above {study.shown_speed(report.speed, 3)}"
+        )
+        works = (
+            f"only {high:.{digits}g} of your {full:.{digits}g}"
+            if high < full
+            else f"{high:.{digits}g}"
+        )
         if study.belt is not None and report.speed < study.values[study.belt]:
             above = f"at lower speeds, from {study.shown_speed(report.speed, 3)} on"
         return f"It sprags{model} {above}: {state} {jumps}; at {at} {works} works, and it does not jump."
-    ends = " to ".join(study.amount(end, digits) for end in ((low, high) if high > low else (high,)))
-    where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
+    ends = " to ".join(
+        study.amount(end, digits) for end in ((low, high) if high > low else (high,))
+    )
+    where = (
+        "below your"
+        if high == low
+        else "already below all of your range of"
+        if jump < low
+        else "within your range of"
+    )
     return f"It sprags{model}: {state} {jumps}, {where} {rise.word} {ends}."
 
 
 def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
     """The digits, from four on, in which the jump and what it is compared with are told apart."""
     for digits in range(4, MOST_DIGITS):
-        if study.amount(jump, digits) not in {study.amount(end, digits) for end in ends if end != jump}:
+        if study.amount(jump, digits) not in {
+            study.amount(end, digits) for end in ends if end != jump
+        }:
             return digits
     return MOST_DIGITS
 
 
 def _unknown(report: Report) -> str:
     states, about = report.states, report.study.kind.about
-    where = (" of sliding" if report.study.slides else "") + (" in contact" if about["contact"]["gap"] is not None else "")
+    where = (" of sliding" if report.study.slides else "") + (
+        " in contact" if about["contact"]["gap"] is not None else ""
+    )
     there = f"are {len(states)} states{where}, {sum(state.stable for state in states)} stable"
     if len(states) == 1:
         there = f"is one state{where}, {'stable' if states[0].stable else 'unstable'}"
-    why = "nothing is said to rise until it jumps" if report.study.rise is None else "whether it sprags is not known"
+    why = (
+        "nothing is said to rise until it jumps"
+        if report.study.rise is None
+        else "whether it sprags is not known"
+    )
     return f"With the model {about['name']} there {there}; {why}."
 
 
 def _on_the_tolerances(report: Report) -> str:
     odds, speed = report.probability, " at this speed" if report.reach == "faster" else ""
     if report.within == "proved":
-        return f"Proved{speed}: nothing within {box(report.unbounded)} sprags." if report.study.tolerances else "That is proved."
+        return (
+            f"Proved{speed}: nothing within {box(report.unbounded)} sprags."
+            if report.study.tolerances
+            else "That is proved."
+        )
     if odds is None:
         return "A proof was not found." if report.within == "undecided" else ""
     if report.within != "refuted" and not report.hits:
@@ -166,15 +209,25 @@ def blocks(report: Report) -> Iterator[str]:
 def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
     """Rows of a name and a value, under each other where the name is long."""
     wide = WIDTH if any(len(name) >= SHORT for name, _ in rows) else SHORT
-    return [f"  {name:<{wide}}{value}" if len(name) < wide else f"  {name}\n  {'':<{wide}}{value}" for name, value in rows]
+    return [
+        f"  {name:<{wide}}{value}" if len(name) < wide else f"  {name}\n  {'':<{wide}}{value}"
+        for name, value in rows
+    ]
 
 
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     parts = {
-        "State": _state, "Folds": _folds, "Jump": _jump, "The jump as a motion": _peak, "Oscillation": _oscillation,
-        "Tolerances": _tolerances, "Changes": _changes, "Warnings": _warnings, "What to do next": next_steps,
-    }  # fmt: skip
+        "State": _state,
+        "Folds": _folds,
+        "Jump": _jump,
+        "The jump as a motion": _peak,
+        "Oscillation": _oscillation,
+        "Tolerances": _tolerances,
+        "Changes": _changes,
+        "Warnings": _warnings,
+        "What to do next": next_steps,
+    }
     for title, rows in parts.items():
         with doing(title):
             found = list(rows(report))
@@ -184,26 +237,44 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
 def _jump(report: Report) -> Rows:
     study, rise, (low, works, high) = report.study, report.study.rise, report.study.friction
     if study.slides:
-        yield "friction at the belt's speed", f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else "")
+        yield (
+            "friction at the belt's speed",
+            f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""),
+        )
     if rise is None:
         return
     full, most = study.full, study.working[2]
     if report.slow:
-        yield "friction at full slip", f"{full[1]:.4g}" + (f", up to {full[2]:.4g}" if full[2] > full[1] else "")
+        yield (
+            "friction at full slip",
+            f"{full[1]:.4g}" + (f", up to {full[2]:.4g}" if full[2] > full[1] else ""),
+        )
     never = "never" if math.isinf(study.top) else f"at no {study.looked}"
     own = "" if report.mu0_jump == report.mu_jump else f", mu0 = {report.mu0_jump:.6g}"
     at = "at this angle" if rise.is_friction else f"as {rise.word} rises"
-    yield f"jump {at}", _or_unknown(report.jump_at, lambda value: f"at {rise.word} {study.amount(value, 6)}{own}", never)
+    yield (
+        f"jump {at}",
+        _or_unknown(
+            report.jump_at, lambda value: f"at {rise.word} {study.amount(value, 6)}{own}", never
+        ),
+    )
     if report.jump_at is not None and not math.isnan(report.jump_at) and most:
         yield f"margin to the largest {rise.word}", f"{report.margin_percent:+.1f} %"
         if report.slow:
             yield "the same at full slip", f"{percent_beyond(report.jump_at, full[2]):+.1f} %"
     if study.moves and report.mu_jump is not None:
         speed = report.speed
-        begins = "at no speed" if math.isnan(speed) else f"{study.shown(str(study.belt), speed)}, with the largest friction"
+        begins = (
+            "at no speed"
+            if math.isnan(speed)
+            else f"{study.shown(str(study.belt), speed)}, with the largest friction"
+        )
         yield "speed at which it begins to jump", begins
     if "theta0" in study.quantities and rise.name != "theta0":
-        yield "jump at this friction", _or_unknown(report.theta0_jump_deg, "at {:.6g} deg".format, "never")
+        yield (
+            "jump at this friction",
+            _or_unknown(report.theta0_jump_deg, "at {:.6g} deg".format, "never"),
+        )
     if "theta0" in study.quantities and rise.is_friction:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
@@ -211,10 +282,20 @@ def _jump(report: Report) -> Rows:
             lowest += f", {what} at {report.theta0_lowest_deg:.6g} deg; below this friction it cannot jump at any angle"
         yield "its lowest fold at any angle", lowest
         if report.kind_lowest != "cusp":  # it would be said twice
-            yield "friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}".format, "there is none")
+            yield (
+                "friction of the cusp",
+                _or_unknown(report.mu_cusp, "{:.6g}".format, "there is none"),
+            )
     if not math.isnan(report.distance):
-        where = "none found" if math.isinf(report.distance) else f"{report.distance:.3g}, as the root of the sum of squares"
-        yield "tolerances to the nearest jump", where if report.distance else "0, it has jumped already"
+        where = (
+            "none found"
+            if math.isinf(report.distance)
+            else f"{report.distance:.3g}, as the root of the sum of squares"
+        )
+        yield (
+            "tolerances to the nearest jump",
+            where if report.distance else "0, it has jumped already",
+        )
 
 
 def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) -> str:
@@ -260,7 +341,11 @@ def _state(report: Report) -> Rows:
         yield "force of the contact", f"{here.contact_force_N:.5g} N"
     roots = zip(here.frequencies_hz, here.damping_ratio, strict=True)
     damped = report.study.moves
-    yield "frequencies", ", ".join(f"{f:.4g} Hz" + f" (damping ratio {ratio:.2g})" * damped for f, ratio in roots) or "none"
+    yield (
+        "frequencies",
+        ", ".join(f"{f:.4g} Hz" + f" (damping ratio {ratio:.2g})" * damped for f, ratio in roots)
+        or "none",
+    )
 
 
 def _described(state: State) -> str:
@@ -269,7 +354,10 @@ def _described(state: State) -> str:
         word += ", practically neutral: the damping of the real brake decides whether it settles"
     elif state.statics == "stable" and not state.stable:
         word += ", but with all damping it grows"
-    springs = [f"; {name.removeprefix('the ')} at {at}" for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")]
+    springs = [
+        f"; {name.removeprefix('the ')} at {at}"
+        for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")
+    ]
     return f"{word}{''.join(springs)}{',' if springs else ';'} {_places(dict(list(state.places.items())[:1]))}"
 
 
@@ -280,16 +368,21 @@ def _peak(report: Report) -> Rows:
     first = next(iter(found.before))
     places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {first.rpartition('_')[2]}"
     faster = f" and {study.shown_speed(report.speed, 3)}" if report.reach == "faster" else ""
-    yield "the states before and after", f"at {study.rises.word} {study.amount(found.at)}{faster}, {places}"
+    yield (
+        "the states before and after",
+        f"at {study.rises.word} {study.amount(found.at)}{faster}, {places}",
+    )
     yield "let go at rest", f"{100 * AWAY:g} % of the way beyond the fold"
     for key, (least, most) in found.ranges.items():
         name, _, unit = key.rpartition("_")
         yield f"range of {name}", f"{least:.4g} {unit} to {most:.4g} {unit}"
     yield from _forces(found)
     ends_in = {
-        "rest": "it settles at rest", "cycle": "it goes over into an oscillation", "lift-off": "it lifts off for good",
+        "rest": "it settles at rest",
+        "cycle": "it goes over into an oscillation",
+        "lift-off": "it lifts off for good",
         "unsettled": f"it still swings after {found.followed_s:.3g} s",
-    }  # fmt: skip
+    }
     yield "then", ends_in[found.settles]
 
 
@@ -299,7 +392,11 @@ def _warnings(report: Report) -> Rows:
 
 def _folds(report: Report) -> Rows:
     study = report.study
-    nothing = "nothing is left in contact" if study.kind.about["contact"]["unilateral"] else "nothing is left"
+    nothing = (
+        "nothing is left in contact"
+        if study.kind.about["contact"]["unilateral"]
+        else "nothing is left"
+    )
     for row in report.fold_rows:
         if row.inclination_deg is None:
             name = f"{study.rises.word} {study.amount(row.friction or row.value or 0.0, 5)}"
@@ -316,7 +413,10 @@ def _folds(report: Report) -> Rows:
             coordinate, _, unit = key.rpartition("_")
             goes = f"{coordinate} goes from {row.before[key]:.4g} {unit} to {row.after[key]:.4g} {unit}"
             left = nothing if math.isnan(row.after[key]) else goes
-            yield name, f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; {left}"
+            yield (
+                name,
+                f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; {left}",
+            )
 
 
 def _tolerances(report: Report) -> Rows:
@@ -325,7 +425,11 @@ def _tolerances(report: Report) -> Rows:
         within = box(report.unbounded) if report.unbounded else "all of them"
         yield f"no jump within {within}", reached.outcome
         if reached.counterexample:
-            off = ((name, value) for name, value in reached.counterexample.items() if name in study.tolerances)
+            off = (
+                (name, value)
+                for name, value in reached.counterexample.items()
+                if name in study.tolerances
+            )
             values = ", ".join(f"{name} = {study.shown(name, value)}" for name, value in off)
             yield "a brake within them that jumps", values or "the brake itself"
     if odds is None:
@@ -333,22 +437,34 @@ def _tolerances(report: Report) -> Rows:
     if report.within == "proved" and not report.unbounded:
         yield "probability of a jump", "0, as is proved"
     else:
-        more = ", and at least one brake" if report.within == "refuted" and report.hits is False else ""
+        more = (
+            ", and at least one brake"
+            if report.within == "refuted" and report.hits is False
+            else ""
+        )
         ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
         yield "probability of a jump", f"{share(odds)}, {ends}{more}"
         if odds.proved != (0.0, 1.0):
-            low, high = math.floor(1e4 * odds.proved[0]) / 1e2, math.ceil(1e4 * odds.proved[1]) / 1e2
+            low, high = (
+                math.floor(1e4 * odds.proved[0]) / 1e2,
+                math.ceil(1e4 * odds.proved[1]) / 1e2,
+            )
             what = "what is proved to jump, and all but what is proved not to; no sampling can leave that"
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
     told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
     # Sobol' indices are told where the samples resolve all of them: next to a certainty too few differ.
     if any(not error <= RESOLVED for *_, error in told.values()):
-        yield "how much each of them decides", f"not told by {odds.n} samples, of which too few differ"
+        yield (
+            "how much each of them decides",
+            f"not told by {odds.n} samples, of which too few differ",
+        )
         return
     for name, indices in told.items():
         # A share is not negative; what is estimated from samples may be.
         alone, all_of_it = (max(0.0, 100 * part) for part in indices[:2])
-        shares = f"{alone:.0f} % of the variance alone, {all_of_it:.0f} % with interactions (Sobol')"
+        shares = (
+            f"{alone:.0f} % of the variance alone, {all_of_it:.0f} % with interactions (Sobol')"
+        )
         yield f"how much {name} decides", shares
 
 
@@ -359,18 +475,23 @@ def _oscillation(report: Report) -> Rows:
     if found.start != "rest":
         yield "from rest", "no cycle was reached in the time that was looked at"
     what = {
-        "cycle": "a cycle, stable", "motion": "a motion that has not repeated itself", "rest": "none: it decays to rest",
+        "cycle": "a cycle, stable",
+        "motion": "a motion that has not repeated itself",
+        "rest": "none: it decays to rest",
         "grows": "none was found: the motion grew larger and larger, and was not followed further",
         "falls": "none was found: the motion became smaller and smaller, and was not followed to its end",
         "lift-off": "none: it lifts off the belt for good",
-    }  # fmt: skip
+    }
     yield "from rest" if found.start == "rest" else "from far out", what[found.kind]
     if not found.alive:
         return
     if found.kind == "cycle":
         yield "frequency", f"{found.frequency_hz:.5g} Hz"
     sliding = report.study.slides
-    yield "amplitude along the belt" if found.unit == "mm" and sliding else "amplitude", f"{found.amplitude:.4g} {found.unit}"
+    yield (
+        "amplitude along the belt" if found.unit == "mm" and sliding else "amplitude",
+        f"{found.amplitude:.4g} {found.unit}",
+    )
     yield from _forces(found)
     if report.study.kind.about["contact"]["unilateral"]:
         yield "lifts off the belt", "yes" if found.lifts_off else "no"
@@ -381,39 +502,75 @@ def _oscillation(report: Report) -> Rows:
 def _changes(report: Report) -> Rows:
     study, largest = report.study, report.largest
     if report.needed:
-        factor = f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
-        limits = "as far as may_change allows" if study.may_change else f"by up to a factor of {FACTOR:g}"
+        factor = (
+            f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
+        )
+        limits = (
+            "as far as may_change allows"
+            if study.may_change
+            else f"by up to a factor of {FACTOR:g}"
+        )
         kept = f"the jump at {study.amount(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
         yield "each of them keeps", f"{kept}, and all within the tolerances from jumping; {limits}"
     if report.needed and not report.redesign:
         yield "none", "no change of one quantity or of several was found that does it"
     for one in report.redesign:
         values = "; ".join(
-            f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
+            f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}"
+            for name in one.after
         )
         then = f"then it jumps at {study.amount(one.jump_at)}"
         if math.isnan(one.jump_at):
             looked = study.changed(one.after).looked  # up to where depends on its units
-            then = "then it never jumps" if looked == study.rises.word else f"then it jumps at no {looked}"
+            then = (
+                "then it never jumps"
+                if looked == study.rises.word
+                else f"then it jumps at no {looked}"
+            )
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
-        yield values, f"{then}; {f'proved for everything within {box(report.unbounded)}' if one.outcome == 'proved' else known}"
+        yield (
+            values,
+            f"{then}; {f'proved for everything within {box(report.unbounded)}' if one.outcome == 'proved' else known}",
+        )
 
 
 #: Attributes of a report, of a state, and of the jump as a motion that stand in JSON as they are.
 _PLAIN = (
-    "mu_jump", "theta0_jump_deg", "mu0_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective",
+    "mu_jump",
+    "theta0_jump_deg",
+    "mu0_jump",
+    "mu_lowest",
+    "theta0_lowest_deg",
+    "kind_lowest",
+    "mu_cusp",
+    "mu_effective",
     "margin_percent",
-)  # fmt: skip
+)
 _STATE = (
-    "current", "stable", "settles", "statics", "direction_deg", "spring_length_mm", "spring_force_N", "contact_force_N",
-    "frequencies_hz", "damping_ratio", "growth_per_s",
-)  # fmt: skip
+    "current",
+    "stable",
+    "settles",
+    "statics",
+    "direction_deg",
+    "spring_length_mm",
+    "spring_force_N",
+    "contact_force_N",
+    "frequencies_hz",
+    "damping_ratio",
+    "growth_per_s",
+)
 _PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
 
 
 def as_json(report: Report) -> Json:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
-    study, state, lives, odds, reached = report.study, report.current, report.oscillation, report.probability, report.certificate
+    study, state, lives, odds, reached = (
+        report.study,
+        report.current,
+        report.oscillation,
+        report.probability,
+        report.certificate,
+    )
     alive, jump = lives if lives and lives.alive else None, report.peak
     first = next(iter(jump.before)) if jump else ""
     unit = first.rpartition("_")[2]
@@ -428,7 +585,9 @@ def as_json(report: Report) -> Json:
     def told(value: float | None) -> Any:
         if value is None:
             return None
-        return {"value": value, "unit": ""} if study.of_friction else one(study.rises.quantity, value)
+        return (
+            {"value": value, "unit": ""} if study.of_friction else one(study.rises.quantity, value)
+        )
 
     def both(name: str) -> Json:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
@@ -438,40 +597,66 @@ def as_json(report: Report) -> Json:
         "frequencies_hz": state and list(state.frequencies_hz),
         "spring_force_N": both("spring_force_N"),
         "contact_force_N": both("contact_force_N"),
-        "displacement_mm": {"rest": lengths or None, "oscillation_amplitude": getattr(alive, "amplitude_mm", None)},
-        "oscillation": lives and {
-            **_some(lives, ("kind", "frequency_hz", "start", "lifts_off")), "stable": lives.kind == "cycle",
-            f"amplitude_{lives.unit}": lives.amplitude, "coexists_with_stable_sliding": lives.coexists,
+        "displacement_mm": {
+            "rest": lengths or None,
+            "oscillation_amplitude": getattr(alive, "amplitude_mm", None),
         },
-        "certificate": reached and {
+        "oscillation": lives
+        and {
+            **_some(lives, ("kind", "frequency_hz", "start", "lifts_off")),
+            "stable": lives.kind == "cycle",
+            f"amplitude_{lives.unit}": lives.amplitude,
+            "coexists_with_stable_sliding": lives.coexists,
+        },
+        "certificate": reached
+        and {
             **_some(reached, ("claim", "outcome", "undecided", "boxes")),
             "counterexample": reached.counterexample and all_of(reached.counterexample),
         },
-        "probability": odds and {
-            "value": odds.probability, **_some(odds, ("low", "high", "confidence", "n")),
+        "probability": odds
+        and {
+            "value": odds.probability,
+            **_some(odds, ("low", "high", "confidence", "n")),
             "proved": None if odds.proved == (0.0, 1.0) else list(odds.proved),
         },
-        "sobol": odds and {
-            name: dict(zip(("first", "total", "total_error"), shares, strict=True)) for name, shares in odds.sobol.items()
+        "sobol": odds
+        and {
+            name: dict(zip(("first", "total", "total_error"), shares, strict=True))
+            for name, shares in odds.sobol.items()
         },
         "redesign": [
             {
-                "from": all_of(change.before), "to": all_of(change.after), "jump_at": told(change.jump_at),
-                "mu_jump": change.jump_at if study.of_friction else None, "target": told(report.target)["value"],
+                "from": all_of(change.before),
+                "to": all_of(change.after),
+                "jump_at": told(change.jump_at),
+                "mu_jump": change.jump_at if study.of_friction else None,
+                "target": told(report.target)["value"],
                 **_some(change, ("distance", "probability", "outcome")),
             }
             for change in report.redesign
         ],
         "warnings": list(report.warnings),
         "reach": report.reach or None,
-        "speed_jump": None if study.belt is None or math.isnan(report.speed) else one(study.belt, report.speed),
-        "jump": jump and {
-            "friction": jump.at if study.of_friction else None, "at": told(jump.at), f"from_{unit}": jump.before[first],
-            f"to_{unit}": jump.after[first], **jump.ranges, **_some(jump, _PEAK),
+        "speed_jump": None
+        if study.belt is None or math.isnan(report.speed)
+        else one(study.belt, report.speed),
+        "jump": jump
+        and {
+            "friction": jump.at if study.of_friction else None,
+            "at": told(jump.at),
+            f"from_{unit}": jump.before[first],
+            f"to_{unit}": jump.after[first],
+            **jump.ranges,
+            **_some(jump, _PEAK),
         },
         "verdict": report.verdict,
         "folds": [
-            {**vars(row), "value": told(row.value), "ends": row.ends or None, "when": row.when or None}
+            {
+                **vars(row),
+                "value": told(row.value),
+                "ends": row.ends or None,
+                "when": row.when or None,
+            }
             for row in report.fold_rows
         ],
         "vary": report.vary,
@@ -479,10 +664,13 @@ def as_json(report: Report) -> Json:
         "other_states": [{**place, "ends_at": told(end)} for place, end in report.others],
         "next_steps": list(report.next_steps),
         "about": report.about,
-    }  # fmt: skip
+    }
 
 
 def _some(thing: Any, names: tuple[str, ...]) -> Json:
     """Some attributes by name; no word is None."""
     found = {name: getattr(thing, name) for name in names}
-    return {name: None if value == "" else list(value) if isinstance(value, tuple) else value for name, value in found.items()}
+    return {
+        name: None if value == "" else list(value) if isinstance(value, tuple) else value
+        for name, value in found.items()
+    }

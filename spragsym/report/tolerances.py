@@ -50,9 +50,16 @@ class Effort:
 
 #: Where a jump is looked for without end, and so by closed forms, thousands of points in a second: more.
 _ENDLESS = Effort(
-    samples=4096, boxes=20_000, points=1024, boxes_of_change=1000, points_of_change=1024, shares=1 << 10, many=1 << 17,
-    most=16, further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
-)  # fmt: skip
+    samples=4096,
+    boxes=20_000,
+    points=1024,
+    boxes_of_change=1000,
+    points_of_change=1024,
+    shares=1 << 10,
+    many=1 << 17,
+    most=16,
+    further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
+)
 
 
 def effort(study: Study) -> Effort:
@@ -77,7 +84,9 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
     allowed = study.kind.ranges(study.values)
     for j, name in enumerate(varied(study)):
         one = allowed[name]
-        values[name] = np.clip(study.quantities[name].ppf(shares[:, j]), one.reached(one.low), one.reached(one.high))
+        values[name] = np.clip(
+            study.quantities[name].ppf(shares[:, j]), one.reached(one.low), one.reached(one.high)
+        )
     return values
 
 
@@ -89,17 +98,26 @@ def corners(study: Study) -> FloatArray:
     found = together.corners()
     if rises in together.titles:  # it depends on no other quantity
         found = found[found[:, names.index(rises)] == 1.0]
-    drawn = [1.0 if name == rises else float(study.quantities[name].cdf(study.values[name])) for name in names]
+    drawn = [
+        1.0 if name == rises else float(study.quantities[name].cdf(study.values[name]))
+        for name in names
+    ]
     return np.vstack([drawn, found])
 
 
 def samples(study: Study, number: int) -> FloatArray:
     """Shares of Sobol' points, correlated as the quantities are."""
     names = varied(study)
-    return study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number)) if names else np.zeros((1, 0))
+    return (
+        study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number))
+        if names
+        else np.zeros((1, 0))
+    )
 
 
-def ending(study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False) -> FloatArray:
+def ending(
+    study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False
+) -> FloatArray:
     """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of each; 0 or NaN for others."""
     return have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
 
@@ -140,9 +158,15 @@ def certificate(study: Study, *, hasty: bool = False) -> Certificate:
         return Certificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
     most = amount.boxes_of_change if hasty else amount.boxes
-    found = certify(low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along())
+    found = certify(
+        low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along()
+    )
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
-    return found if found.outcome == "proved" else replace(found, outcome="undecided", counterexample=None)
+    return (
+        found
+        if found.outcome == "proved"
+        else replace(found, outcome="undecided", counterexample=None)
+    )
 
 
 def counterexample(study: Study, number: int) -> Numbers | None:
@@ -158,9 +182,13 @@ def counterexample(study: Study, number: int) -> Numbers | None:
 def chance(study: Study, n: int) -> JumpProbability:
     """How probable a jump is with the distributions of the file, what varies together included."""
     return estimated(
-        study.values | {name: study.quantities[name].whole for name in varied(study)}, lambda values: ending(study, values),
-        correlation=study.pairs(varied(study)), n=n, rng=0, replicates=8,
-    )  # fmt: skip
+        study.values | {name: study.quantities[name].whole for name in varied(study)},
+        lambda values: ending(study, values),
+        correlation=study.pairs(varied(study)),
+        n=n,
+        rng=0,
+        replicates=8,
+    )
 
 
 def begins_alike(study: Study, after: Numbers) -> bool:
@@ -175,7 +203,9 @@ def begins_alike(study: Study, after: Numbers) -> bool:
     try:
         way = splitting(study.with_quantities(moved))
         least, most = way.whole.low[:-1, 0], way.whole.high[:-1, 0]
-        upward = [after.get(name, 0.0) > study.values[name] for name, _ in (of[side] for side in way.free)]
+        upward = [
+            after.get(name, 0.0) > study.values[name] for name, _ in (of[side] for side in way.free)
+        ]
         return way.begins_alike(np.where(upward, least, most), np.where(upward, most, least))
     except ConvergenceError:
         return False
@@ -188,7 +218,12 @@ def bracket(study: Study) -> Span:
     Of the belt's speed and the law's steepness only how much of μ₀ works is taken, from least to most.
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
-    if not names or len(names) > _MOST_SIDES or study.pairs(varied(study)) or not (study.of_friction or _all_works(study)):
+    if (
+        not names
+        or len(names) > _MOST_SIDES
+        or study.pairs(varied(study))
+        or not (study.of_friction or _all_works(study))
+    ):
         return 0.0, 1.0
 
     def law(name: str, scale: float) -> Any:
@@ -208,7 +243,9 @@ def _shares_that_work(study: Study) -> Span:
     """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
     if _all_works(study):
         return 1.0, 1.0
-    least, most = friction_bounds(study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")}))
+    least, most = friction_bounds(
+        study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")})
+    )
     return max(_NOTHING, least), max(_NOTHING, most)
 
 
@@ -221,7 +258,11 @@ OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
 def friction_depends_on(study: Study) -> tuple[str, ...]:
     """Quantities on which the friction that works depends."""
     law = study.kind.law
-    return ("mu0",) if law["at_rest"] == "mu0" and study.law == "friction_at_rest" else tuple(law["quantities"])
+    return (
+        ("mu0",)
+        if law["at_rest"] == "mu0" and study.law == "friction_at_rest"
+        else tuple(law["quantities"])
+    )
 
 
 def friction_bounds(study: Study) -> Span:
@@ -237,11 +278,21 @@ def speed_for(study: Study, friction: float) -> float:
 
     It is a little less where the law neither rises nor falls over the tolerances, where bounds over intervals are loose.
     """
-    if not study.moves or study.law != "friction_at_speed" or study.belt is None or not study.values[study.belt]:
+    if (
+        not study.moves
+        or study.law != "friction_at_speed"
+        or study.belt is None
+        or not study.values[study.belt]
+    ):
         return math.nan
     law, name = _Law(study), study.kind.law["belt"]
-    place, speed = law.balance.parameters.index(name), abs(float(getattr(study.dimensionless, name)))
-    parts = [(speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))] + [(0.0, speed)]
+    place, speed = (
+        law.balance.parameters.index(name),
+        abs(float(getattr(study.dimensionless, name))),
+    )
+    parts = [
+        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))
+    ] + [(0.0, speed)]
     for _ in range(SPANS):
         if not parts:
             return math.nan
@@ -261,7 +312,11 @@ class _Law:
 
     def __init__(self, study: Study) -> None:
         names = study.kind.law["quantities"]
-        exact = {name: replace(one, low=one.value, high=one.value) for name, one in study.quantities.items() if name not in names}
+        exact = {
+            name: replace(one, low=one.value, high=one.value)
+            for name, one in study.quantities.items()
+            if name not in names
+        }
         low, high, units = parameter_ends(study.with_quantities({**study.quantities, **exact}))
         self.low, self.high = corner_values(low.model.parameters, low, high, units)
         self.balance = BalanceInUnits(low.model, units, study.law)
@@ -283,7 +338,9 @@ class _Law:
                 break
             done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
             low, high = low[:, open_], high[:, open_]
-            _, first, second = halves(low, high, np.array([self._moves(low, high, side) for side in range(len(low))]))
+            _, first, second = halves(
+                low, high, np.array([self._moves(low, high, side) for side in range(len(low))])
+            )
             low, high = np.concatenate([low, second], axis=1), np.concatenate([first, high], axis=1)
         return max(done, float(above.max()))
 
@@ -315,19 +372,23 @@ def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
         low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
     units = {
         f"{base}/{base}_0": Unit(*outward(study.quantities[base], study.values[base], ROUNDED), of)
-        for base, of in of_units.items() if of and study.quantities[base].varies
-    }  # fmt: skip
+        for base, of in of_units.items()
+        if of and study.quantities[base].varies
+    }
     return study.placed(kind.model.Parameters(**low)), kind.model.Parameters(**high), units
 
 
 def outward(one: Measured, scale: float, off: float) -> Span:
     """Ends over a scale, the lower one no higher and the upper one no lower than they are."""
-    return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (1 + math.copysign(off, one.high))
+    return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (
+        1 + math.copysign(off, one.high)
+    )
 
 
 def sides(study: Study) -> dict[str, tuple[str, float]]:
     """For each parameter and each unit the quantity that it is, and its unit in SI."""
     kind = study.kind
     return {f"{base}/{base}_0": (base, study.values[base]) for base in kind.bases} | {
-        name: (quantity, study.scale(kind.units[quantity])) for quantity, name in kind.parameters.items()
+        name: (quantity, study.scale(kind.units[quantity]))
+        for quantity, name in kind.parameters.items()
     }

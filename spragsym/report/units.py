@@ -20,10 +20,16 @@ from ..models.quantities import factor
 Numbers: TypeAlias = Mapping[str, float]
 #: SI unit of a quantity → how an engineer would write one, alone and between two ends.
 EXAMPLES: Mapping[str, tuple[str, str]] = {
-    "kg": ("0.35 kg", "[0.3, 0.4] kg"), "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"), "m": ("38 mm", "[37, 39] mm"),
-    "rad": ("52 deg ± 1 deg", "[51, 53] deg"), "N": ("420 N ± 10 %", "[400, 440] N"), "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
-    "s/m": ("10 s/m", "[8, 12] s/m"), "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"), "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
-}  # fmt: skip
+    "kg": ("0.35 kg", "[0.3, 0.4] kg"),
+    "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"),
+    "m": ("38 mm", "[37, 39] mm"),
+    "rad": ("52 deg ± 1 deg", "[51, 53] deg"),
+    "N": ("420 N ± 10 %", "[400, 440] N"),
+    "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
+    "s/m": ("10 s/m", "[8, 12] s/m"),
+    "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"),
+    "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
+}
 #: Standard deviations on either side of a normal distribution's mean that its ends are, and that lie within its range.
 ENDS, WITHIN = 3.0, 6.0
 _POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
@@ -78,7 +84,9 @@ class Measured:
         """The value below which a share of its distribution within its ends lies."""
         least, most = self._below(self.low), self._below(self.high)
         value = least + np.asarray(share) * (most - least)
-        return np.clip(self.value + self.sd * ndtri(value) if self.sd else value, self.low, self.high)
+        return np.clip(
+            self.value + self.sd * ndtri(value) if self.sd else value, self.low, self.high
+        )
 
     def _below(self, value: Any) -> Any:
         return ndtr((value - self.value) / self.sd) if self.sd else value
@@ -127,14 +135,18 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
     body, ends = (cut[1].strip(), _RANGE.fullmatch(cut[2])) if cut else (plain, None)
     if found := _RANGE.fullmatch(plain):
         one = _between(found, si)
-    elif (found := _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)) and bool(cut) == bool(ends):
+    elif (found := _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)) and bool(cut) == bool(
+        ends
+    ):
         one = _about(found, si, None if ends is None else _between(ends, si))
     else:
         raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
     for end in (one.value, one.whole.low, one.whole.high):
         if not allowed.contains(end):
             reached = "" if end == one.value else "the tolerance reaches what is not allowed: "
-            raise ParameterError(f"{reached}{shown_in(end, one.unit, si, 6)} is not {_within(allowed, one.unit, si)}")
+            raise ParameterError(
+                f"{reached}{shown_in(end, one.unit, si, 6)} is not {_within(allowed, one.unit, si)}"
+            )
     return one
 
 
@@ -172,7 +184,9 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
             raise ParameterError(f"the tolerance is {off} % of 0, which is 0")
         width = abs(value) * float(off) / 100
     elif of == "%" and "of" in parts:
-        raise ParameterError("the tolerance may be points or a share of the value: put it in brackets, (45 ± 5) %, for points")
+        raise ParameterError(
+            "the tolerance may be points or a share of the value: put it in brackets, (45 ± 5) %, for points"
+        )
     elif not of and (si != "1" or unit == "%"):
         raise ParameterError("the tolerance has no unit")
     else:
@@ -181,7 +195,9 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
         return Measured(value, value - width, value + width, unit)
     if ends is not None:
         if not ends.low < value < ends.high or not 0 < width < math.inf:
-            raise ParameterError("the mean does not lie between the ends at which it is cut off, or sd is not above 0 and finite")
+            raise ParameterError(
+                "the mean does not lie between the ends at which it is cut off, or sd is not above 0 and finite"
+            )
         return Measured(value, ends.low, ends.high, unit, width)
     return Measured(value, value - ENDS * width, value + ENDS * width, unit, width, width == 0)
 

@@ -5,6 +5,16 @@ from .points import BifurcationSet, Curve, Jump, LowestEnd, Path, Points
 from .result import Named, Result, Rows
 
 __all__ = [
-    "BifurcationSet", "Curve", "Equilibria", "Jump", "LowestEnd", "Named", "Path", "Points", "Result", "Rows",
-    "Stability", "Undecided",
-]  # fmt: skip
+    "BifurcationSet",
+    "Curve",
+    "Equilibria",
+    "Jump",
+    "LowestEnd",
+    "Named",
+    "Path",
+    "Points",
+    "Result",
+    "Rows",
+    "Stability",
+    "Undecided",
+]

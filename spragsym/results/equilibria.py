@@ -59,9 +59,11 @@ class Source(Protocol):
 _KNOWN = ("stability", "marginal", "eigenvalues", "error", "region", "whole")
 #: Columns of the full linearization: what it calls them, and what stands in an empty slot.
 _LINEARIZED: Mapping[str, tuple[str, Any]] = {
-    "damped_eigenvalues": ("eigenvalues", np.nan), "growth": ("growth", np.nan), "growth_sign": ("sign", 0),
+    "damped_eigenvalues": ("eigenvalues", np.nan),
+    "growth": ("growth", np.nan),
+    "growth_sign": ("sign", 0),
     "damped": ("damped", ""),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +159,11 @@ class Equilibria(OfStates):
         def columns(some: IntArray) -> dict[str, Any]:
             states = tuple(part[some] for part in every)
             rows = self._rows(states)
-            return {**points(states[:-1]), **rows, "growth": [f"{rate:.1e}" for rate in rows["growth"]]}
+            return {
+                **points(states[:-1]),
+                **rows,
+                "growth": [f"{rate:.1e}" for rate in rows["growth"]],
+            }
 
         where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
         caption = f"{counted(every[0].size, 'equilibrium', 'equilibria')} {where}"
@@ -216,7 +222,9 @@ class Equilibria(OfStates):
         if known is not None:
             return known
         if name == "region":
-            return np.broadcast_to([-np.inf, np.inf], (*self.count.shape, len(self.parameters.model.coordinates), 2))
+            return np.broadcast_to(
+                [-np.inf, np.inf], (*self.count.shape, len(self.parameters.model.coordinates), 2)
+            )
         if name == "whole":
             return np.broadcast_to(np.True_, self.count.shape)
         if name not in _LINEARIZED:

@@ -32,7 +32,15 @@ from .result import Result
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30
 #: What a file raises that is not as :func:`save` writes it now.
-_WRONG = (ValueError, TypeError, LookupError, AttributeError, ImportError, ArithmeticError, RecursionError)
+_WRONG = (
+    ValueError,
+    TypeError,
+    LookupError,
+    AttributeError,
+    ImportError,
+    ArithmeticError,
+    RecursionError,
+)
 
 
 def save(result: Any, path: FilePath) -> None:
@@ -66,14 +74,21 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     >>> len(ss.open(file))
     2
     """
-    name, text = os.fspath(path), text_of(path, LARGEST, "a *.json that save() wrote", ", or give a *.json that save() wrote")
+    name, text = (
+        os.fspath(path),
+        text_of(
+            path, LARGEST, "a *.json that save() wrote", ", or give a *.json that save() wrote"
+        ),
+    )
     try:
         held = json.loads(text)
         version, body = held["spragsym"], _text(held["result"])
         if version == __version__ and _digest(body) != held["sha256"]:
             raise ValueError("it is not as it was written")
     except _WRONG as error:
-        raise ParameterError(f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote") from error
+        raise ParameterError(
+            f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
+        ) from error
     why = f"this is {__version__}"
     if version == __version__:
         try:
@@ -96,7 +111,9 @@ def _digest(body: str) -> str:
 def _array(thing: Any) -> list[Any]:
     array = np.ascontiguousarray(thing)
     if array.dtype.hasobject:
-        raise ParameterError(f"{array.dtype} is no kind of numbers or words that a file holds; write its columns to *.csv")
+        raise ParameterError(
+            f"{array.dtype} is no kind of numbers or words that a file holds; write its columns to *.csv"
+        )
     return [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]
 
 
@@ -104,15 +121,23 @@ def _array(thing: Any) -> list[Any]:
 _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
     "float": (float, float.hex, float.fromhex),
     "array": (
-        np.ndarray | np.generic, _array,
-        lambda held: np.frombuffer(base64.b64decode(held[2]), np.dtype(held[0])).reshape(held[1]).copy(),
+        np.ndarray | np.generic,
+        _array,
+        lambda held: (
+            np.frombuffer(base64.b64decode(held[2]), np.dtype(held[0])).reshape(held[1]).copy()
+        ),
     ),
-    "mpf": (mpmath.mpf, lambda number: [*map(int, number._mpf_)], lambda held: mpmath.make_mpf(tuple(held))),
+    "mpf": (
+        mpmath.mpf,
+        lambda number: [*map(int, number._mpf_)],
+        lambda held: mpmath.make_mpf(tuple(held)),
+    ),
     "mpc": (
-        mpmath.mpc, lambda number: [[*map(int, part)] for part in number._mpc_],
+        mpmath.mpc,
+        lambda number: [[*map(int, part)] for part in number._mpc_],
         lambda held: mpmath.make_mpc(tuple(map(tuple, held))),
     ),
-}  # fmt: skip
+}
 
 
 def _written(thing: Any) -> Any:
@@ -130,7 +155,9 @@ def _written(thing: Any) -> Any:
             return {"model": [thing.where, thing is thing.search]}
         case ParameterSet():
             values = {name: getattr(thing, name) for name in thing.ranges}
-            return {"parameters": [_written(part) for part in (thing.model, values, thing.followed)]}
+            return {
+                "parameters": [_written(part) for part in (thing.model, values, thing.followed)]
+            }
         case Field():
             return {"field": thing.where}
         case tuple() | list() if not hasattr(thing, "_fields"):
@@ -140,7 +167,9 @@ def _written(thing: Any) -> Any:
             return {kind: write(thing)}
     whole: Any = thing._for_file() if isinstance(thing, Result) else thing
     names = getattr(thing, "_fields", None) or [each.name for each in fields(whole)]
-    return {"class": [*_place(type(thing)), _written({name: getattr(whole, name) for name in names})]}
+    return {
+        "class": [*_place(type(thing)), _written({name: getattr(whole, name) for name in names})]
+    }
 
 
 def _place(kind: type) -> tuple[str, str]:
@@ -155,7 +184,9 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
         if given is not None and given.where == where:
             return given
         if where not in shipped():
-            raise ParameterError(f"model: the result is of {where}, which is no shipped model; give model=spragsym.load(...)")
+            raise ParameterError(
+                f"model: the result is of {where}, which is no shipped model; give model=spragsym.load(...)"
+            )
         return load(where)
 
     if kind in _NUMBERS:
@@ -190,6 +221,8 @@ def _class(module: str, name: str) -> Any:
     # What derives, and what runs as a command when it is imported, has no results.
     known = package == __package__.partition(".")[0] and not {"derive", "__main__"} & {*inner}
     made = getattr(importlib.import_module(module), name) if known else None
-    if not isinstance(made, type) or not (is_dataclass(made) or issubclass(made, enum.Enum) or hasattr(made, "_fields")):
+    if not isinstance(made, type) or not (
+        is_dataclass(made) or issubclass(made, enum.Enum) or hasattr(made, "_fields")
+    ):
         raise ValueError(f"{module}.{name} is no class of results")
     return made

@@ -111,7 +111,19 @@ class Points(OfStates, Rows):
 
     @property
     def offered(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys([*self.vary, *self.columns, *self._values, "ends", "when", "after", *self.parameters.ranges]))
+        return tuple(
+            dict.fromkeys(
+                [
+                    *self.vary,
+                    *self.columns,
+                    *self._values,
+                    "ends",
+                    "when",
+                    "after",
+                    *self.parameters.ranges,
+                ]
+            )
+        )
 
     @property
     def table_columns(self) -> dict[str, NDArray[Any]]:
@@ -146,13 +158,17 @@ class Points(OfStates, Rows):
         ended = self._ended
         if isinstance(ended, Ended) and not callable(ended.after):
             ended = Ended(ended.ends[which], ended.when[which], picked(ended.after, which))
-        return replace(self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended)
+        return replace(
+            self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended
+        )
 
     def between(self, spans: FloatArray) -> Self:
         """The points in ranges of what varies, shape (number, 2), which take the place of those that were searched."""
         values = np.array([getattr(self, name) for name in self.vary])
         inside = np.asarray(((spans[:, :1] <= values) & (values <= spans[:, 1:])).all(axis=0))
-        return replace(self.select(inside), region=np.concatenate([self.region[: -len(self.vary)], spans]))
+        return replace(
+            self.select(inside), region=np.concatenate([self.region[: -len(self.vary)], spans])
+        )
 
     def _for_file(self) -> Self:
         return replace(self, _ended=replace(self._what_ends, after=self.after))
@@ -361,7 +377,9 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
         return np.array(self.value, dtype=dtype, copy=copy)
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        return getattr(ufunc, method)(*(one.value if isinstance(one, LowestEnd) else one for one in inputs), **options)
+        return getattr(ufunc, method)(
+            *(one.value if isinstance(one, LowestEnd) else one for one in inputs), **options
+        )
 
     def __float__(self) -> float:
         return float(self.value)
@@ -380,4 +398,6 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
 
     def __getitem__(self, index: Any) -> LowestEnd:
         some = {name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")}
-        return replace(self, **{name: part if np.ndim(part) else part.item() for name, part in some.items()})
+        return replace(
+            self, **{name: part if np.ndim(part) else part.item() for name, part in some.items()}
+        )

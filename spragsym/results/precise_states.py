@@ -40,7 +40,9 @@ class Written(ABC):
 
         ``digits`` are significant ones; by default as many as are proved.
         """
-        return {name: around(value, self._bound(value), digits) for name, value in self.numbers.items()}
+        return {
+            name: around(value, self._bound(value), digits) for name, value in self.numbers.items()
+        }
 
     def __repr__(self) -> str:
         numbers = [f"{name}={decimal}" for name, decimal in self.decimals().items()]

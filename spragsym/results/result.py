@@ -61,7 +61,11 @@ class Result(Shown):
         """An ``xarray.Dataset`` of :meth:`data`, with unit and meaning where the model knows them (extra ``sweep``)."""
         variables = {}
         for name, column in self.data().items():
-            dims = ("row",) if column.ndim == 1 else tuple(f"axis_{place}" for place in range(column.ndim))
+            dims = (
+                ("row",)
+                if column.ndim == 1
+                else tuple(f"axis_{place}" for place in range(column.ndim))
+            )
             variables[name] = (dims, column.astype(object) if column.dtype.kind == "U" else column)
         return storage.dataset(variables, {}, {}, self._explained, {})
 

@@ -2,6 +2,15 @@
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [
-    "balance", "equilibria", "forces", "namespaces", "polar", "precise_balance", "reference_state", "regions", "search",
-    "stability", "states",
-]  # fmt: skip
+    "balance",
+    "equilibria",
+    "forces",
+    "namespaces",
+    "polar",
+    "precise_balance",
+    "reference_state",
+    "regions",
+    "search",
+    "stability",
+    "states",
+]

@@ -64,7 +64,9 @@ class StateSystem(System):
         """Those of points."""
         return self.prepared(Intervals.point(given))
 
-    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+    def state(
+        self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
+    ) -> State:
         """The evaluation over boxes, whose unknowns are intervals or jets of them."""
         at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])
         at.sides = sides
@@ -89,10 +91,14 @@ class StateSystem(System):
         at = self.state(unknowns, parameters)
         out, torsions = self.nothing_at(at), self.balance.torsions
         if torsions:
-            jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in at.directions[3 * self.balance.springs :]])
+            jumps = np.logical_or.reduce(
+                [np.isnan(phi.ends[0]) for phi in at.directions[3 * self.balance.springs :]]
+            )
             rows = np.flatnonzero(~out & jumps)
             for sides in itertools.product((1, -1), repeat=len(torsions)) if rows.size else ():
-                still = np.logical_and.reduce(self.values(unknowns[:, rows], parameters[:, rows], sides).holds_zero())
+                still = np.logical_and.reduce(
+                    self.values(unknowns[:, rows], parameters[:, rows], sides).holds_zero()
+                )
                 rows = rows[~still]
             out[rows] = True
         return out
@@ -124,7 +130,10 @@ class Balance(Forces, StateSystem):
         q = middles
         for _ in range(GUESSES):
             at = self.at(list(q), values, xp=np)
-            slopes, forces = filled(at.slopes, middles.shape[1:]), filled([at.forces()], middles.shape[1:])
+            slopes, forces = (
+                filled(at.slopes, middles.shape[1:]),
+                filled([at.forces()], middles.shape[1:]),
+            )
             q = q - (contractors.inverse(slopes) * forces).sum(axis=1)
         return q
 
@@ -137,7 +146,9 @@ class Balance(Forces, StateSystem):
         out = super().nothing_at(at)
         return out | at_anchors(at, ~out, _no_direction)
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> BoolArray:
+    def given_up(
+        self, unknowns: Intervals, parameters: Intervals, width: float = POLE
+    ) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
         return self.at_poles(self.state(unknowns, parameters), width)
 
@@ -156,7 +167,9 @@ class Balance(Forces, StateSystem):
 
     def with_directions(self, at: State) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
-        step = contractors.newton(*self._linear(at, at.box.middle, State.forces, lambda at: at.slopes))
+        step = contractors.newton(
+            *self._linear(at, at.box.middle, State.forces, lambda at: at.slopes)
+        )
         return np.fmin(step.ends, at.box.ends)
 
     def by_rows(self, at: State) -> FloatArray:
@@ -164,7 +177,9 @@ class Balance(Forces, StateSystem):
         given = self._linear(at, at.box.nearest_to_zero, State.rows, State.stiffness)
         return np.fmin(contractors.by_rows(*given), at.box.ends)
 
-    def _linear(self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]) -> Linear:
+    def _linear(
+        self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]
+    ) -> Linear:
         """:meth:`linear` by the generated slopes, where no length counts and no wave is a free unknown."""
         if at.xp is FREE or self.torsions:  # forces of torsion springs contain a length
             return linear(at, near, forces)
@@ -181,7 +196,9 @@ def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
     Directions and lengths are those of the boxes.
     """
     moved = replace(at, q=jets.variables(at.q, 1), fixed=at.directions)
-    return _from(at, near, forces, matrix([jets.gradient(row, len(at.q)) for row in forces(moved)], at.shape))
+    return _from(
+        at, near, forces, matrix([jets.gradient(row, len(at.q)) for row in forces(moved)], at.shape)
+    )
 
 
 def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linear:
@@ -196,7 +213,9 @@ def at_anchors(at: State, among: BoolArray, told: Callable[[State, int], BoolArr
     """
     out = np.zeros(at.shape, dtype=np.bool_)
     for spring, (dx, dy) in enumerate(at.anchors):
-        rows = np.flatnonzero(among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
+        rows = np.flatnonzero(
+            among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width))
+        )
         if rows.size:
             out[rows] = told(at.some(rows), spring)
     return out
@@ -210,7 +229,9 @@ def _no_direction(at: State, spring: int) -> BoolArray:
         fixed = [*at.directions[:place], *direction, *at.directions[place + 2 :]]
         return replace(at, fixed=fixed).forces()
 
-    M = matrix([jets.gradient(row, 2) for row in forces(*jets.variables([cover, cover], 1))], at.shape)
+    M = matrix(
+        [jets.gradient(row, 2) for row in forces(*jets.variables([cover, cover], 1))], at.shape
+    )
     none = Intervals(np.zeros((2, *at.shape)))
     return contractors.no_unit_vector(stacked(forces(none, none), at.shape), M)
 
@@ -221,12 +242,22 @@ class PreciseBalance(Digits):
     ``given`` are those parameters, of a system with a scale with that behind them, and ``spans`` parameters that lie in a range.
     """
 
-    def __init__(self, system: StateSystem, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        self.system, self.balance, self.bits, self.order = system, system.balance, bits, system.order
+    def __init__(
+        self, system: StateSystem, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})
+    ) -> None:
+        self.system, self.balance, self.bits, self.order = (
+            system,
+            system.balance,
+            bits,
+            system.order,
+        )
         with balls.precision(bits):
             between = {name: balls.between(*ends) for name, ends in spans.items()}
         numbers = zip([*self.balance.parameters, SCALE], np.nan_to_num(given), strict=False)
-        values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
+        values = {
+            name: between[name] if name in spans else ball(float(number), bits)
+            for name, number in numbers
+        }
         self.arguments = self.balance.arguments_of(values, balls.XP)
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
@@ -235,7 +266,9 @@ class PreciseBalance(Digits):
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """Slopes of it: of forces alone the stiffness, as it is generated."""
-        return self.state(unknowns).slopes if self.system is self.balance else super().slopes(unknowns)
+        return (
+            self.state(unknowns).slopes if self.system is self.balance else super().slopes(unknowns)
+        )
 
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at unknowns."""
@@ -250,25 +283,42 @@ class BalanceInUnits(Balance):
     its own.
     """
 
-    def __init__(self, model: Model, units: Mapping[str, Unit], law: str = "friction_at_rest") -> None:
+    def __init__(
+        self, model: Model, units: Mapping[str, Unit], law: str = "friction_at_rest"
+    ) -> None:
         super().__init__(model, True, law)
         self.units = units
-        powers = {unit: [name for name in self.balanced if name in one.powers] for unit, one in units.items()}
+        powers = {
+            unit: [name for name in self.balanced if name in one.powers]
+            for unit, one in units.items()
+        }
         #: Parameters of the balance that depend on each unit; a unit on which none does matters to the motion alone.
         self.scaling = {unit: names for unit, names in powers.items() if names}
         #: p/P as arguments of their own, by parameter.
-        self.factors = {name: f"{name}/P" for name in self.parameters if any(name in unit.powers for unit in units.values())}
+        self.factors = {
+            name: f"{name}/P"
+            for name in self.parameters
+            if any(name in unit.powers for unit in units.values())
+        }
         self.parameters += units
         #: Those that are asked for: the law at rest depends on nothing of the motion.
-        self.needed = [name for name in self.factors if law != "friction_at_rest" or name in self.balanced]
+        self.needed = [
+            name for name in self.factors if law != "friction_at_rest" or name in self.balanced
+        ]
         self.codes += [*units, *(self.factors[name] for name in self.needed)]
 
-    def scaled(self, values: Values, xp: Any = np, names: Iterable[str] | None = None) -> dict[str, Any]:
+    def scaled(
+        self, values: Values, xp: Any = np, names: Iterable[str] | None = None
+    ) -> dict[str, Any]:
         """P and u by name, of any number type, with the page's parameters p in place of P, all or some, and beside them p/P."""
         found = dict(values)
         for name in self.factors if names is None else names:
             code = self.factors[name]
-            powers = ((values[key], unit.powers[name]) for key, unit in self.units.items() if name in unit.powers)
+            powers = (
+                (values[key], unit.powers[name])
+                for key, unit in self.units.items()
+                if name in unit.powers
+            )
             found[code] = reduce(mul, (_power(value, power, xp) for value, power in powers))
             found[name] = _times(values[name], found[code])
         return found
@@ -281,12 +331,18 @@ class BalanceInUnits(Balance):
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
         rows = super().by_parameters(at, needed)
-        return [[self._slope(name, dict(zip(needed, row, strict=True)), at.values) for name in names] for row in rows]
+        return [
+            [self._slope(name, dict(zip(needed, row, strict=True)), at.values) for name in names]
+            for row in rows
+        ]
 
     def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Any:
         if name in self.units:
             powers = self.units[name].powers
-            return sum(slopes[key] * values[key] * powers[key] for key in self.scaling[name]) / values[name]
+            return (
+                sum(slopes[key] * values[key] * powers[key] for key in self.scaling[name])
+                / values[name]
+            )
         return slopes[name] * values[self.factors[name]] if name in self.factors else slopes[name]
 
 
@@ -302,4 +358,8 @@ def _times(value: Any, factor: Any) -> Any:
     if is_zero(value):
         return value
     product = value * factor
-    return Intervals(np.where(value.ends == 0, 0.0, product.ends)) if isinstance(value, Intervals) else product
+    return (
+        Intervals(np.where(value.ends == 0, 0.0, product.ends))
+        if isinstance(value, Intervals)
+        else product
+    )

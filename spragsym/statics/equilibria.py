@@ -10,7 +10,9 @@ from ..results import Equilibria
 
 
 @question
-def equilibria(p: ParameterSet, contact: bool = True, within: Ranges | None = None, *, method: Method = "auto") -> Equilibria:
+def equilibria(
+    p: ParameterSet, contact: bool = True, within: Ranges | None = None, *, method: Method = "auto"
+) -> Equilibria:
     """All equilibria: steady sliding in contact, or at rest in lift-off, each proved, with its stability.
 
     Parameters
@@ -98,5 +100,7 @@ def count(p: ParameterSet, *, method: Method = "auto") -> Int8Array:
     """
     found = equilibria(p)
     if not found.complete:
-        raise ConvergenceError(f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them")
+        raise ConvergenceError(
+            f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"
+        )
     return found.count

@@ -43,7 +43,9 @@ class Forces:
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool = True, law: str = "friction_at_rest", room: float = 0.0) -> None:
+    def __init__(
+        self, model: Model, contact: bool = True, law: str = "friction_at_rest", room: float = 0.0
+    ) -> None:
         about = model.about
         #: How far beyond the contact's border states count, too: 0 but where those on it are looked for.
         self.room = room
@@ -56,7 +58,9 @@ class Forces:
         self.parameters: list[str] = list(model.parameters)
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
         #: Parameters on which the balance depends, and not the motion alone.
-        self.balanced: list[str] = [entry["name"] for entry in about["parameters"] if entry["role"] == "both"]
+        self.balanced: list[str] = [
+            entry["name"] for entry in about["parameters"] if entry["role"] == "both"
+        ]
         #: Parameters that may be 0.
         self.may_vanish = [
             entry["name"]
@@ -64,7 +68,9 @@ class Forces:
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
         #: Arguments of the functions: cosines and sines of angles, and these too where they stand by themselves.
-        self.codes: list[str] = list(dict.fromkeys(itertools.chain(*reversed(about["arguments"].values()))))
+        self.codes: list[str] = list(
+            dict.fromkeys(itertools.chain(*reversed(about["arguments"].values())))
+        )
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
@@ -77,14 +83,22 @@ class Forces:
         if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
         #: Numbers of coordinates that are angles after a turn of which all is as before: one turn of each is searched.
-        self.around = [place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")]
+        self.around = [
+            place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")
+        ]
         self.border[:, self.around] = TURN
         #: Beyond them the forces are not asked for.
-        self.limits = np.full((2, self.n), np.inf) if about["contact"]["polynomial"] else self.border.copy()
+        self.limits = (
+            np.full((2, self.n), np.inf) if about["contact"]["polynomial"] else self.border.copy()
+        )
         self.border += room
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
-        self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.algebra, "balance") else {}
+        self.sums = (
+            {"forces": "balance", "forces_jacobian": "balance_jacobian"}
+            if hasattr(model.algebra, "balance")
+            else {}
+        )
 
     # ------------------------------------------------------------------------------------------- arguments
 
@@ -137,7 +151,11 @@ class Forces:
         """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
         law, own = at.call("friction_by_parameters", ()), self.model.about["by_parameters"]
         return [
-            [(row[own.index(name)] if name in own else 0) + row[-1] * law[self.parameters.index(name)] for name in names]
+            [
+                (row[own.index(name)] if name in own else 0)
+                + row[-1] * law[self.parameters.index(name)]
+                for name in names
+            ]
             for row in at.rows("forces_by_parameters")
         ]
 
@@ -170,11 +188,16 @@ class State:
         """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
         arguments = self.balance.model.about["arguments"]
         listed = [self.values[code] for code in arguments.get(name, arguments[kind])]
-        return undecorated(getattr(self.balance.model.algebra, name))(*first, *listed, *last, xp=self.xp)
+        return undecorated(getattr(self.balance.model.algebra, name))(
+            *first, *listed, *last, xp=self.xp
+        )
 
     def some(self, rows: IntArray) -> State:
         """The evaluation at some of the boxes."""
-        values = {name: value[rows] if isinstance(value, Intervals) else value for name, value in self.values.items()}
+        values = {
+            name: value[rows] if isinstance(value, Intervals) else value
+            for name, value in self.values.items()
+        }
         q, fixed = ([part[rows] for part in parts] for parts in (self.q, self.directions))
         return replace(self, q=q, values=values, shape=rows.shape, fixed=fixed)
 
@@ -198,14 +221,20 @@ class State:
     @cached_property
     def anchors(self) -> list[tuple[Intervals, Intervals]]:
         """The vectors from the mass to the anchors of all springs, over boxes."""
-        return [(as_intervals(dx, self.shape), as_intervals(dy, self.shape)) for dx, dy, _ in self.geometry]
+        return [
+            (as_intervals(dx, self.shape), as_intervals(dy, self.shape))
+            for dx, dy, _ in self.geometry
+        ]
 
     @cached_property
     def directions(self) -> list[Any]:
         """Cosine, sine and length of every spring, then the turning of every torsion spring."""
         if self.fixed is not None:
             return list(self.fixed)
-        steps = [(0 if place in self.upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry)]
+        steps = [
+            (0 if place in self.upright else dx, dy)
+            for place, (dx, dy, _) in enumerate(self.geometry)
+        ]
         parts = [part for step in steps for part in self.direction(*step)]
         if self.turnings is not None or not self.balance.torsions:
             return [*parts, *(self.turnings or ())]
@@ -223,13 +252,17 @@ class State:
         if self.xp is not XP:
             pairs = self.call("turnings", [*self.q, *directions], kind="statics")
             return [self.xp.atan2(sine, cosine) for cosine, sine in pairs]
-        still = replace(self, values={name: jets.constant(value) for name, value in self.values.items()})
+        still = replace(
+            self, values={name: jets.constant(value) for name, value in self.values.items()}
+        )
         turned = still.call("turnings", map(jets.constant, [*self.q, *directions]), kind="statics")
         springs, stiffnesses = self.balance.torsions, self.of_springs("torsions")
         sides: Sequence[int | None] = self.sides or [None] * len(springs)
         each = zip(turned, stiffnesses, springs, self.at_rest, sides, strict=True)
         return [
-            Intervals(np.zeros((2, *self.shape))) if _is_none(k) else turning(value, steps[spring], rest, self.shape, side)
+            Intervals(np.zeros((2, *self.shape)))
+            if _is_none(k)
+            else turning(value, steps[spring], rest, self.shape, side)
             for value, k, spring, rest, side in each
         ]
 
@@ -269,7 +302,9 @@ class State:
     def damping(self, pushing: int | None = None) -> Matrix:
         """C of dampers and of the slope of the friction law."""
         pushing = self.balance.pushing if pushing is None else pushing
-        return self.call("damping", [*self.q, *self.directions[: 3 * self.balance.springs]], pushing)
+        return self.call(
+            "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], pushing
+        )
 
     def slope(self) -> Any:
         """Slope of the friction law at steady sliding."""
@@ -279,8 +314,15 @@ class State:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
         out = np.zeros(self.shape, dtype=np.bool_)
         for terms in self.call("friction_slope_by_sizes", ()):
-            kept = [(factor, power) for factor, power in terms if as_intervals(factor, self.shape).ends.any()]
-            total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(self.shape)))
+            kept = [
+                (factor, power)
+                for factor, power in terms
+                if as_intervals(factor, self.shape).ends.any()
+            ]
+            total = sum(
+                (factor * XP.exp(power) for factor, power in kept),
+                Intervals.point(np.zeros(self.shape)),
+            )
             out |= ~total.holds_zero()
         return out
 
@@ -323,7 +365,13 @@ def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
     return cosine * c - sine * s, cosine * s + sine * c, root * L
 
 
-def turning(value: tuple[Any, Any], vector: tuple[Any, Any], rest: tuple[Any, Any], shape: Shape, side: int | None) -> Any:
+def turning(
+    value: tuple[Any, Any],
+    vector: tuple[Any, Any],
+    rest: tuple[Any, Any],
+    shape: Shape,
+    side: int | None,
+) -> Any:
     """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes meet the ray φ = ±π.
 
     ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at rest; ``side`` says what is

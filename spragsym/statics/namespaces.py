@@ -55,7 +55,11 @@ def _enclosed(value: Any) -> Any:
 def _not_negative(value: Any) -> Any:
     if isinstance(value, Jet):
         return Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
-    return Intervals(np.stack([np.minimum(value.ends[0], 0.0), value.ends[1]])) if isinstance(value, Intervals) else value
+    return (
+        Intervals(np.stack([np.minimum(value.ends[0], 0.0), value.ends[1]]))
+        if isinstance(value, Intervals)
+        else value
+    )
 
 
 class FreeWaves(LawFunctions):
@@ -63,7 +67,11 @@ class FreeWaves(LawFunctions):
 
     def of(self, name: str, value: Any) -> Any:
         """A function of one number or jet."""
-        return Intervals(np.ones_like(self.taken(constant(value)).ends)) if name in ("cos", "sin") else super().of(name, value)
+        return (
+            Intervals(np.ones_like(self.taken(constant(value)).ends))
+            if name in ("cos", "sin")
+            else super().of(name, value)
+        )
 
 
 #: ``xp`` over boxes.
@@ -106,7 +114,11 @@ class Scaled(Arithmetic):
             return self
         small, large = sorted((self, other), key=lambda one: one.order)
         shift = large.order - small.order
-        return Scaled(large.value + (small.value * self.w**shift if shift else small.value), large.order, self.w)
+        return Scaled(
+            large.value + (small.value * self.w**shift if shift else small.value),
+            large.order,
+            self.w,
+        )
 
     def __mul__(self, other: Any) -> Any:
         other = self._of(other)
@@ -146,7 +158,11 @@ class _ScaledFunctions:
 
     def __getattr__(self, name: str) -> Callable[[Any], Any]:
         function: Callable[[Any], Any] = getattr(XP, name)
-        return lambda value: Scaled(function(value.finite()), 0, value.w) if isinstance(value, Scaled) else function(value)
+        return lambda value: (
+            Scaled(function(value.finite()), 0, value.w)
+            if isinstance(value, Scaled)
+            else function(value)
+        )
 
 
 #: ``xp`` at infinity.
@@ -208,5 +224,11 @@ def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
     q = [Parity(i in odd) for i in range(balance.n)]
     given = {name: 0 if is_zero(value) else Parity(False) for name, value in values.items()}
     at = balance.at(q, given, xp=xp)
-    wanted = [*((row, i in odd) for i, row in enumerate(at.rows("forces"))), (at.gap() if balance.opens else 0, False)]
-    return all((row.odd is side) if isinstance(row, Parity) else (row == 0 or not side) for row, side in wanted)
+    wanted = [
+        *((row, i in odd) for i, row in enumerate(at.rows("forces"))),
+        (at.gap() if balance.opens else 0, False),
+    ]
+    return all(
+        (row.odd is side) if isinstance(row, Parity) else (row == 0 or not side)
+        for row, side in wanted
+    )

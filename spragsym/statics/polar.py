@@ -44,7 +44,17 @@ import numpy as np
 
 from ..numerics import certified_roots, contractors, jets
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, quiet, raised, stacked, width_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    Shape,
+    quiet,
+    raised,
+    stacked,
+    width_of,
+)
 from .balance import SCALE, Balance, StateSystem
 from .forces import State, Values, as_intervals
 from .namespaces import XP
@@ -78,7 +88,9 @@ class Polar(StateSystem):
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance, with the scale last."""
-        return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
+        return Intervals(
+            np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1)
+        )
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The state with φ as its turning."""
@@ -88,7 +100,9 @@ class Polar(StateSystem):
         c0, s0 = nowhere.at_rest[0] if self.turns else (1, 0)
         c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
         q = list(nowhere.q)
-        for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
+        for number, value in zip(
+            (i for i in range(self.balance.n) if i not in self.chart), others, strict=True
+        ):
             q[number] = value
         *anchor, rest = replace(nowhere, q=q).geometry[self.spring]
         length = part * values[SCALE] + rest if self.tight else part * values[SCALE]
@@ -96,7 +110,8 @@ class Polar(StateSystem):
             q[number] = -(length * share) + end
         at = replace(nowhere, q=q)
         lines = [
-            (c, s, length) if number == self.spring else at.direction(dx, dy) for number, (dx, dy, _) in enumerate(at.geometry)
+            (c, s, length) if number == self.spring else at.direction(dx, dy)
+            for number, (dx, dy, _) in enumerate(at.geometry)
         ]
         at.fixed = self.turned(itertools.chain(*lines), angle)
         return at
@@ -112,7 +127,10 @@ class Polar(StateSystem):
         c, s, length = at.directions[3 * self.spring : 3 * self.spring + 3]
         forces = self.other_forces(at)
         x, y = self.chart
-        tension, across = elongation * at.of_springs("stiffnesses")[self.spring], forces[y] * c - forces[x] * s
+        tension, across = (
+            elongation * at.of_springs("stiffnesses")[self.spring],
+            forces[y] * c - forces[x] * s,
+        )
         out = list(forces)
         out[x] = forces[x] * c + forces[y] * s - tension
         out[y] = across
@@ -122,7 +140,11 @@ class Polar(StateSystem):
         if self.balance.n > 2:
             a, b = end_slopes(at)[self.spring]
             for row in set(range(self.balance.n)) - set(self.chart):
-                out[row] = forces[row] + tension * (c * a[row] + s * b[row]) + (c * b[row] - s * a[row]) * across
+                out[row] = (
+                    forces[row]
+                    + tension * (c * a[row] + s * b[row])
+                    + (c * b[row] - s * a[row]) * across
+                )
         return out
 
     def other_forces(self, at: State) -> list[Any]:
@@ -135,19 +157,29 @@ class Polar(StateSystem):
             if place != self.spring:
                 c, s, length = at.directions[3 * place : 3 * place + 3]
                 tension = (length - rest) * k
-                forces = [force + tension * (c * a[row] + s * b[row]) for row, force in enumerate(forces)]
+                forces = [
+                    force + tension * (c * a[row] + s * b[row]) for row, force in enumerate(forces)
+                ]
         return forces
 
     # ------------------------------------------------------------------------------------------ over boxes
 
-    def state(self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None) -> State:
+    def state(
+        self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
+    ) -> State:
         """The evaluation over boxes."""
-        return self.at(list(unknowns), self.balance.arguments(parameters) | {SCALE: parameters[-1]}, parameters.shape[1:])
+        return self.at(
+            list(unknowns),
+            self.balance.arguments(parameters) | {SCALE: parameters[-1]},
+            parameters.shape[1:],
+        )
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces of their directions."""
         at = self.state(unknowns, parameters)
-        return at.beside_border()[1] | np.logical_or.reduce(width_of(self.balance.with_directions(at)) < 0)
+        return at.beside_border()[1] | np.logical_or.reduce(
+            width_of(self.balance.with_directions(at)) < 0
+        )
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
@@ -169,21 +201,27 @@ def ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     return bool((stacked(every, (1,)).width < 1e-12).all()) if every else True
 
 
-def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, BoolArray]:
+def turned_points(
+    balance: Balance, given: FloatArray, regions: FloatArray
+) -> tuple[Roots, BoolArray]:
     """Roots and undecided boxes of points with a torsion spring, and which points these are.
 
     A model with torsion springs along several lines, or along one whose first end is not at two coordinates, has none of them.
     ``given`` are parameters, shape (parameters, points), and ``regions`` have the shape (2, n, points).
     """
     done = np.zeros(given.shape[1], dtype=np.bool_)
-    system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
+    system = (
+        _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
+    )
     if system is None:
         return Roots.none(balance.n), done
     done = _stiffnesses(balance, given, "torsions").low[0] > 0
     return _of_points(system, given, regions, np.flatnonzero(done)), done
 
 
-def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, BoolArray]:
+def stiff_points(
+    balance: Balance, given: FloatArray, regions: FloatArray
+) -> tuple[Roots, BoolArray]:
     """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
     least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
     stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
@@ -199,10 +237,14 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
     """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs, points)."""
     with quiet():
-        return stacked(balance.at((), balance.over(Intervals.point(given))).of_springs(name), given.shape[1:])
+        return stacked(
+            balance.at((), balance.over(Intervals.point(given))).of_springs(name), given.shape[1:]
+        )
 
 
-def _of_any_spring(balance: Balance, given: FloatArray, around: FloatArray, points: IntArray) -> tuple[Roots, BoolArray]:
+def _of_any_spring(
+    balance: Balance, given: FloatArray, around: FloatArray, points: IntArray
+) -> tuple[Roots, BoolArray]:
     """Roots of the points of which all is decided around one of the springs, and which these are."""
     done, roots = np.zeros(given.shape[1], dtype=np.bool_), Roots.none(balance.n)
     if balance.torsions:
@@ -236,19 +278,26 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
             some = np.flatnonzero(narrow == tight)
             if some.size:
                 columns = np.concatenate([given[:, some], scale[None, some]])
-                found = _searched(replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some])
+                found = _searched(
+                    replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some]
+                )
                 roots = roots.then(found.numbered(points[some]))
     return roots
 
 
-def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
+def _sides(
+    system: Polar, given: FloatArray, around: FloatArray
+) -> tuple[FloatArray, FloatArray, BoolArray]:
     """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
     nowhere = balance.at((), balance.over(Intervals.point(given)), shape)
     k = as_intervals(nowhere.of_springs("stiffnesses")[system.spring], shape)
     q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
     *anchor, rest = stacked(replace(nowhere, q=q).geometry[system.spring], shape)
-    reach = [np.maximum(*raised(around[:, i] + end.ends[::-1])) for i, end in zip(system.chart, anchor, strict=True)]
+    reach = [
+        np.maximum(*raised(around[:, i] + end.ends[::-1]))
+        for i, end in zip(system.chart, anchor, strict=True)
+    ]
     length = raised(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
     whole = replace(nowhere, q=list(Intervals(around)))
@@ -264,7 +313,11 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
     turn = np.full(shape, HALF_TURN + BEYOND)
     ends = np.where(tight, 1.0, -shortest / scale), np.ones(shape)
     others = [around[:, i] for i in range(balance.n) if i not in system.chart]
-    return np.stack([np.stack([turn, turn]), raised(np.stack(ends), 2), *others], axis=1), scale, tight
+    return (
+        np.stack([np.stack([turn, turn]), raised(np.stack(ends), 2), *others], axis=1),
+        scale,
+        tight,
+    )
 
 
 def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:

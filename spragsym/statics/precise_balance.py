@@ -18,7 +18,14 @@ from ..numerics.balls import Ball, Undecided
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
-from ..numerics.precise_roots import Reduced, as_intervals, exact_ends, narrowed, outward, reduced_roots
+from ..numerics.precise_roots import (
+    Reduced,
+    as_intervals,
+    exact_ends,
+    narrowed,
+    outward,
+    reduced_roots,
+)
 from ..numerics.vectors import BEGIN, TURN
 from .balance import PreciseBalance, StateSystem
 
@@ -36,17 +43,30 @@ AROUND = 2.0**-13
 END = BEGIN + TURN
 
 
-def refined(system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False) -> Roots:
+def refined(
+    system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False
+) -> Roots:
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
-        box = narrowed(PreciseBalance(system, given[:, found.point[root]], ROOT_BITS), ends[:, :, root], found.alone[:, :, root])
+        box = narrowed(
+            PreciseBalance(system, given[:, found.point[root]], ROOT_BITS),
+            ends[:, :, root],
+            found.alone[:, :, root],
+        )
         if box is not None:
             ends[:, :, root] = np.fmin(as_intervals(box).ends[:, :, 0], ends[:, :, root])
     return replace(found, ends=ends)
 
 
-def settled_by_digits(system: StateSystem, given: FloatArray, around: FloatArray, found: Roots, *, most: int = CLUSTERS) -> Roots:
+def settled_by_digits(
+    system: StateSystem,
+    given: FloatArray,
+    around: FloatArray,
+    found: Roots,
+    *,
+    most: int = CLUSTERS,
+) -> Roots:
     """What a search has left or knows to few digits, with many digits, one cluster after the other.
 
     Not of points with more clusters than ``most``.
@@ -57,7 +77,11 @@ def settled_by_digits(system: StateSystem, given: FloatArray, around: FloatArray
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = count <= most
     parts = [
-        _or_known(found.of(np.array([point])), hulls[:, :, k], reduced(system, given[:, point], hulls[:, :, k], point))
+        _or_known(
+            found.of(np.array([point])),
+            hulls[:, :, k],
+            reduced(system, given[:, point], hulls[:, :, k], point),
+        )
         for k, point in enumerate(owner.tolist())
         if few[which[k]]
     ]
@@ -73,7 +97,11 @@ def settled_by_digits(system: StateSystem, given: FloatArray, around: FloatArray
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
     """What many digits tell of a cluster; where they leave something, roots that are known already, to few digits."""
     inside = contractors.within(found.ends, hull[:, :, None])
-    if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
+    if (
+        not part.left.shape[2]
+        or not inside.any()
+        or not contractors.apart(found.left, hull[:, :, None]).all()
+    ):
         return part
     return found.kept(inside, slice(0))
 
@@ -110,7 +138,12 @@ def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
         hulls = boxes[:, :, :0]
         for box in np.moveaxis(boxes[:, :, point == number], 2, 0):
             hull = box[:, :, None]
-            while (meet := ~(contractors.apart(_around(hulls), hull) & contractors.apart(hulls, _around(hull)))).any():
+            while (
+                meet := ~(
+                    contractors.apart(_around(hulls), hull)
+                    & contractors.apart(hulls, _around(hull))
+                )
+            ).any():
                 hull = np.concatenate([hull, hulls[:, :, meet]], axis=2).max(axis=2, keepdims=True)
                 hulls = hulls[:, :, ~meet]
             hulls = np.concatenate([hulls, hull], axis=2)
@@ -139,12 +172,16 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
             root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
             gap = None if root is None else digits.state(root).gap()
             if isinstance(gap, Ball):
-                inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(as_intervals([gap])[0])
+                inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(
+                    as_intervals([gap])[0]
+                )
     found = found.opened(inside, ~(inside | beyond))
     return found.kept(left=~beside_border(found.left, found.left_point)[1])
 
 
-def on_side(system: StateSystem, parameters: Intervals, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
+def on_side(
+    system: StateSystem, parameters: Intervals, ends: FloatArray
+) -> tuple[BoolArray, BoolArray]:
     """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that lie beyond it."""
     with quiet():
         return system.state(Intervals(ends), parameters).beside_border()

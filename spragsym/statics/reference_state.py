@@ -12,7 +12,17 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import undecorated
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, IntArray, Intervals, matrix, quiet, scale_of, stacked
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    IntArray,
+    Intervals,
+    matrix,
+    quiet,
+    scale_of,
+    stacked,
+)
 from ..numerics.jets import gradient, variables
 from ..results import Equilibria, Stability
 from .equilibria import equilibria
@@ -53,24 +63,43 @@ def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> F
 
 
 def nearest_state(
-    eq: Equilibria, near: Mapping[str, float], among: BoolArray | bool = True, error: float | FloatArray = 0.0
+    eq: Equilibria,
+    near: Mapping[str, float],
+    among: BoolArray | bool = True,
+    error: float | FloatArray = 0.0,
 ) -> IndexArray:
     """The slot of the equilibrium that is nearest to a state, for each point, among all or some; distances have these errors."""
     q = [eq.coordinates[name] for name in near]
-    return _nearest(q, [row - value for row, value in zip(q, near.values(), strict=True)], error, ~np.isnan(q[0]) & among)
+    return _nearest(
+        q,
+        [row - value for row, value in zip(q, near.values(), strict=True)],
+        error,
+        ~np.isnan(q[0]) & among,
+    )
 
 
-def _nearest(q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, among: BoolArray) -> IndexArray:
+def _nearest(
+    q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, among: BoolArray
+) -> IndexArray:
     return least_slot(np.where(among, np.linalg.norm(off, axis=0), np.inf), np.array(q), error)
 
 
 def chosen_state(
-    p: Any, q: Sequence[FloatArray], error: FloatArray, among: BoolArray, near: Mapping[str, float] | None
+    p: Any,
+    q: Sequence[FloatArray],
+    error: FloatArray,
+    among: BoolArray,
+    near: Mapping[str, float] | None,
 ) -> IndexArray:
     """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
     model = p.model
     if near is not None:
-        return _nearest(q, [q[model.coordinates.index(name)] - value for name, value in near.items()], error, among)
+        return _nearest(
+            q,
+            [q[model.coordinates.index(name)] - value for name, value in near.items()],
+            error,
+            among,
+        )
     (_, point), *_ = model.cases()
     missing = {
         name: getattr(point, name) for name in model.parameters if getattr(p, name) is None
@@ -84,7 +113,9 @@ def chosen_state(
         at_origin = np.nan_to_num(np.abs(stacked([series.value], shape).middle[0]))
         slope = stacked(gradient(series, len(q)), shape).middle
         stiffness = matrix([[series.derivative(i, j) for j in every] for i in every], shape).middle
-        second = (slope * place).sum(axis=0) + 0.5 * (place[:, None] * stiffness * place).sum(axis=(0, 1))
+        second = (slope * place).sum(axis=0) + 0.5 * (place[:, None] * stiffness * place).sum(
+            axis=(0, 1)
+        )
     convex = np.isfinite(stiffness).all(axis=(0, 1))
     roots = np.linalg.eigvalsh(np.moveaxis(np.where(convex, stiffness, 0.0), (0, 1), (-2, -1)))
     convex &= roots[..., 0] > POSITIVE * np.abs(roots).max(axis=-1)

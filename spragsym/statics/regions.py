@@ -24,7 +24,15 @@ import numpy as np
 from ..errors import ParameterError
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, raised, stacked, width_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    Intervals,
+    quiet,
+    raised,
+    stacked,
+    width_of,
+)
 from .balance import Balance, linear
 from .forces import State, as_intervals
 from .namespaces import FREE
@@ -49,7 +57,9 @@ ROUNDS = 200
 ENOUGH, BOUNDED = 0.999, 0.8
 
 
-def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None) -> tuple[FloatArray, BoolArray]:
+def region(
+    balance: Balance, bounds: Intervals, asked: FloatArray | None = None
+) -> tuple[FloatArray, BoolArray]:
     """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold all equilibria of its point.
 
     ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`by_hand`.
@@ -58,12 +68,16 @@ def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None)
     open_ = np.flatnonzero(~proved)
     if open_.size:
         ends[:, :, open_], proved[open_] = _in_pieces(balance, bounds[:, open_], ends[:, :, open_])
-    wider = np.minimum(np.where(np.isfinite(ends), raised(ends + ROOM), ends), balance.border[:, :, None])
+    wider = np.minimum(
+        np.where(np.isfinite(ends), raised(ends + ROOM), ends), balance.border[:, :, None]
+    )
     if asked is None:
         return wider, proved
     box = np.minimum(asked, balance.border)[:, :, None]
     if (width_of(box) < 0).any():
-        raise ParameterError("within lies beyond the border of the contact, where none of these states is; widen it")
+        raise ParameterError(
+            "within lies beyond the border of the contact, where none of these states is; widen it"
+        )
     whole: BoolArray = proved & (wider <= box).all(axis=(0, 1))
     given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
     both = np.minimum(wider, box)
@@ -89,11 +103,19 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
         border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
         ends = np.minimum(FAR, border)
         # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds everything.
-        nowhere = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
-        at = replace(balance.state(Intervals(ends), parameters), fixed=_any_direction(balance, count))
+        nowhere = ~np.logical_and.reduce(
+            balance.residuals(Intervals(ends), parameters).holds_zero()
+        )
+        at = replace(
+            balance.state(Intervals(ends), parameters), fixed=_any_direction(balance, count)
+        )
         steps = [balance.by_rows, balance.with_directions]
         # Cosines and sines of the coordinates as free unknowns, as directions are.
-        steps += [lambda at: balance.by_rows(replace(at, xp=FREE))] if balance.model.about.get("waves") else []
+        steps += (
+            [lambda at: balance.by_rows(replace(at, xp=FREE))]
+            if balance.model.about.get("waves")
+            else []
+        )
         steps += [_closed, _by_contact_force] if _presses(balance) else []
         for _ in range(ROUNDS):
             before = ends
@@ -107,10 +129,16 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
     return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
 
 
-def _in_pieces(balance: Balance, bounds: Intervals, known: FloatArray) -> tuple[FloatArray, BoolArray]:
+def _in_pieces(
+    balance: Balance, bounds: Intervals, known: FloatArray
+) -> tuple[FloatArray, BoolArray]:
     """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no bound."""
     count = bounds.shape[1]
-    by_scales = np.where(known < FAR * 1e-6, known, np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]))
+    by_scales = np.where(
+        known < FAR * 1e-6,
+        known,
+        np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]),
+    )
     hulls = np.full((2, balance.n, count), -np.inf)
     left, owner = bounds, np.arange(count)
     for depth in range(PIECES + 1):
@@ -141,8 +169,16 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
     with quiet():
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared_at(given)
-            lengths = [part for line in balance.state(Intervals.point(origin), parameters).geometry for part in line]
-            sizes = np.abs(np.concatenate([balance.guessed(origin, parameters), stacked(lengths, scale.shape).magnitude]))
+            lengths = [
+                part
+                for line in balance.state(Intervals.point(origin), parameters).geometry
+                for part in line
+            ]
+            sizes = np.abs(
+                np.concatenate(
+                    [balance.guessed(origin, parameters), stacked(lengths, scale.shape).magnitude]
+                )
+            )
             scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))
     return scale
 
@@ -228,7 +264,9 @@ def _by_contact_force(at: State) -> FloatArray:
     touch = jets.gradient(at.contact_force(pushing), 1)[0]
     along = stacked([jets.gradient(row, 1)[0] / touch for row in at.rows("forces", pushing)], shape)
     force = _balancing(force, stacked(at.rows("forces", 0), shape), along)
-    at_near, slopes, near, reach = linear(at, at.box.nearest_to_zero, lambda at: at.rows("forces", 0))
+    at_near, slopes, near, reach = linear(
+        at, at.box.nearest_to_zero, lambda at: at.rows("forces", 0)
+    )
     given = at_near + along * force, slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
     return np.fmin(found, at.box.ends)
@@ -245,7 +283,9 @@ def _closed(at: State) -> FloatArray:
         most = Intervals.point(near[place]) - others / slopes[0, place]
         for side in (0, 1):  # where the gap grows towards that side
             grows = slopes.ends[1 - side, 0, place] < 0
-            found[side, place] = np.where(grows, np.fmin(ends[side, place], most.ends[side]), ends[side, place])
+            found[side, place] = np.where(
+                grows, np.fmin(ends[side, place], most.ends[side]), ends[side, place]
+            )
     return np.where(width_of(found) >= 0, found, ends)
 
 

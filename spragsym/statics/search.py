@@ -13,7 +13,17 @@ from ..models.field import SETTLED
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
-from ..numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, Intervals, quiet, scale_of, spans_of, width_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    Int8Array,
+    IntArray,
+    Intervals,
+    quiet,
+    scale_of,
+    spans_of,
+    width_of,
+)
 from ..numerics.vectors import apart
 from ..questions import question
 from ..remarks import At, Remark
@@ -53,11 +63,19 @@ def searched(p: ParameterSet, contact: bool, within: Ranges | None) -> Equilibri
 def balance_of(model: Model, contact: bool) -> Balance:
     """The balance in contact or in lift-off, if there is one."""
     if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
-        raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
+        raise ParameterTypeError(
+            f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off"
+        )
     balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
-        why = "has no contact that could open" if model.about["contact"]["gap"] is None else "has a contact that never opens"
-        raise ParameterError(f"contact = False: this model {why}, so it has no lift-off; leave contact out")
+        why = (
+            "has no contact that could open"
+            if model.about["contact"]["gap"] is None
+            else "has a contact that never opens"
+        )
+        raise ParameterError(
+            f"contact = False: this model {why}, so it has no lift-off; leave contact out"
+        )
     return balance
 
 
@@ -67,13 +85,17 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
 
     ``places`` are the coordinates of each, in the shape of ``p`` behind the first axis; NaN for motions that do not rest.
     """
-    places = np.broadcast_to(places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:])))
+    places = np.broadcast_to(
+        places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:]))
+    )
     out = np.full(places.shape[1:], -1, dtype=np.int8)
     rows = np.isfinite(places).all(axis=0)
     if not rows.any():
         return out
     balance = Balance(p.model, True, "friction_at_speed")
-    given = np.array([np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters])
+    given = np.array(
+        [np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters]
+    )
     states = places[:, rows]
     found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
     found, slot = _in_slots(found)
@@ -90,7 +112,9 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
 
 def columns(p: Any, names: list[str]) -> FloatArray:
     """Parameters as an array of shape (parameters, points)."""
-    return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
+    return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(
+        len(names), int(np.prod(p.shape))
+    )
 
 
 def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots:
@@ -99,7 +123,9 @@ def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots
     return certified_roots.search(balance, around, given, given, budget=SEEN_BUDGET)
 
 
-def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, BoolArray]:
+def solved(
+    balance: Balance, given: FloatArray, asked: FloatArray | None = None
+) -> tuple[Roots, FloatArray, BoolArray]:
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
     around, whole = region(balance, Intervals.point(given), asked)
     turned, turning = turned_points(balance, given, around)
@@ -125,11 +151,15 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     told = settled_by_digits(balance, given, around, found.of(along, others=True))
     for point in along.tolist():
         own = found.of(np.array([point]))
-        told = told.then(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
+        told = told.then(
+            own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point]))
+        )
     return around_anchors(balance, given, around, told)
 
 
-def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray) -> Equilibria:
+def _arranged(
+    balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray
+) -> Equilibria:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
@@ -151,16 +181,23 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     undecided = tuple(
         Undecided(tuple(map(int, np.unravel_index(number, shape))), tuple(low), tuple(high), reason)
         for number, low, high, reason in zip(
-            found.left_point, (-found.left[0].T).tolist(), found.left[1].T.tolist(), reasons, strict=True
+            found.left_point,
+            (-found.left[0].T).tolist(),
+            found.left[1].T.tolist(),
+            reasons,
+            strict=True,
         )
     )
     searched = np.moveaxis(spans_of(around), 0, 1)
     made = {
-        "stability": placed(codes, 0), "marginal": placed(~proved, False),
-        "eigenvalues": placed(eigenvalues, np.nan), "error": placed(found.error, np.nan),
-        "region": searched.reshape(*shape, balance.n, 2), "whole": whole.reshape(shape),
+        "stability": placed(codes, 0),
+        "marginal": placed(~proved, False),
+        "eigenvalues": placed(eigenvalues, np.nan),
+        "error": placed(found.error, np.nan),
+        "region": searched.reshape(*shape, balance.n, 2),
+        "whole": whole.reshape(shape),
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
-    }  # fmt: skip
+    }
     remarks = (*summed(reasons), *of_region(balance, around, whole))
     counts, known = count.reshape(shape), decided.reshape(shape)
     return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, found.ends))
@@ -169,7 +206,9 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
 ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
 POLE = "at an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
 BORDER = "where the contact just touches: whether what is there lies on this side of the border is not known"
-PLACE = "no wider than one place is to floats: a double root may be there, two very near ones, or none"
+PLACE = (
+    "no wider than one place is to floats: a double root may be there, two very near ones, or none"
+)
 LINE = "where the equations nearly hold: a line of roots, a degenerate one as of a pitchfork that changes its side, or none"
 FREE = "along which no force acts on one of the coordinates at these parameters: a line of states, or none"
 WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
@@ -184,7 +223,9 @@ def summed(kinds: Sequence[str]) -> tuple[str, ...]:
     return tuple(sentences)
 
 
-def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> list[str]:
+def kinds_of(
+    balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None
+) -> list[str]:
     """Kind of each box: where it is, and what is known of it.
 
     ``given`` are parameters, shape (parameters, boxes), ``left`` −low and high of the unknowns, shape (2, unknowns, boxes):
@@ -194,7 +235,9 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     if not count:
         return []
     with quiet():
-        values = balance.over(Intervals.point(np.nan_to_num(given))) | balance.with_angles(varied or {}, XP)
+        values = balance.over(Intervals.point(np.nan_to_num(given))) | balance.with_angles(
+            varied or {}, XP
+        )
         at = balance.at(list(Intervals(left[:, :n])), values, (count,))
         pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)
         for dx, dy in at.anchors:
@@ -206,9 +249,17 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
             forces = balance.residuals(Intervals(left), balance.prepared_at(given))
             free = np.logical_or.reduce(forces.magnitude <= NOTHING)
     return np.select(  # the first that holds
-        [free, pole, anchor & (width <= SMALL), border & (width <= SMALL), width <= ONE_PLACE, width <= SMALL],
-        [FREE, POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
-    ).tolist()  # fmt: skip
+        [
+            free,
+            pole,
+            anchor & (width <= SMALL),
+            border & (width <= SMALL),
+            width <= ONE_PLACE,
+            width <= SMALL,
+        ],
+        [FREE, POLE, ANCHOR, BORDER, PLACE, LINE],
+        WIDE,
+    ).tolist()
 
 
 def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[str, ...]:
@@ -218,10 +269,15 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
     open_ = np.flatnonzero(~whole)
     hull = region[:, :, open_].max(axis=2)
     where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
-    units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
+    units = {
+        entry["name"]: " rad" if entry["unit"] == "rad" else ""
+        for entry in balance.model.about["coordinates"]
+    }
     ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
     places = [
-        At(name, (float(low), float(high)), unit=units[name]) if high - low < UNBOUNDED else Remark(f"any {name}")
+        At(name, (float(low), float(high)), unit=units[name])
+        if high - low < UNBOUNDED
+        else Remark(f"any {name}")
         for name, low, high in ends
     ]
     within = ", ".join(["{}"] * len(places))
@@ -231,6 +287,10 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
 def of_ranges(cut: Sequence[str], names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
     """Remarks on the parameters ``cut``, whose ranges have no end: up to where they were searched; all ``ends``, (number, 2)."""
     return tuple(
-        Remark("searched {}, a part of its range, which has no end; there may be others beyond it", At(name, (low, high)))
-        for name, (low, high) in zip(names, ends.tolist(), strict=True) if name in cut
-    )  # fmt: skip
+        Remark(
+            "searched {}, a part of its range, which has no end; there may be others beyond it",
+            At(name, (low, high)),
+        )
+        for name, (low, high) in zip(names, ends.tolist(), strict=True)
+        if name in cut
+    )

@@ -72,17 +72,26 @@ class Linearized:
         frequency = np.where(frequency > REAL * np.abs(self.eigenvalues), frequency, np.inf)
         own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
         neutral = np.abs(self.growth) <= NEUTRAL * np.where(np.isfinite(own), own, 0.0)
-        return np.select([neutral, self.growth < 0, self.growth > 0], ["neutral", "decays", "grows"], "")
+        return np.select(
+            [neutral, self.growth < 0, self.growth > 0], ["neutral", "decays", "grows"], ""
+        )
 
 
-def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray | None) -> Linearized:
+def linearized(
+    eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray | None
+) -> Linearized:
     """The full linearization at some states, by their indices; ``around`` are boxes around all states, each alone in its own.
 
     Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see :func:`decay`.
     """
     balance = Balance(eq.parameters.model, eq.contact)
-    columns = (np.broadcast_to(value[..., None], eq.stability.shape) for value in eq.parameters.broadcast(*balance.parameters))
-    given = np.array([value[states] for value in columns]).reshape(len(balance.parameters), states[-1].size)
+    columns = (
+        np.broadcast_to(value[..., None], eq.stability.shape)
+        for value in eq.parameters.broadcast(*balance.parameters)
+    )
+    given = np.array([value[states] for value in columns]).reshape(
+        len(balance.parameters), states[-1].size
+    )
     q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
     if around is None:
         off = eq.error[states] * scale_of(q)
@@ -95,7 +104,9 @@ def linearized(eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray 
     sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     parts = [
-        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, undamped)))
+        _linearized(
+            balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, undamped))
+        )
         for begin in range(0, max(1, undamped.size), TOGETHER)
     ]
     return Linearized(*map(np.concatenate, zip(*parts, strict=True)))
@@ -110,7 +121,15 @@ def _linearized(
     fastest = every[:, 0].real
     sign = -decay(balance, given, ends, undamped, fastest)
     # What rounding leaves is on the side that is proved.
-    return np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest)), sign, every
+    return (
+        np.where(
+            sign < 0,
+            np.minimum(fastest, 0.0),
+            np.where(sign > 0, np.maximum(fastest, 0.0), fastest),
+        ),
+        sign,
+        every,
+    )
 
 
 def classified(
@@ -148,14 +167,19 @@ def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
     return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
 
 
-def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, ...]:
+def linearization(
+    balance: Balance, states: FloatArray, given: FloatArray
+) -> tuple[FloatArray, ...]:
     """Mass, damping and stiffness matrices at float states, each of shape (N, n, n).
 
     They are NaN where a law has no value, like Hertz's beyond the touch.
     """
     with quiet():
         at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
-        return tuple(np.moveaxis(filled(part, at.shape), -1, 0) for part in (at.mass(), at.damping(), at.stiffness()))
+        return tuple(
+            np.moveaxis(filled(part, at.shape), -1, 0)
+            for part in (at.mass(), at.damping(), at.stiffness())
+        )
 
 
 def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
@@ -174,7 +198,9 @@ def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray
     return np.asarray(conservative | (minors > 0).all(axis=0))
 
 
-def _over(balance: Balance, parameters: Intervals, ends: FloatArray) -> tuple[Int8Array, Int8Array, BoolArray]:
+def _over(
+    balance: Balance, parameters: Intervals, ends: FloatArray
+) -> tuple[Int8Array, Int8Array, BoolArray]:
     """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
     at = balance.state(Intervals(ends), parameters)
     elementary, minors = _signs_over(at, _types)
@@ -194,7 +220,9 @@ def _all_real(balance: Balance, frictionless: BoolArray) -> BoolArray:
     return (balance.model.about["symmetric"] & (frictionless | lifted_off)) | (balance.n == 1)
 
 
-def decay(balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray) -> Int8Array:
+def decay(
+    balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray
+) -> Int8Array:
     """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
@@ -205,7 +233,9 @@ def decay(balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8A
     """
 
     def asked(shift: Any) -> Ask:
-        return lambda at, taken: _routh_twice(shift, *map(taken, (at.mass(), at.damping(), at.stiffness())))
+        return lambda at, taken: _routh_twice(
+            shift, *map(taken, (at.mass(), at.damping(), at.stiffness()))
+        )
 
     with quiet():
         at = balance.state(Intervals(ends), balance.prepared_at(given))
@@ -213,7 +243,9 @@ def decay(balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8A
         half = np.where(growth > 0, 0.5 * growth, 0.0)
         told = _told_to_decay(_signs_over(at, asked(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
-    for row, signs in _with_digits(balance, given, ends, found == 0, lambda row: asked(ball(float(half[row]), BITS))):
+    for row, signs in _with_digits(
+        balance, given, ends, found == 0, lambda row: asked(ball(float(half[row]), BITS))
+    ):
         found[row] = _told_to_decay(signs)
     return found
 
@@ -225,8 +257,13 @@ def _types(at: State, taken: Taken) -> Matrix:
 
 def _routh_twice(shift: Any, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
     """:func:`_routh` for the imaginary axis, and for the line right of it by ``shift``."""
-    moved = [[k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)]
-    damped = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
+    moved = [
+        [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)]
+        for rows in zip(M, C, K, strict=True)
+    ]
+    damped = [
+        [c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)
+    ]
     return [_routh(M, C, K), _routh(M, damped, moved)]
 
 
@@ -238,7 +275,10 @@ def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
 
 def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
     """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the second that it grows only."""
-    here, beyond = (np.where((part > 0).all(axis=0), 1, np.where((part < 0).any(axis=0), -1, 0)) for part in signs)
+    here, beyond = (
+        np.where((part > 0).all(axis=0), 1, np.where((part < 0).any(axis=0), -1, 0))
+        for part in signs
+    )
     return np.where(here != 0, here, np.minimum(beyond, 0)).astype(np.int8)
 
 
@@ -264,18 +304,26 @@ def _signs_over(at: State, ask: Ask) -> list[Int8Array]:
     return [stacked(part, at.shape).signs for part in parts]
 
 
-def _told(elementary: Int8Array, minors: Int8Array, conservative: BoolArray) -> tuple[Int8Array, BoolArray]:
+def _told(
+    elementary: Int8Array, minors: Int8Array, conservative: BoolArray
+) -> tuple[Int8Array, BoolArray]:
     """Codes, and whether the signs that are known decide them; 0 for a sign that is not known."""
     flutter = (minors < 0).any(axis=0) & ~conservative
     real = conservative | (minors > 0).all(axis=0)
     divergent = (elementary < 0).any(axis=0)
-    code = np.where(flutter, Stability.FLUTTER, np.where(divergent, Stability.DIVERGENT, Stability.STABLE)).astype(np.int8)
+    code = np.where(
+        flutter, Stability.FLUTTER, np.where(divergent, Stability.DIVERGENT, Stability.STABLE)
+    ).astype(np.int8)
     return code, flutter | (real & (divergent | (elementary > 0).all(axis=0)))
 
 
 def _with_digits(
-    balance: Balance, given: FloatArray, ends: FloatArray, among: BoolArray, ask: Callable[[int], Ask]
-) -> Iterator[tuple[slice, list[Int8Array]]]:  # fmt: skip
+    balance: Balance,
+    given: FloatArray,
+    ends: FloatArray,
+    among: BoolArray,
+    ask: Callable[[int], Ask],
+) -> Iterator[tuple[slice, list[Int8Array]]]:
     """Signs by many digits for states ``among`` all, by row; none where the box of a state can't be made smaller."""
     for row in np.flatnonzero(among).tolist():
         precise = PreciseBalance(balance, given[:, row], BITS)
@@ -307,7 +355,9 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
     C = _damping(balance, over)
-    entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)]
+    entries = [
+        (i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)
+    ]
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
 
 
@@ -315,13 +365,17 @@ def _damping(balance: Balance, over: Intervals, pushing: int | None = None) -> M
     """C at states of all kinds."""
     at = balance.at([Intervals(np.full((2, 1), FAR))] * balance.n, balance.over(over), (1,))
     with quiet():
-        return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(pushing)
+        return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(
+            pushing
+        )
 
 
 def is_damped(balance: Balance, over: Intervals) -> bool:
     """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
     point = np.repeat(0.5 * over.low + 0.5 * over.high, PLACES, axis=1)
-    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
+    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(
+        0.01, 3.0, PLACES
+    )
     C = linearization(balance, states, point)[1]
     return bool((np.isfinite(C) & (C != 0)).any())
 

@@ -47,10 +47,17 @@ class Held(Linearizing):
         return self.columns.get(name)
 
 
-def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: Int8Array, error: NDArray[Any] | float) -> Equilibria:
+def one_each(
+    p: Any, places: Mapping[str, NDArray[Any]], stability: Int8Array, error: NDArray[Any] | float
+) -> Equilibria:
     """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
-    columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}
+    columns = {
+        **places,
+        "stability": stability,
+        "error": np.broadcast_to(error, p.shape),
+        "marginal": ~known,
+    }
     return Equilibria(p, True, ones, known, (), (), Held(picked(columns, (..., None))))
 
 
@@ -60,14 +67,18 @@ def as_decided(eq: Equilibria, point: int) -> Equilibria:
     return replace(eq, decided=eq.decided | (np.arange(eq.count.size) == point), undecided=left)
 
 
-def with_state(eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float) -> Equilibria:
+def with_state(
+    eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float
+) -> Equilibria:
     """The equilibria with one more state of one point, given by its coordinates."""
     slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
     new: dict[str, Any] = {**state, "stability": stability, "error": error, "marginal": True}
 
     def placed(name: str) -> NDArray[Any]:
         old = getattr(eq, name)
-        out = np.concatenate([old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1)
+        out = np.concatenate(
+            [old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1
+        )
         out[point] = np.insert(old[point], slot, new[name])
         return out
 

@@ -54,7 +54,9 @@ def test_no_row_failed(rows: dict[str, Row]) -> None:
 
 
 def test_statuses(rows: dict[str, Row]) -> None:
-    by_status = {status: {id for id, row in rows.items() if row.status == status} for status in check.SOUND}
+    by_status = {
+        status: {id for id, row in rows.items() if row.status == status} for status in check.SOUND
+    }
     assert by_status["misprint"] == {"eq-6", "eq-9", "eq-13", "def-n", "A1-d0"}
     assert by_status["approximation"] == {"eq-12", "eq-27"}
     # What is assumed or named, as opposed to what follows from it.
@@ -78,15 +80,39 @@ def test_rows_say_what_their_status_asks_for(rows: dict[str, Row]) -> None:
 # -------------------------------------------------------------------------- typesetting against transcription
 
 _ATOMS: dict[str, sp.Symbol] = {
-    "x''": AX, "y''": AY, r"\ddot{x}": AX, r"\ddot{y}": AY, r"\Delta": article.Delta,
+    "x''": AX,
+    "y''": AY,
+    r"\ddot{x}": AX,
+    r"\ddot{y}": AY,
+    r"\Delta": article.Delta,
     r"\overline{n}": nm.nbar,
-    r"\cos\theta_0": nm.c0, r"\sin\theta_0": nm.s0, r"\cos\theta": nm.c, r"\sin\theta": nm.s,
-    r"\mu_0": nm.mu0, r"\mu": nm.mu, r"\sigma": nm.sigma, r"\alpha": nm.alpha, r"\beta": nm.beta,
+    r"\cos\theta_0": nm.c0,
+    r"\sin\theta_0": nm.s0,
+    r"\cos\theta": nm.c,
+    r"\sin\theta": nm.s,
+    r"\mu_0": nm.mu0,
+    r"\mu": nm.mu,
+    r"\sigma": nm.sigma,
+    r"\alpha": nm.alpha,
+    r"\beta": nm.beta,
     r"\kappa": nm.kappa,
-    "F_L": nm.F_L, "L_0": nm.L_0, "k_c": nm.k_c, "k_x": nm.k_x, "k_y": nm.k_y,
-    "b_1": nm.b1, "b_2": nm.b2, "b_3": nm.b3, "b_4": nm.b4,
-    "x": nm.x, "y": nm.y, "L": nm.L, "n": nm.n, "N": nm.N, "k": nm.k, "m": nm.m_mass,
-}  # fmt: skip
+    "F_L": nm.F_L,
+    "L_0": nm.L_0,
+    "k_c": nm.k_c,
+    "k_x": nm.k_x,
+    "k_y": nm.k_y,
+    "b_1": nm.b1,
+    "b_2": nm.b2,
+    "b_3": nm.b3,
+    "b_4": nm.b4,
+    "x": nm.x,
+    "y": nm.y,
+    "L": nm.L,
+    "n": nm.n,
+    "N": nm.N,
+    "k": nm.k,
+    "m": nm.m_mass,
+}
 #: One letter for each: the parser knows neither σ nor all products without a sign; e, i, d, S mean something.
 _LETTERS = dict(zip(_ATOMS, "ABCDFGHJKMOPQRTUVWXYZabcfghjkmpqrlvwz", strict=False))
 
@@ -109,8 +135,12 @@ def parse(latex: str) -> sp.Expr:
 
 def typeset(entry: Printed) -> tuple[sp.Expr, ...]:
     """The components of a printed statement, read from its LaTeX."""
-    last = entry.latex[entry.latex.rfind(r"\begin{") :]  # (28) also names the derivatives that it evaluates
-    matrix = re.search(r"\\begin\{(?:bmatrix|array)\}(?:\{c\})?(.*)\\end\{(?:bmatrix|array)\}", last)
+    last = entry.latex[
+        entry.latex.rfind(r"\begin{") :
+    ]  # (28) also names the derivatives that it evaluates
+    matrix = re.search(
+        r"\\begin\{(?:bmatrix|array)\}(?:\{c\})?(.*)\\end\{(?:bmatrix|array)\}", last
+    )
     if matrix:
         return tuple(parse(part) for part in re.split(r"\\\\|&", matrix[1]))
     sides = entry.latex.split("=")
@@ -124,17 +154,38 @@ def typeset(entry: Printed) -> tuple[sp.Expr, ...]:
 NOT_ALGEBRA = {"eq-7", "eq-10", "eq-29", "def-tau", "def-prime", "def-x", "def-y", "def-L"}
 
 
-ALGEBRA = [id for id, entry in PRINTED.items() if not callable(entry.expression) and id not in NOT_ALGEBRA]
+ALGEBRA = [
+    id for id, entry in PRINTED.items() if not callable(entry.expression) and id not in NOT_ALGEBRA
+]
 
 
 #: Those whose LaTeX takes longest to be parsed.
 LONG = (
-    "A2", "A3", "A4", "A6", "A7", "A8", "A9", "def-n", "eq-6", "eq-8", "eq-9", "eq-12", "eq-13", "eq-14", "eq-15", "eq-18",
-    "eq-19", "eq-24", "eq-28",
-)  # fmt: skip
+    "A2",
+    "A3",
+    "A4",
+    "A6",
+    "A7",
+    "A8",
+    "A9",
+    "def-n",
+    "eq-6",
+    "eq-8",
+    "eq-9",
+    "eq-12",
+    "eq-13",
+    "eq-14",
+    "eq-15",
+    "eq-18",
+    "eq-19",
+    "eq-24",
+    "eq-28",
+)
 
 
-@pytest.mark.parametrize("id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA])
+@pytest.mark.parametrize(
+    "id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA]
+)
 def test_typesetting_agrees_with_transcription(id: str) -> None:
     entry = PRINTED[id]
     expected = entry.expression if isinstance(entry.expression, tuple) else (entry.expression,)
@@ -155,15 +206,40 @@ def test_the_right_form_is_typeset_as_it_is_transcribed(id: str) -> None:
 
 #: What a compositor might set instead of each symbol.
 _SWAPS: dict[sp.Symbol, tuple[sp.Symbol, ...]] = {
-    nm.b1: (nm.b2, nm.b3), nm.b2: (nm.b1, nm.b4), nm.b3: (nm.b4, nm.b1), nm.b4: (nm.b3, nm.b2),
-    nm.alpha: (nm.beta,), nm.beta: (nm.alpha,), nm.sigma: (nm.alpha,), nm.kappa: (nm.sigma,),
-    nm.mu0: (nm.kappa,), nm.mu: (nm.kappa,),
-    nm.c0: (nm.c, nm.s0), nm.s0: (nm.s, nm.c0), nm.c: (nm.c0, nm.s), nm.s: (nm.s0, nm.c),
-    nm.x: (nm.y,), nm.y: (nm.x,), nm.k_x: (nm.k_y,), nm.k_y: (nm.k_x,), nm.k: (nm.k_c,),
-    nm.n: (nm.y,), nm.N: (nm.F_L,), nm.F_L: (nm.N,), nm.L: (nm.L_0,), nm.nbar: (nm.n,),
-    nm.k_c: (nm.k,), nm.m_mass: (nm.k,), nm.L_0: (nm.L,),
-    nm.creep: (nm.V,), nm.V: (nm.vx,), nm.vx: (nm.vy,), AX: (AY,), AY: (AX,), article.Delta: (nm.L,),
-}  # fmt: skip
+    nm.b1: (nm.b2, nm.b3),
+    nm.b2: (nm.b1, nm.b4),
+    nm.b3: (nm.b4, nm.b1),
+    nm.b4: (nm.b3, nm.b2),
+    nm.alpha: (nm.beta,),
+    nm.beta: (nm.alpha,),
+    nm.sigma: (nm.alpha,),
+    nm.kappa: (nm.sigma,),
+    nm.mu0: (nm.kappa,),
+    nm.mu: (nm.kappa,),
+    nm.c0: (nm.c, nm.s0),
+    nm.s0: (nm.s, nm.c0),
+    nm.c: (nm.c0, nm.s),
+    nm.s: (nm.s0, nm.c),
+    nm.x: (nm.y,),
+    nm.y: (nm.x,),
+    nm.k_x: (nm.k_y,),
+    nm.k_y: (nm.k_x,),
+    nm.k: (nm.k_c,),
+    nm.n: (nm.y,),
+    nm.N: (nm.F_L,),
+    nm.F_L: (nm.N,),
+    nm.L: (nm.L_0,),
+    nm.nbar: (nm.n,),
+    nm.k_c: (nm.k,),
+    nm.m_mass: (nm.k,),
+    nm.L_0: (nm.L,),
+    nm.creep: (nm.V,),
+    nm.V: (nm.vx,),
+    nm.vx: (nm.vy,),
+    AX: (AY,),
+    AY: (AX,),
+    article.Delta: (nm.L,),
+}
 
 
 def mutations(node: sp.Expr, in_exponent: bool = False) -> Iterator[tuple[str, sp.Expr]]:
@@ -223,10 +299,14 @@ def same_numbers(left: sp.Expr, right: sp.Expr) -> bool:
 
 
 EQUATIONS_MUTATED = (f"eq-{number}" for number in (1, 2, 8, 10, 12, 14, 15, 18, 19, 24, 25, 28))
-MUTATED = sorted({*APPENDIX, *explanations.CORRECTIONS, *EQUATIONS_MUTATED, "def-sigma", "def-kappa"})
+MUTATED = sorted(
+    {*APPENDIX, *explanations.CORRECTIONS, *EQUATIONS_MUTATED, "def-sigma", "def-kappa"}
+)
 
 
-def mutated(id: str, components: tuple[sp.Expr, ...]) -> Iterator[tuple[str, tuple[sp.Expr, ...], bool]]:
+def mutated(
+    id: str, components: tuple[sp.Expr, ...]
+) -> Iterator[tuple[str, tuple[sp.Expr, ...], bool]]:
     """Every mutation of a statement: name, changed components, and whether numbers say that it is neutral."""
     for place, component in enumerate(components):
         for name, changed in mutations(component):
@@ -248,15 +328,38 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
 
 #: Those that take long, by the same code as one of each kind, which CI runs: scalar, matrix, approximation, law, misprint.
 LONG_ONES = (
-    "def-n", "A11", "A1-c0", "A1-d0", "A2", "A3", "A4", "A6", "A7", "A8", "A9", "A10", "eq-1", "eq-2", "eq-6", "eq-8",
-    "eq-13", "eq-14", "eq-15", "eq-18", "eq-19", "eq-28", "A12",
-)  # fmt: skip
+    "def-n",
+    "A11",
+    "A1-c0",
+    "A1-d0",
+    "A2",
+    "A3",
+    "A4",
+    "A6",
+    "A7",
+    "A8",
+    "A9",
+    "A10",
+    "eq-1",
+    "eq-2",
+    "eq-6",
+    "eq-8",
+    "eq-13",
+    "eq-14",
+    "eq-15",
+    "eq-18",
+    "eq-19",
+    "eq-28",
+    "A12",
+)
 OF_EACH_KIND = ("A5", "eq-24", "eq-12", "eq-10", "eq-9")
 
 
 def by_length(ids: Iterable[str]) -> list[Any]:
     """Parameters of a test."""
-    marks = dict.fromkeys(LONG_ONES, pytest.mark.validate) | dict.fromkeys(OF_EACH_KIND, pytest.mark.thorough)
+    marks = dict.fromkeys(LONG_ONES, pytest.mark.validate) | dict.fromkeys(
+        OF_EACH_KIND, pytest.mark.thorough
+    )
     return [pytest.param(id, marks=marks.get(id, ())) for id in ids]
 
 
@@ -268,7 +371,9 @@ def test_every_mutation_is_caught_and_located(id: str) -> None:
     for name, changed, neutral in mutated(id, components_of(id)):
         row = check_with(id, changed)
         assert row.id == id
-        assert row.status == (sound if neutral else check.FAILED), f"{id}: {name}, neutral: {neutral}"
+        assert row.status == (sound if neutral else check.FAILED), (
+            f"{id}: {name}, neutral: {neutral}"
+        )
         count += 1
     assert count >= 4, f"{id}: hardly anything was changed"
 
@@ -280,7 +385,9 @@ def test_every_mutation_of_a_right_form_is_caught(id: str, monkeypatch: pytest.M
     right = correction.expression
     assert isinstance(right, sp.Expr)
     for name, changed in mutations(right):
-        monkeypatch.setitem(explanations.CORRECTIONS, id, dataclasses.replace(correction, expression=changed))
+        monkeypatch.setitem(
+            explanations.CORRECTIONS, id, dataclasses.replace(correction, expression=changed)
+        )
         row = check_with(id, PRINTED[id].expression)
         assert (row.status == check.FAILED) != same_numbers(right, changed), f"{id}: {name}"
 
@@ -302,20 +409,29 @@ C, A = explanations.CORRECTIONS, explanations.APPROXIMATIONS
 def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
     """The second route feels a change of physics: without the preload its forces do not fit its energy."""
     original = free_body.forces
-    without_preload = lambda point, *at: original(dataclasses.replace(point, kappa=Fraction(0)), *at)  # noqa: E731  # one line
+
+    def without_preload(point: Any, *at: Any) -> Any:
+        return original(dataclasses.replace(point, kappa=Fraction(0)), *at)
+
     monkeypatch.setattr(free_body, "forces", without_preload)
     row = check_with("eq-9", PRINTED["eq-9"].expression)
     assert row.status == check.FAILED
     assert "virtual work" in row.note
 
 
-def test_a_row_names_the_function_that_derives_it_and_that_function_names_the_row(rows: dict[str, Row]) -> None:
+def test_a_row_names_the_function_that_derives_it_and_that_function_names_the_row(
+    rows: dict[str, Row],
+) -> None:
     """Equation (26), say, is found by its number from either side."""
     for row in rows.values():
         module, _, name = row.derived_by.partition(".")
         function = getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)
         number = {"eq": "({})", "def": "after (9)"}.get(row.id.partition("-")[0], "(A{})")
-        asked = number.format(row.id.partition("-")[2] if row.id.startswith("eq") else row.id.removeprefix("A").partition("-")[0])
+        asked = number.format(
+            row.id.partition("-")[2]
+            if row.id.startswith("eq")
+            else row.id.removeprefix("A").partition("-")[0]
+        )
         assert _names(function.__doc__, asked), (row.id, row.derived_by, function.__doc__)
 
 
@@ -325,4 +441,6 @@ def _names(text: str, asked: str) -> bool:
         return True
     letter, number = re.fullmatch(r"(?:after )?\((A?)(\d+)\)", asked).groups()  # type: ignore[union-attr]
     ranges = re.findall(rf"\({letter}(\d+)\)–\({letter}(\d+)\)", text)
-    return not asked.startswith("after") and any(int(low) <= int(number) <= int(high) for low, high in ranges)
+    return not asked.startswith("after") and any(
+        int(low) <= int(number) <= int(high) for low, high in ranges
+    )

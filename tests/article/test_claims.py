@@ -38,19 +38,25 @@ def value(id: str, name: str) -> Any:
 # ------------------------------------------------------------------- the article's balance, written by hand
 
 
-def constants(theta0: float, p: dict[str, float], V: float = 1.0, d: float = 1e3) -> tuple[float, ...]:
+def constants(
+    theta0: float, p: dict[str, float], V: float = 1.0, d: float = 1e3
+) -> tuple[float, ...]:
     """Those of the equations of motion: with this V and d friction works fully."""
     return np.cos(theta0), np.sin(theta0), *(p[name] for name in BASE), V, d
 
 
-def forces(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> tuple[float, float]:
+def forces(
+    x: float, y: float, theta0: float, contact: bool = True, **p: float
+) -> tuple[float, float]:
     """(12) and (13) with the preload."""
     return article_motion.accelerations((x, y, 0.0, 0.0), constants(theta0, p), contact, 1.0)
 
 
 def stiffness(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
     """Less the forces' Jacobian; friction on both sides of y = 0 as in contact, if it is."""
-    return -np.array(article_motion.slopes((x, y, 0.0, 0.0), constants(theta0, p), contact, 1.0))[:, :2]
+    return -np.array(article_motion.slopes((x, y, 0.0, 0.0), constants(theta0, p), contact, 1.0))[
+        :, :2
+    ]
 
 
 def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
@@ -77,7 +83,10 @@ def refined(unknowns: dict[str, float], orders: int, **fixed: Any) -> dict[str, 
         def equations(*values: Any) -> list[Any]:
             p = exact | dict(zip(unknowns, values, strict=True))
             theta, theta0 = p.pop("theta"), p.pop("theta0")
-            return [mpmath.diff(lambda t: reference.along(t, theta0, **p), theta, k) for k in range(orders)]
+            return [
+                mpmath.diff(lambda t: reference.along(t, theta0, **p), theta, k)
+                for k in range(orders)
+            ]
 
         found = mpmath.findroot(equations, list(unknowns.values()), tol=1e-50)
         return dict(zip(unknowns, found, strict=True))
@@ -103,9 +112,15 @@ def near(theta0_deg: float, **changes: float) -> float:
         ("fig-6-falling", ("jump of the other state at theta0_deg", None), 1e-4, "0.7"),
     ],
 )
-def test_folds_of_figures_4_and_5(id: str, place: tuple[str, int | None], side: float, mu0: str) -> None:
+def test_folds_of_figures_4_and_5(
+    id: str, place: tuple[str, int | None], side: float, mu0: str
+) -> None:
     stated = value(id, place[0]) if place[1] is None else value(id, place[0])[place[1]]
-    found = refined({"theta": near(stated + side, mu0=float(mu0)), "theta0": float(np.radians(stated))}, 2, mu0=mu0)
+    found = refined(
+        {"theta": near(stated + side, mu0=float(mu0)), "theta0": float(np.radians(stated))},
+        2,
+        mu0=mu0,
+    )
     assert float(mpmath.degrees(found["theta0"])) == pytest.approx(stated, rel=1e-11)
     p = BASE | {"mu0": float(mu0)}
     assert [counted(np.radians(stated + step), **p) for step in (side, -side)] == [3, 1]
@@ -113,22 +128,35 @@ def test_folds_of_figures_4_and_5(id: str, place: tuple[str, int | None], side: 
 
 @pytest.mark.thorough
 def test_cusp_by_residuals() -> None:
-    start = {"theta": 1.1, "theta0": np.radians(value("fig-12-cusp", "theta0_deg")), "mu0": value("fig-12-cusp", "mu0")}
+    start = {
+        "theta": 1.1,
+        "theta0": np.radians(value("fig-12-cusp", "theta0_deg")),
+        "mu0": value("fig-12-cusp", "mu0"),
+    }
     start["theta"] = float(ss.cusps(ss.Parameters.article()).theta[2])
     found = refined(start, 3)
-    assert float(mpmath.degrees(found["theta0"])) == pytest.approx(value("fig-12-cusp", "theta0_deg"), rel=1e-11)
+    assert float(mpmath.degrees(found["theta0"])) == pytest.approx(
+        value("fig-12-cusp", "theta0_deg"), rel=1e-11
+    )
     assert float(found["mu0"]) == pytest.approx(value("fig-12-cusp", "mu0"), rel=1e-11)
     low, high = value("fig-12-cusp", "two jumps for theta0_deg from, to")
     for angle, turns in ((low - 0.3, 1), (low + 0.3, 2), (high - 1, 2), (high + 0.1, 0)):
-        counts = [counted(np.radians(angle), **BASE | {"mu0": mu0}) for mu0 in np.linspace(1e-5, 0.6, 150)]
+        counts = [
+            counted(np.radians(angle), **BASE | {"mu0": mu0}) for mu0 in np.linspace(1e-5, 0.6, 150)
+        ]
         assert sum(one != other for one, other in itertools.pairwise(counts)) == turns, angle
 
 
 @pytest.mark.parametrize(
     ("name", "id"),
-    [("beta", "fig-8-beta-2"), *(pytest.param(*one, marks=pytest.mark.thorough) for one in
-                                 (("alpha", "fig-9-alpha-0.07"), ("sigma", "fig-10-sigma-0.01")))],
-)  # fmt: skip
+    [
+        ("beta", "fig-8-beta-2"),
+        *(
+            pytest.param(*one, marks=pytest.mark.thorough)
+            for one in (("alpha", "fig-9-alpha-0.07"), ("sigma", "fig-10-sigma-0.01"))
+        ),
+    ],
+)
 def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
     """At the critical value there is a cusp at μ₀ = 0.5; and each curve, followed by the nearest state, jumps or does not."""
     critical = value(id, f"critical {name}")
@@ -136,20 +164,32 @@ def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
     at = int(np.argmin(np.abs(cusp.mu0 - 0.5)))
     found = refined({"theta": cusp.theta[at], "theta0": cusp.theta0[at], name: critical}, 3)
     assert float(found[name]) == pytest.approx(critical, rel=1e-11)
-    for row in (row for row in record().values() if row["id"].startswith(id.rsplit("-", 1)[0]) and "mu_cusp" in row["values"]):
+    for row in (
+        row
+        for row in record().values()
+        if row["id"].startswith(id.rsplit("-", 1)[0]) and "mu_cusp" in row["values"]
+    ):
         sample = float(row["id"].rsplit("-", 1)[1])
-        x = ss.equilibria(ss.Parameters.article(theta0=np.radians(np.linspace(0.5, 120, 5_000)), **{name: sample})).x
+        x = ss.equilibria(
+            ss.Parameters.article(theta0=np.radians(np.linspace(0.5, 120, 5_000)), **{name: sample})
+        ).x
         state, largest = np.nanmin(np.abs(x[0])), 0.0
         for states in x[1:]:
             following = states[np.nanargmin(np.abs(states - state))]
             largest, state = max(largest, abs(following - state)), following
-        assert (largest > 0.3) == ("jump at theta0_deg" in row["values"]) == row["outcome"].startswith("it jumps")
+        assert (
+            (largest > 0.3)
+            == ("jump at theta0_deg" in row["values"])
+            == row["outcome"].startswith("it jumps")
+        )
 
 
 def test_bifurcation_set_by_counts() -> None:
     for angle in (10.0, 30.0, 50.0, 65.0, 140.0, 170.0):
         for mu0 in ss.folds(ss.Parameters.article(theta0=np.radians(angle)), "mu0").mu0:
-            counts = {counted(np.radians(angle), **BASE | {"mu0": mu0 + step}) for step in (-1e-6, 1e-6)}
+            counts = {
+                counted(np.radians(angle), **BASE | {"mu0": mu0 + step}) for step in (-1e-6, 1e-6)
+            }
             assert counts == set(value("fig-12-set", "equilibria on the two sides")), (angle, mu0)
 
 
@@ -160,7 +200,9 @@ def test_bifurcation_set_by_counts() -> None:
 def test_jumps_of_figure_6() -> None:
     p = ss.Parameters.article(mu0=0.7)
     at = value("fig-6-rising", "theta0_deg")
-    before, after = (ss.equilibria(p.replace(theta0=np.radians(at + step))) for step in (-1e-9, 1e-9))
+    before, after = (
+        ss.equilibria(p.replace(theta0=np.radians(at + step))) for step in (-1e-9, 1e-9)
+    )
     assert (int(before.count), int(after.count)) == (3, 1)
     assert before.x[0] == pytest.approx(value("fig-6-rising", "x before"), abs=1e-4)
     assert after.x[0] == pytest.approx(value("fig-6-rising", "x after"), abs=5e-9)
@@ -208,13 +250,19 @@ def test_stability_by_eigenvalues(sigma: float) -> None:
     eq = ss.equilibria(ss.Parameters.article(theta0=theta0, mu0=mu0, sigma=sigma))
     for i, slot in zip(*np.nonzero(eq.stability), strict=True):
         p = BASE | {"mu0": mu0[i], "sigma": sigma}
-        assert kind(spring_eigenvalues(eq.x[i, slot], eq.y[i, slot], theta0[i], **p)) == eq.stability[i, slot]
+        assert (
+            kind(spring_eigenvalues(eq.x[i, slot], eq.y[i, slot], theta0[i], **p))
+            == eq.stability[i, slot]
+        )
     kinds = {ss.Stability(code).name.lower() for code in np.unique(eq.stability[eq.stability > 0])}
-    assert kinds == set(value("fig-4-stability", "of three")) | ({"flutter"} if sigma == 1.0 else set())
+    assert kinds == set(value("fig-4-stability", "of three")) | (
+        {"flutter"} if sigma == 1.0 else set()
+    )
 
 
 @pytest.mark.parametrize(
-    ("id", "changes", "inwards"), [("fig-9-flutter", {"alpha": 0.7}, 1), ("fig-10-flutter", {"sigma": 1.0}, -1)]
+    ("id", "changes", "inwards"),
+    [("fig-9-flutter", {"alpha": 0.7}, 1), ("fig-10-flutter", {"sigma": 1.0}, -1)],
 )
 def test_flutter_by_eigenvalues(id: str, changes: dict[str, float], inwards: int) -> None:
     for onset, side in zip(value(id, "onsets_deg"), (inwards, -inwards), strict=True):
@@ -231,20 +279,26 @@ def test_flutter_by_eigenvalues(id: str, changes: dict[str, float], inwards: int
             eq = ss.equilibria(ss.Parameters.article(theta0=np.radians(angle), **changes))
             eigenvalues = spring_eigenvalues(eq.x[0], eq.y[0], np.radians(angle), **BASE | changes)
             growth[angle] = np.sqrt(-eigenvalues.astype(complex)).real.max()
-        assert max(growth, key=growth.__getitem__) == pytest.approx(value(id, "fastest growth at theta0_deg"), abs=0.03)
+        assert max(growth, key=growth.__getitem__) == pytest.approx(
+            value(id, "fastest growth at theta0_deg"), abs=0.03
+        )
 
 
 def test_lift_off() -> None:
     """All states without contact by Newton's method from 200 random starts."""
     theta0, rng, found = np.radians(49.0), np.random.default_rng(3), set()
     for start in rng.uniform(-3, 3, (200, 2)):
-        state = root(lambda z: forces(*z, theta0, **BASE, contact=False), start, method="lm", tol=1e-14).x
+        state = root(
+            lambda z: forces(*z, theta0, **BASE, contact=False), start, method="lm", tol=1e-14
+        ).x
         if state[1] >= 0 and np.abs(forces(*state, theta0, **BASE, contact=False)).max() < 1e-12:
             found.add(tuple(np.round(state, 8)))
     assert len(found) == value("fig-4-lift-off", "count") == 1
     ((x, y),) = found
     assert y == pytest.approx(value("fig-4-lift-off", "y at 49 deg"), abs=1e-7)
-    assert np.hypot(np.cos(theta0) - x, np.sin(theta0) - y) == pytest.approx(value("fig-4-lift-off", "L at 49 deg"), abs=1e-7)
+    assert np.hypot(np.cos(theta0) - x, np.sin(theta0) - y) == pytest.approx(
+        value("fig-4-lift-off", "L at 49 deg"), abs=1e-7
+    )
     assert kind(spring_eigenvalues(x, y, theta0, contact=False, **BASE)) == ss.Stability.DIVERGENT
 
 
@@ -268,7 +322,8 @@ def test_equation_21_has_one_root_too_many() -> None:
     """The quartic as the determinant condition |adj(D) b|² = det(D)², with NumPy's polynomials in L."""
     P = np.polynomial.Polynomial
     for angle, real, count in zip(
-        *(value("claim-roots-of-21", name) for name in ("theta0_deg", "real roots", "equilibria")), strict=True
+        *(value("claim-roots-of-21", name) for name in ("theta0_deg", "real roots", "equilibria")),
+        strict=True,
     ):
         mu0, kappa, alpha, sigma, beta = (BASE[name] for name in BASE)
         c0, s0 = np.cos(np.radians(angle)), np.sin(np.radians(angle))
@@ -289,12 +344,23 @@ def test_contact_force_is_bounded() -> None:
     beta = rng.uniform(0, 2, n)
     eq = ss.equilibria(ss.Parameters(theta0, mu0, kappa, alpha, sigma, beta))
     for i, slot in zip(*np.nonzero(eq.stability), strict=True):
-        p = {"mu0": mu0[i], "kappa": kappa[i], "alpha": alpha[i], "sigma": sigma[i], "beta": beta[i]}
+        p = {
+            "mu0": mu0[i],
+            "kappa": kappa[i],
+            "alpha": alpha[i],
+            "sigma": sigma[i],
+            "beta": beta[i],
+        }
         along, across = forces(eq.x[i, slot], eq.y[i, slot], theta0[i], **p)
         assert abs(along) + abs(across) < 1e-9 * (1 + abs(eq.x[i, slot]))
-        ratios.append(-eq.y[i, slot] / ((kappa[i] + sigma[i] * (1 - np.sin(theta0[i]))) / (1 + beta[i] + sigma[i])))
+        ratios.append(
+            -eq.y[i, slot]
+            / ((kappa[i] + sigma[i] * (1 - np.sin(theta0[i]))) / (1 + beta[i] + sigma[i]))
+        )
     assert 0.999 < max(ratios) <= 1 + 1e-12
-    assert value("claim-bounded", "contact force never above") == pytest.approx(0.107 / 1.1, rel=1e-7)
+    assert value("claim-bounded", "contact force never above") == pytest.approx(
+        0.107 / 1.1, rel=1e-7
+    )
 
 
 # ------------------------------------------------------------------------------------------------- linear model
@@ -314,21 +380,30 @@ def test_critical_friction_of_the_linear_model() -> None:
     critical = value("claim-mu-cr", "mu_cr")
     assert value("claim-mu-cr", "0.58 - mu_cr") == pytest.approx(0.58 - critical, abs=1e-12)
     # det K is a + μ₀ b for each angle; the smallest −a/b with b < 0 is the friction at which a pole appears.
-    at_zero, at_one = ([np.linalg.det(linear_stiffness(angle, mu0)) for angle in angles] for mu0 in (0.0, 1.0))
+    at_zero, at_one = (
+        [np.linalg.det(linear_stiffness(angle, mu0)) for angle in angles] for mu0 in (0.0, 1.0)
+    )
     frictions = np.array(at_zero) / (np.array(at_zero) - np.array(at_one))
     assert frictions.min() == pytest.approx(critical, abs=1e-6)
     x = np.array([linear_state(angle, 0.5)[0] for angle in angles + 0.03])
     assert x.max() == pytest.approx(value("fig-5-bounded", "largest x at mu0 = 0.5"), abs=1e-5)
-    assert np.degrees(angles[x.argmax()] + 0.03) == pytest.approx(value("fig-5-bounded", "at theta0_deg"), abs=0.01)
+    assert np.degrees(angles[x.argmax()] + 0.03) == pytest.approx(
+        value("fig-5-bounded", "at theta0_deg"), abs=0.01
+    )
 
 
 def test_poles_of_the_linear_model() -> None:
     poles = value("fig-5-poles", "poles_deg")
     for pole, guess in zip(poles, ((60, 70), (75, 90)), strict=True):
-        crossing = brentq(lambda angle: np.linalg.det(linear_stiffness(np.radians(angle), 0.7)), *guess)
+        crossing = brentq(
+            lambda angle: np.linalg.det(linear_stiffness(np.radians(angle), 0.7)), *guess
+        )
         assert crossing == pytest.approx(pole, abs=1e-6)
     assert [value("fig-6-linear", name) for name in ("from_deg", "to_deg")] == poles
-    pressed = [linear_state(np.radians(angle), 0.7)[1] < 0 for angle in (50, poles[0] - 0.1, 70, poles[1] + 0.1)]
+    pressed = [
+        linear_state(np.radians(angle), 0.7)[1] < 0
+        for angle in (50, poles[0] - 0.1, 70, poles[1] + 0.1)
+    ]
     assert pressed == [True, True, False, True]
 
 
@@ -338,17 +413,26 @@ def test_where_the_linear_model_is_good(mu0: float) -> None:
         theta0 = np.radians(angle)
         x, _ = linear_state(theta0, mu0)
         guess = linear_state(theta0, mu0)
-        state = root(lambda z, theta0=theta0: forces(*z, theta0, **BASE | {"mu0": mu0}), guess, method="lm", tol=1e-14).x
+        state = root(
+            lambda z, theta0=theta0: forces(*z, theta0, **BASE | {"mu0": mu0}),
+            guess,
+            method="lm",
+            tol=1e-14,
+        ).x
         assert abs(x - state[0]) / abs(state[0]) == pytest.approx(0.1, abs=1e-6)
 
 
 # ------------------------------------------------------------------------------------------------------ motion
 
 
-def motion(theta0_deg: float, start: Any, t_end: float, rtol: float = 1e-8, d: float = 10.0, V: float = 0.5) -> Any:
+def motion(
+    theta0_deg: float, start: Any, t_end: float, rtol: float = 1e-8, d: float = 10.0, V: float = 0.5
+) -> Any:
     """(8) to (11) with SciPy, kinks and all."""
     p = ss.Parameters.article(theta0=np.radians(theta0_deg))
-    return article_motion.integrated(p, V, d, start, t_end, rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
+    return article_motion.integrated(
+        p, V, d, start, t_end, rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0
+    )
 
 
 def rms(solution: Any, begin: float, end: float) -> float:
@@ -357,12 +441,16 @@ def rms(solution: Any, begin: float, end: float) -> float:
 
 
 def test_friction_at_steady_sliding() -> None:
-    assert value("fig-3", "friction at steady sliding over mu0") == pytest.approx(float(1 - mpmath.exp(-5)), abs=1e-12)
+    assert value("fig-3", "friction at steady sliding over mu0") == pytest.approx(
+        float(1 - mpmath.exp(-5)), abs=1e-12
+    )
 
 
 def test_limit_cycle_by_another_integrator() -> None:
     """One period from a late state of the motion leads back to it; the equilibrium's fastest mode grows as stated."""
-    late = simulate(ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0, t_end=8500.0).after(8000.0)
+    late = simulate(
+        ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0, t_end=8500.0
+    ).after(8000.0)
     start, period = late.state[:, 0], value("fig-7a", "period")
     solution = motion(49.0, start, period, rtol=1e-9)
     assert np.abs(solution.y[:, -1] - start).max() < 5e-3
@@ -377,7 +465,11 @@ def test_limit_cycle_by_another_integrator() -> None:
 def growth_by_hand(theta0_deg: float, x: float) -> float:
     """Largest real part at the equilibrium with that x, of the linearized equations of motion."""
     law = constants(np.radians(theta0_deg), BASE, V=0.5, d=10.0)
-    at = root(lambda q: article_motion.accelerations((*q, 0.0, 0.0), law, True, 1.0), (x, -0.05), tol=1e-14).x
+    at = root(
+        lambda q: article_motion.accelerations((*q, 0.0, 0.0), law, True, 1.0),
+        (x, -0.05),
+        tol=1e-14,
+    ).x
     slopes = article_motion.slopes((*at, 0.0, 0.0), law, True, 1.0)
     return float(np.linalg.eigvals([[0, 0, 1, 0], [0, 0, 0, 1], *slopes]).real.max())
 
@@ -399,7 +491,10 @@ def test_the_fate_of_rest() -> None:
     assert low < 0.3 < 0.8 < high
     names = ("V of other belts", "d of other belts", "theta0_deg with these")
     for V, d, place in zip(*(value("fig-7b-fate", name) for name in names), strict=True):
-        low, high = (rms(motion(place + step, [0, 0, 0, 0], 500.0, V=V, d=d), 300, 500) for step in (-1e-4, 1e-4))
+        low, high = (
+            rms(motion(place + step, [0, 0, 0, 0], 500.0, V=V, d=d), 300, 500)
+            for step in (-1e-4, 1e-4)
+        )
         assert low < 0.4 < 0.7 < high
     growth = growth_by_hand(at, value("fig-7b-fate", "x of the saddle"))
     assert growth == pytest.approx(value("fig-7b-fate", "its growth rate"), rel=1e-7)
@@ -416,16 +511,27 @@ def test_the_oscillation_far_below_the_fold() -> None:
         assert np.abs(end - near.state).max() < 1e-4
         if degrees == 30.0:
             names = ("V of other belts", "d of other belts", "periods with these at 30 degrees")
-            for V, d, other in zip(*(value("fig-7-oscillation", name) for name in names), strict=True):
-                there = ss.cycle(ss.Parameters.article(theta0=np.radians(30.0)), V=V, d=d, near=near)
+            for V, d, other in zip(
+                *(value("fig-7-oscillation", name) for name in names), strict=True
+            ):
+                there = ss.cycle(
+                    ss.Parameters.article(theta0=np.radians(30.0)), V=V, d=d, near=near
+                )
                 assert there.stable
-                assert np.abs(motion(30.0, there.state, other, rtol=1e-9, V=V, d=d).y[:, -1] - there.state).max() < 1e-4
+                assert (
+                    np.abs(
+                        motion(30.0, there.state, other, rtol=1e-9, V=V, d=d).y[:, -1] - there.state
+                    ).max()
+                    < 1e-4
+                )
     assert max(value("fig-7-oscillation", "largest multipliers")) < 1
 
 
 def test_equilibria_without_d() -> None:
     """Their number by a companion matrix, in which there is no d; how the first grows with ours, by hand."""
-    for degrees, count, x, growth in zip(*record()["fig-4-dry-friction"]["values"].values(), strict=True):
+    for degrees, count, x, growth in zip(
+        *record()["fig-4-dry-friction"]["values"].values(), strict=True
+    ):
         assert counted(np.radians(degrees), **BASE) == count
         assert growth_by_hand(degrees, x) == pytest.approx(growth, rel=0.05)
 
@@ -443,7 +549,9 @@ def test_the_oscillation_under_dry_friction() -> None:
         driver = dry_friction.Driver("coulomb", values)
         assert np.abs(driver.run(near.state, period) - near.state).max() < 1e-6
         held = [t for event, t, _ in driver.events if event in ("STICK", "SLIP")]
-        assert sum(np.diff(held)) == pytest.approx(found["it sticks for"] if degrees == 60.0 else 0.0, abs=1e-6)
+        assert sum(np.diff(held)) == pytest.approx(
+            found["it sticks for"] if degrees == 60.0 else 0.0, abs=1e-6
+        )
 
 
 # ------------------------------------------------------------------------------------------------- the ledger
@@ -470,8 +578,18 @@ def test_statuses() -> None:
     assert by_status["not reproduced"] == set()
     assert by_status["input not stated"] == {"fig-3", "fig-7a", "fig-7b", "fig-7-dry-friction"}
     # A wrong number of an equation or a figure is another matter than a wrong statement.
-    assert by_status["misprint"] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
-    corrected = {"claim-mu-cr", "claim-must-jump", "claim-roots-of-21", "fig-7b-fate", "fig-7-oscillation"}
+    assert by_status["misprint"] == {
+        "claim-reference-10",
+        "claim-reference-12",
+        "claim-reference-22",
+    }
+    corrected = {
+        "claim-mu-cr",
+        "claim-must-jump",
+        "claim-roots-of-21",
+        "fig-7b-fate",
+        "fig-7-oscillation",
+    }
     assert by_status["corrected"] == corrected
     assert all(row["consequence"] for id, row in record().items() if id.startswith("fig-7"))
     assert len(by_status["reproduced"]) == 29
@@ -482,7 +600,11 @@ LONG_MOTIONS = ("fig-7b", "fig-7b-fate")
 
 
 @pytest.mark.parametrize(
-    "long", [pytest.param(False, marks=pytest.mark.thorough), pytest.param(True, marks=pytest.mark.validate)]
+    "long",
+    [
+        pytest.param(False, marks=pytest.mark.thorough),
+        pytest.param(True, marks=pytest.mark.validate),
+    ],
 )
 def test_nothing_has_drifted(long: bool) -> None:
     if long and LONG_MOTIONS_TAKE_MINUTES:
@@ -497,7 +619,10 @@ def test_nothing_has_drifted(long: bool) -> None:
     ("change", "line"),
     [
         ({"status": "reproduced"}, "claim-mu-cr: status is 'corrected', not 'reproduced'"),
-        ({"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}}, "mu_cr = 0.574073166069, not 0.574073166169"),
+        (
+            {"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}},
+            "mu_cr = 0.574073166069, not 0.574073166169",
+        ),
         ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "mu_cr = 0.574073166069, not None"),
     ],
 )
@@ -529,4 +654,6 @@ COMMITTED = (ROOT / "docs" / "reproduction.md").read_text(encoding="utf-8")
 def test_the_report_is_as_committed(tmp_path: Path) -> None:
     result = CliRunner().invoke(check_command, ["--report", str(tmp_path / "page.md")])
     assert result.exit_code == 0
-    assert (tmp_path / "page.md").read_text(encoding="utf-8") == COMMITTED, "spragsym check --report docs/reproduction.md"
+    assert (tmp_path / "page.md").read_text(encoding="utf-8") == COMMITTED, (
+        "spragsym check --report docs/reproduction.md"
+    )

@@ -27,7 +27,10 @@ def _derivatives(orders: int, *values: float) -> list[float]:
     """Sizes of f and its derivatives by θ, from the balance of forces, at θ and the six parameters."""
     with mpmath.workdps(60):
         theta, *given = (mpmath.mpf(float(value)) for value in values)
-        return [abs(float(mpmath.diff(lambda t: reference.along(t, *given), theta, order))) for order in range(orders)]
+        return [
+            abs(float(mpmath.diff(lambda t: reference.along(t, *given), theta, order)))
+            for order in range(orders)
+        ]
 
 
 # --------------------------------------------------------------------------------------- residuals and other codes
@@ -64,21 +67,34 @@ def test_bifurcation_set_agrees_with_the_count_map() -> None:
 
 
 @pytest.mark.parametrize("kappa", [1e-5, 1e-6, 1e-7])
-def test_curves_with_hardly_any_preload_cross_a_friction_as_often_as_folds_are_proved(kappa: float) -> None:
+def test_curves_with_hardly_any_preload_cross_a_friction_as_often_as_folds_are_proved(
+    kappa: float,
+) -> None:
     p = ss.Parameters.article(kappa=kappa)
     whole = ss.bifurcation_set(p).curves
     for mu0 in (0.2, 0.9, 3.3, 12.0):
         part = ss.bifurcation_set(p, between={"mu0": (0.9999 * mu0, 1.0001 * mu0)}).curves
-        crossings = [sum(np.count_nonzero(np.diff(curve.mu0 > mu0)) for curve in curves) for curves in (whole, part)]
+        crossings = [
+            sum(np.count_nonzero(np.diff(curve.mu0 > mu0)) for curve in curves)
+            for curves in (whole, part)
+        ]
         assert crossings == [ss.folds(p.replace(mu0=mu0)).theta0.size] * 2
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("vary", "bracket"), [("beta", (1, 2)), ("alpha", (0.007, 0.07)), ("sigma", (0.01, 0.1))])
-def test_critical_values_put_the_cusp_at_the_friction(vary: str, bracket: tuple[float, float]) -> None:
+@pytest.mark.parametrize(
+    ("vary", "bracket"), [("beta", (1, 2)), ("alpha", (0.007, 0.07)), ("sigma", (0.01, 0.1))]
+)
+def test_critical_values_put_the_cusp_at_the_friction(
+    vary: str, bracket: tuple[float, float]
+) -> None:
     value = ss.critical_value(BASE, vary, bracket)
     given = {"kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0", vary: value}
-    lowest = min(one.mu0 for one in ss.precise.cusps(**given, dps=30) if one.mu0 > 0 and 0 < one.theta0 < mpmath.pi)
+    lowest = min(
+        one.mu0
+        for one in ss.precise.cusps(**given, dps=30)
+        if one.mu0 > 0 and 0 < one.theta0 < mpmath.pi
+    )
     assert abs(lowest - mpmath.mpf("0.5")) < 1e-12
     for side, sign in ((1 - 1e-9, -1), (1 + 1e-9, 1)):
         friction = ss.critical_friction(BASE.replace(**{vary: value * side}))
@@ -86,7 +102,10 @@ def test_critical_values_put_the_cusp_at_the_friction(vary: str, bracket: tuple[
 
 
 def test_surface_puts_equilibria_back() -> None:
-    theta, theta0 = np.radians(np.linspace(2, 178, 60))[:, None], np.radians(np.linspace(2, 178, 50))[None, :]
+    theta, theta0 = (
+        np.radians(np.linspace(2, 178, 60))[:, None],
+        np.radians(np.linspace(2, 178, 50))[None, :],
+    )
     s = ss.surface(BASE, theta, theta0)
     good = np.isfinite(s.mu0) & (s.mu0 >= 0) & (s.mu0 < 50)
     assert good.sum() > 300
@@ -137,21 +156,38 @@ def test_a_value_on_a_fold_has_the_state_that_arrives(mu0: float) -> None:
 def test_paths_through_a_pitchfork_stay_together() -> None:
     p = ss.Parameters.article(mu0=0.0, alpha=0.0)
     first, last = ss.folds(p).theta0
-    for values in ([1.0, first, 1.57, last, 2.2], [2.2, last, 1.57, first, 1.0], [first, 1.0], [first, 1.57], [1.57, first]):
+    for values in (
+        [1.0, first, 1.57, last, 2.2],
+        [2.2, last, 1.57, first, 1.0],
+        [first, 1.0],
+        [first, 1.57],
+        [1.57, first],
+    ):
         path = ss.quasi_static_path(p, "theta0", values)
         assert path.jumps == ()
         for value, theta in zip(values, path.theta, strict=True):
             # f = cos θ (a sin θ + b): θ = 90°, or if that is divergent sin θ = sin θ₀ + κ/B.
             assert math.sin(theta) == pytest.approx(min(math.sin(value) + 0.007, 1.0), abs=1e-13)
-    assert ss.quasi_static_path(p, "theta0", [1.57, 1.0]).theta[1] > 0.5 * math.pi  # of two, the one of larger x
+    assert (
+        ss.quasi_static_path(p, "theta0", [1.57, 1.0]).theta[1] > 0.5 * math.pi
+    )  # of two, the one of larger x
 
 
-@pytest.mark.parametrize(("vary", "expected"), [
-    ("kappa", [(1 - math.sin(0.8)) * 1.5]), ("beta", []), ("sigma", []),
-    ("theta0", [math.asin(1 - 0.2 / 1.5), math.pi - math.asin(1 - 0.2 / 1.5)]),
-])  # fmt: skip
-def test_pitchforks_of_the_symmetric_system_are_folds_with_their_kind(vary: str, expected: list[float]) -> None:
-    p = ss.Parameters(theta0=0.8, mu0=0.0, kappa=0.2, alpha=0.0, sigma=0.3, beta=0.5)  # sin θ₀ = 1 − κ/(1 + β)
+@pytest.mark.parametrize(
+    ("vary", "expected"),
+    [
+        ("kappa", [(1 - math.sin(0.8)) * 1.5]),
+        ("beta", []),
+        ("sigma", []),
+        ("theta0", [math.asin(1 - 0.2 / 1.5), math.pi - math.asin(1 - 0.2 / 1.5)]),
+    ],
+)
+def test_pitchforks_of_the_symmetric_system_are_folds_with_their_kind(
+    vary: str, expected: list[float]
+) -> None:
+    p = ss.Parameters(
+        theta0=0.8, mu0=0.0, kappa=0.2, alpha=0.0, sigma=0.3, beta=0.5
+    )  # sin θ₀ = 1 − κ/(1 + β)
     found = ss.folds(p, vary)
     np.testing.assert_allclose(getattr(found, vary), expected, rtol=1e-14)
     assert set(found.kind) <= {"pitchfork"}
@@ -164,16 +200,28 @@ def test_a_pitchfork_along_beta_is_where_the_count_changes() -> None:
     found = ss.folds(p, "beta")
     assert found.kind.tolist() == ["pitchfork"]
     assert found.beta[0] == pytest.approx(0.01 / (1 - math.sin(1.5)) - 1, rel=1e-13)
-    assert _counts(p.replace(beta=found.beta[0] * np.array([1 - 1e-9, 1 + 1e-9]))).tolist() == [1, 3]
+    assert _counts(p.replace(beta=found.beta[0] * np.array([1 - 1e-9, 1 + 1e-9]))).tolist() == [
+        1,
+        3,
+    ]
     for vary in ("alpha", "mu0"):
         assert (ss.folds(p, vary).kind == "fold").all()
 
 
 # cos θ₀ = 0, sin θ₀ = 0, sin θ = 0, cos θ = 0 on a cusp, α = 1 + β, α = σ. A pair that meets its mirror image there counts once.
-@pytest.mark.parametrize(("values", "number"), [
-    ((1.0, 0.0, 0.1, 0.0), 6), ((2.0, 0.0, 0.1, 0.0), 1), ((1.5, 0.0, 0.7, 0.5), 6), ((3.0, 0.0, 0.7, 0.5), 1),
-    ((3.0, 1.0, 1.25, 4.0), 6), ((1.25, 0.5, 0.5, 0.0), 1), ((0.007, 1.0, 0.1, 0.0), 4), ((0.1, 0.1, 0.1, 0.0), 6),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("values", "number"),
+    [
+        ((1.0, 0.0, 0.1, 0.0), 6),
+        ((2.0, 0.0, 0.1, 0.0), 1),
+        ((1.5, 0.0, 0.7, 0.5), 6),
+        ((3.0, 0.0, 0.7, 0.5), 1),
+        ((3.0, 1.0, 1.25, 4.0), 6),
+        ((1.25, 0.5, 0.5, 0.0), 1),
+        ((0.007, 1.0, 0.1, 0.0), 4),
+        ((0.1, 0.1, 0.1, 0.0), 6),
+    ],
+)
 def test_cusps_at_coincidences(values: tuple[float, ...], number: int) -> None:
     p = ss.Parameters(**dict(zip(NAMES[2:], values, strict=True)))
     found = ss.cusps(p)
@@ -193,6 +241,11 @@ def test_linear_model_is_a_linear_solve() -> None:
         p = random_fixed(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 2))
         theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
         c, s = math.cos(theta0), math.sin(theta0)
-        K = np.array([[sigma * c * c + alpha, sigma * s * c + mu0], [sigma * s * c, sigma * s * s + beta + 1]])
+        K = np.array(
+            [
+                [sigma * c * c + alpha, sigma * s * c + mu0],
+                [sigma * s * c, sigma * s * s + beta + 1],
+            ]
+        )
         model = ss.linear_sprag(p)
         np.testing.assert_allclose([model.x, model.y], np.linalg.solve(K, [0, -kappa]), rtol=1e-9)

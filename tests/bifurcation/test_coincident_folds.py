@@ -43,14 +43,21 @@ def twins() -> Any:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("side", "values"), [(1, [0.3, 0.0, -0.5]), (-1, [0.3, "fold", -0.5])], ids=["beside", "on"])
+@pytest.mark.parametrize(
+    ("side", "values"), [(1, [0.3, 0.0, -0.5]), (-1, [0.3, "fold", -0.5])], ids=["beside", "on"]
+)
 def test_a_path_ends_at_the_fold_of_its_own_branch(side: int, values: Any, twins: Any) -> None:
     p = twins.Parameters()
     found = ss.folds(p, "p", between={"p": (-1, 1)})
     along = [found.p[0] if value == "fold" else value for value in values]
     path = ss.quasi_static_path(p, "p", along, start=6 if side > 0 else 0)
     (jump,) = path.jumps
-    inner = np.sqrt([brentq(lambda u, at=at: (u - 1) * (u - 2) * (u - 3) - at, 0.5, 1) for at in (-0.5, -2 / np.sqrt(27))])
+    inner = np.sqrt(
+        [
+            brentq(lambda u, at=at: (u - 1) * (u - 2) * (u - 3) - at, 0.5, 1)
+            for at in (-0.5, -2 / np.sqrt(27))
+        ]
+    )
     assert jump.before["x"] == pytest.approx(side * np.sqrt(2 + 1 / np.sqrt(3)), abs=1e-9)
     np.testing.assert_allclose([path.x[-1], jump.after["x"]], side * inner, atol=1e-9)
 
@@ -58,13 +65,21 @@ def test_a_path_ends_at_the_fold_of_its_own_branch(side: int, values: Any, twins
 @pytest.mark.parametrize(
     ("page", "vary", "between", "ends", "when", "after"),
     [
-        (TWINS, "p", (-1, 1), ["lower", "upper", "upper", "lower"], ["down", "down", "up", "up"],
-         [-0.9194, 0.9194, -1.7761, 1.7761]),
+        (
+            TWINS,
+            "p",
+            (-1, 1),
+            ["lower", "upper", "upper", "lower"],
+            ["down", "down", "up", "up"],
+            [-0.9194, 0.9194, -1.7761, 1.7761],
+        ),
         (PENDULUM, "T", (1, 3), ["lower", ""], ["up", "up"], [np.nan, np.nan]),
     ],
     ids=["mirror", "chance"],
-)  # fmt: skip
-def test_what_ends_at_folds_that_coincide(page: str, vary: str, between: Any, ends: Any, when: Any, after: Any) -> None:
+)
+def test_what_ends_at_folds_that_coincide(
+    page: str, vary: str, between: Any, ends: Any, when: Any, after: Any
+) -> None:
     p = model_of(page, f"coincident_{vary}").Parameters()
     found = ss.folds(p, vary, between={vary: between})
     assert (found.ends.tolist(), found.when.tolist()) == (ends, when)

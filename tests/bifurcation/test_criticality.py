@@ -36,19 +36,26 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
             return 2 * mpmath.mpf(mu_s) * v * mpmath.mpf(v_s) / (v**2 + mpmath.mpf(v_s) ** 2)
 
         for row, start in enumerate(stick_slip.V):
-            V = mpmath.findroot(lambda v: mpmath.diff(F, v) + mpmath.mpf(zeta), mpmath.mpf(float(start)))
+            V = mpmath.findroot(
+                lambda v: mpmath.diff(F, v) + mpmath.mpf(zeta), mpmath.mpf(float(start))
+            )
             exact, found = -mpmath.diff(F, V, 3) / 8, mpmath.mpf(float(stick_slip.lyapunov[row]))
             assert abs(found - exact) <= stick_slip.lyapunov_error[row] < 1e-10 * abs(exact)
             # λ² + (ζ + F′(V)) λ + 1: d Re λ/dV = −F″(V)/2.
             crossing = -mpmath.diff(F, V, 2) / 2
-            assert abs(mpmath.mpf(float(stick_slip.crossing[row])) - crossing) <= stick_slip.crossing_error[row]
+            assert (
+                abs(mpmath.mpf(float(stick_slip.crossing[row])) - crossing)
+                <= stick_slip.crossing_error[row]
+            )
     assert stick_slip.criticality.tolist() == ["gentle", "dangerous"]
     assert stick_slip.when.tolist() == ["up", "down"]  # it swings at speeds between the two
 
 
 def test_where_nothing_presses_the_mass_on_the_belt_there_is_no_normal_form() -> None:
     model = ss.load("kang_nam")
-    given = np.array([float(getattr(model.Parameters(theta0=0.7), name)) for name in model.parameters])
+    given = np.array(
+        [float(getattr(model.Parameters(theta0=0.7), name)) for name in model.parameters]
+    )
     with pytest.raises(Undecided, match="contact"):
         normal_form(model, given, np.array([0.9, 0.0]), "mu0", np.zeros(3))
 
@@ -58,18 +65,28 @@ def test_where_nothing_presses_the_mass_on_the_belt_there_is_no_normal_form() ->
 @pytest.mark.parametrize(
     ("name", "vary", "values"),
     [
-        *((name, "mu0", {"theta0": 0.7}) for name in ("damped", "kang_nam", "hertz_contact", "inclined_belt")),
-        ("stribeck", "theta0", {"V": 0.02}), ("two_springs", "theta0", {}), ("mode_coupling", "mu0", {}),
+        *(
+            (name, "mu0", {"theta0": 0.7})
+            for name in ("damped", "kang_nam", "hertz_contact", "inclined_belt")
+        ),
+        ("stribeck", "theta0", {"V": 0.02}),
+        ("two_springs", "theta0", {}),
+        ("mode_coupling", "mu0", {}),
         ("trolley", "theta0", {}),
     ],
-)  # fmt: skip
-def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values: dict[str, float]) -> None:
+)
+def test_coefficients_of_equations_written_by_hand(
+    name: str, vary: str, values: dict[str, float]
+) -> None:
     onsets = onsets_of(name, vary, **values)
     assert len(onsets)
     for row in range(len(onsets)):
         exact = hopf_points.reference_of(onsets, row)
         for one in ("lyapunov", "crossing"):
-            found, bound = mpmath.mpf(float(getattr(onsets, one)[row])), getattr(onsets, f"{one}_error")[row]
+            found, bound = (
+                mpmath.mpf(float(getattr(onsets, one)[row])),
+                getattr(onsets, f"{one}_error")[row],
+            )
             assert abs(found - getattr(exact, one)) <= bound
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
@@ -80,9 +97,17 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
     middle = np.zeros((4, 4))
     middle[:2, :2], middle[2, 2], middle[3, 3] = [[0.0, 1.3], [-1.3, 0.0]], -0.4, -2.0
     base, changes = rng.normal(size=(4, 4)), 1e-6 * rng.uniform(-1, 1, size=(30, 4, 4))
-    every = np.array([np.linalg.solve(base + change, middle @ (base + change)) for change in changes])
+    every = np.array(
+        [np.linalg.solve(base + change, middle @ (base + change)) for change in changes]
+    )
     with balls.precision(106):
-        A = [[balls.between(Fraction(every[:, i, j].min()), Fraction(every[:, i, j].max())) for j in range(4)] for i in range(4)]
+        A = [
+            [
+                balls.between(Fraction(every[:, i, j].min()), Fraction(every[:, i, j].max()))
+                for j in range(4)
+            ]
+            for i in range(4)
+        ]
     omega, q, left = _pair(A)
     assert balls.ends(omega)[0] <= Fraction(1.3) <= balls.ends(omega)[1]
     for matrix in every:
@@ -92,7 +117,11 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
             for one, other in ((0, 1), (1, 2), (3, 0)):
                 ratio, share = enclosed[one] / enclosed[other], vector[one] / vector[other]
                 for ball, value in ((ratio.re, share.real), (ratio.im, share.imag)):
-                    assert balls.ends(ball)[0] - Fraction(1e-12) <= Fraction(value) <= balls.ends(ball)[1] + Fraction(1e-12)
+                    assert (
+                        balls.ends(ball)[0] - Fraction(1e-12)
+                        <= Fraction(value)
+                        <= balls.ends(ball)[1] + Fraction(1e-12)
+                    )
                     assert balls.ends(ball)[1] - balls.ends(ball)[0] < 1
 
 
@@ -142,7 +171,10 @@ def test_amplitude_over_the_root_of_the_distance(
 def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> None:
     """The Hopf point of the motion has μ₀ (1 − e^(−V d)) in the place of μ₀ in statics, here 0.7 % from the proved onset."""
     onsets = onsets_of("damped", "mu0", theta0=0.7)
-    places = [ss.cycle(onset=onsets, amplitude=amplitude).parameters["mu0"] for amplitude in (0.002, 0.001)]
+    places = [
+        ss.cycle(onset=onsets, amplitude=amplitude).parameters["mu0"]
+        for amplitude in (0.002, 0.001)
+    ]
     start = (4 * places[1] - places[0]) / 3
     model, shift = onsets.parameters.model, np.exp(-5.0)
     assert abs(start / onsets.mu0[0] - 1 / (1 - shift)) < 1e-3
@@ -164,7 +196,9 @@ def test_a_branch_goes_on_from_the_cycle_that_is_born(stick_slip: Any) -> None:
     """The cycle that is born at the upper onset meets that of stick-slip in a fold above it."""
     found = ss.cycle(onset=stick_slip, index=1, amplitude=0.1)
     branch = ss.cycle_branch(found, "V", (1.35, 2.0))
-    assert [event.kind for event in branch.events if event.kind == "end" and "shrinks" in event.how] == ["end"]
+    assert [
+        event.kind for event in branch.events if event.kind == "end" and "shrinks" in event.how
+    ] == ["end"]
     assert branch.values.max() > stick_slip.V[1]
 
 
@@ -178,7 +212,9 @@ def test_signs_against_motions_on_both_sides(row: int, stick_slip: Any) -> None:
 @needs_a_quick_integrator
 def test_the_page_on_onsets() -> None:
     page = DOCS / "onsets.md"
-    test = doctest.DocTestParser().get_doctest("".join(fenced(page, "python")), {}, page.name, str(page), 0)
+    test = doctest.DocTestParser().get_doctest(
+        "".join(fenced(page, "python")), {}, page.name, str(page), 0
+    )
     assert len(test.examples) > 15
     runner = doctest.DocTestRunner(optionflags=OPTIONS)
     runner.run(test)

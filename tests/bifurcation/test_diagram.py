@@ -14,7 +14,9 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 
-pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
+pytestmark = pytest.mark.skipif(
+    not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes"
+)
 
 ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
@@ -28,7 +30,10 @@ def born() -> ss.Diagram:
 @pytest.fixture(scope="module")
 def article() -> ss.Diagram:
     return ss.diagram(
-        ss.Parameters.article(theta0=math.radians(42.0)), "theta0", tuple(np.radians([41.0, 46.0])), starts=[ON_CYCLE]
+        ss.Parameters.article(theta0=math.radians(42.0)),
+        "theta0",
+        tuple(np.radians([41.0, 46.0])),
+        starts=[ON_CYCLE],
     )
 
 
@@ -54,7 +59,9 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
 def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
-    found = ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40, starts=[ss.cycle(onset=onsets, index=0)])
+    found = ss.diagram(
+        model.Parameters(), "V", (0.08, 0.2), points=40, starts=[ss.cycle(onset=onsets, index=0)]
+    )
     assert len(found.cycles) == 1
 
 
@@ -67,7 +74,9 @@ def test_a_branch_of_equilibria_is_there_once() -> None:
 
 
 @pytest.mark.thorough
-def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(article: ss.Diagram) -> None:
+def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(
+    article: ss.Diagram,
+) -> None:
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     folds = ss.folds(ss.Parameters.article(mu0=friction), "theta0").theta0
     (fold,) = of(article, "LP")
@@ -80,7 +89,8 @@ def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(ar
     known = ss.equilibria(ss.Parameters.article(theta0=math.radians(42.0), mu0=friction)).x
     for x in known[np.isfinite(known)]:
         assert any(
-            abs(np.interp(math.radians(42.0), branch.values[part], branch.states[part, 0]) - x) < 1e-3
+            abs(np.interp(math.radians(42.0), branch.values[part], branch.states[part, 0]) - x)
+            < 1e-3
             for branch in article.equilibria
             for part in parts(branch.values)
         )
@@ -102,7 +112,17 @@ def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
         drawn = ss.figures.diagram_figure(dataclasses.replace(born, labels=labels))
         assert [text.get_text() for text in drawn.axes[0].texts] == texts
     picture = tmp_path / "all.svg"
-    call = ["cycles", "--model", "stick_slip", "-V", "0.2", "--vary", "V=0.09:0.12", "--points", "12"]
+    call = [
+        "cycles",
+        "--model",
+        "stick_slip",
+        "-V",
+        "0.2",
+        "--vary",
+        "V=0.09:0.12",
+        "--points",
+        "12",
+    ]
     result = CliRunner().invoke(cli, [*call, "--diagram", "--plot", str(picture), "--json"])
     told = json.loads(result.stdout)
     assert [label["label"] for label in told["labels"]] == ["H"]

@@ -14,7 +14,9 @@ def test_a_branch_goes_on_where_a_layer_of_the_friction_law_ends() -> None:
     found = ss.diagram(p, "V", (0.05, 1.0), points=2)
     (branch,) = found.equilibria
     assert (branch.values.min(), branch.values.max()) == pytest.approx((0.05, 1.0))
-    np.testing.assert_allclose(branch.states[:, 0], np.tanh(100 * branch.values) / (1 + 2 * branch.values), atol=1e-12)
+    np.testing.assert_allclose(
+        branch.states[:, 0], np.tanh(100 * branch.values) / (1 + 2 * branch.values), atol=1e-12
+    )
 
 
 @pytest.mark.thorough
@@ -23,4 +25,6 @@ def test_a_cycle_that_is_not_followed_is_told_and_costs_no_other() -> None:
     start = ss.cycle(model.Parameters(V=0.2), near=(0.6, 0.0))
     found = ss.diagram(model.Parameters(V=0.2), "V", (0.05, 0.12), points=5, starts=[start])
     assert len(found.cycles) == 1
-    assert any("at V = 0.2 was not followed: to = (0.05, 0.12)" in remark for remark in found.remarks)
+    assert any(
+        "at V = 0.2 was not followed: to = (0.05, 0.12)" in remark for remark in found.remarks
+    )

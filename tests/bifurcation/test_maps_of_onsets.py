@@ -33,7 +33,9 @@ page.force(-P * sin(b), -P * cos(b), at=(l * (sin(a) + sin(b)), l * (cos(a) + co
 def hurwitz(M: Any, C: Any, K: Any) -> float:
     """a₁ a₂ a₃ − a₀ a₃² − a₁² a₄ of det(λ² M + λ C + K), the coefficients from its values at five λ."""
     points = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
-    a4, a3, a2, a1, a0 = np.polyfit(points, [np.linalg.det(x * x * M + x * C + K) for x in points], 4)
+    a4, a3, a2, a1, a0 = np.polyfit(
+        points, [np.linalg.det(x * x * M + x * C + K) for x in points], 4
+    )
     return float(a1 * a2 * a3 - a0 * a3**2 - a1**2 * a4)
 
 
@@ -42,7 +44,10 @@ def hurwitz(M: Any, C: Any, K: Any) -> float:
 @pytest.mark.parametrize("n", [30, 31])
 def test_zieglers_map_reaches_both_ends_with_any_number_of_lines(n: int) -> None:
     found = ss.onset_curves(
-        model_of(ZIEGLER, "ziegler").Parameters(), ("z2", "P"), n, between={"z2": (0.0, 0.3), "P": (0.5, 3.0)}
+        model_of(ZIEGLER, "ziegler").Parameters(),
+        ("z2", "P"),
+        n,
+        between={"z2": (0.0, 0.3), "P": (0.5, 3.0)},
     )
     (curve,) = found.curves
     assert found.complete
@@ -57,7 +62,9 @@ def test_zieglers_map_reaches_both_ends_with_any_number_of_lines(n: int) -> None
 @pytest.mark.parametrize("n", [5, 20])
 def test_the_peak_at_equal_damping_is_there(n: int) -> None:
     """Hoffmann and Gaul (2003): under weak dampers the onset is that without damping where they are equal, else lower."""
-    p = model_of(shipped_page("mode_coupling", *CHANGES), "hoffmann_gaul").Parameters(V=1.0, d=20.0, c_x=0.002)
+    p = model_of(shipped_page("mode_coupling", *CHANGES), "hoffmann_gaul").Parameters(
+        V=1.0, d=20.0, c_x=0.002
+    )
     found = ss.onset_curves(p, ("c_y", "mu0"), n, between={"c_y": (0.0, 0.02), "mu0": (0.0, 1.0)})
     (curve,) = found.curves
     assert found.complete

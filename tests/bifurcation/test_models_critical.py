@@ -28,7 +28,10 @@ def test_no_state_ends_below_it(name: str) -> None:
         end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, 0.5))
         assert end is None or end.value >= found.value
     if found.kind == "cusp":
-        ends = [first_end(model.Parameters(theta0=found.where + side), "mu0", (0.0, 0.5)) for side in (-0.02, 0.02)]
+        ends = [
+            first_end(model.Parameters(theta0=found.where + side), "mu0", (0.0, 0.5))
+            for side in (-0.02, 0.02)
+        ]
         values = [end.value for end in ends if end is not None]
         assert values
         assert found.value < min(values) < found.value + 0.01
@@ -62,7 +65,9 @@ def test_a_tube_holds_one_state() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("given", [{}, pytest.param(TURN, marks=pytest.mark.thorough)], ids=["article", "turn"])
+@pytest.mark.parametrize(
+    "given", [{}, pytest.param(TURN, marks=pytest.mark.thorough)], ids=["article", "turn"]
+)
 def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> None:
     p = ss.Parameters.article(**given)
     assert ss.cusp_friction(p, method="search") == pytest.approx(ss.cusp_friction(p), rel=1e-12)
@@ -75,7 +80,9 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     rod = ss.load("sprag_rod")
     stops, nothing = np.array([0.5, 0.6]), np.empty(0)
     p = rod.Parameters(theta0=0.5)
-    along = Along(Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str), np.empty((1, 0)))
+    along = Along(
+        Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str), np.empty((1, 0))
+    )
     eq = ss.equilibria(p.replace(theta0=stops))
     begin, end = _states(along, eq).values()
     later = replace(end, q=end.q + 2 * np.pi)

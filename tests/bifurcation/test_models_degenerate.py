@@ -11,7 +11,8 @@ from spragsym.bifurcation import points
 
 @pytest.mark.thorough
 @pytest.mark.parametrize(
-    ("name", "vary", "onsets"), [("kang_nam", "sigma", 2), ("stribeck", "sigma", 2), ("mode_coupling", "sigma", 1)]
+    ("name", "vary", "onsets"),
+    [("kang_nam", "sigma", 2), ("stribeck", "sigma", 2), ("mode_coupling", "sigma", 1)],
 )
 def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, onsets):
     # At σ = 0 nothing damps the direction across the belt, in any state.
@@ -27,7 +28,10 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
 @pytest.mark.parametrize("vary", ["mu0", "theta0"])
 def test_folds_beside_a_cusp(vary, off):
     model = ss.load("kang_nam").search
-    given = {"mu0": {"theta0": 1.1871896863225868 + off}, "theta0": {"mu0": 0.20093178180509016 + off}}[vary]
+    given = {
+        "mu0": {"theta0": 1.1871896863225868 + off},
+        "theta0": {"mu0": 0.20093178180509016 + off},
+    }[vary]
     found = ss.folds(model.Parameters(**given), vary)
     known = ss.folds(ss.Parameters.article(**({"theta0": None} | given)), vary)
     assert found.decided
@@ -45,7 +49,9 @@ def test_beside_a_line_of_equilibria_all_is_decided(name):
     angle = {"theta0": 1.0} if name == "kang_nam" else {}
     found = ss.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
     assert (found.decided, len(found)) == (True, 0)
-    assert (0 if name == "mode_coupling" else 1e-99) <= found.region[-1, 0] < 1e-90  # forces without springs are affine
+    assert (
+        (0 if name == "mode_coupling" else 1e-99) <= found.region[-1, 0] < 1e-90
+    )  # forces without springs are affine
 
 
 @pytest.fixture
@@ -59,10 +65,13 @@ def stiff():
     """Springs from stiff to next to rigid, some with nothing else."""
     rng = np.random.default_rng(3)
     values = {
-        "theta0": rng.uniform(0.1, 3.0, 8), "mu0": rng.uniform(0, 2, 8), "kappa": 10 ** rng.uniform(-5, 0, 8),
-        "alpha": 10 ** rng.uniform(-3, 1, 8), "beta": 10 ** rng.uniform(-3, 1, 8),
+        "theta0": rng.uniform(0.1, 3.0, 8),
+        "mu0": rng.uniform(0, 2, 8),
+        "kappa": 10 ** rng.uniform(-5, 0, 8),
+        "alpha": 10 ** rng.uniform(-3, 1, 8),
+        "beta": 10 ** rng.uniform(-3, 1, 8),
         "sigma": 10.0 ** np.array([3.6, 4, 5, 6, 7, 9, 10, 12]),
-    }  # fmt: skip
+    }
     values["alpha"][2] = values["beta"][2] = values["mu0"][3] = values["beta"][3] = 0.0
     return values
 
@@ -71,13 +80,27 @@ def stiff():
 CIRCLE = {"theta0": 1.8525980882017512, "mu0": 1.75, "alpha": 1.548e-3, "sigma": 7.8, "beta": 0.0}
 
 
-@pytest.mark.parametrize(("values", "contact"), [
-    (stiff(), True), (stiff(), False), (CIRCLE | {"kappa": 4.770632327080111e-10}, False),
-    pytest.param(CIRCLE | {"kappa": 3.07122127441096e-3}, False, marks=pytest.mark.thorough),
-    # The one point of 10⁵ of tests.oracles.families that was left undecided.
-    ({"theta0": 2.6739550310885836, "mu0": 0.0, "kappa": 0.19734271659075414, "alpha": 0.002747021913709797,
-      "sigma": 2.9289279863232807, "beta": 0.0}, True),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("values", "contact"),
+    [
+        (stiff(), True),
+        (stiff(), False),
+        (CIRCLE | {"kappa": 4.770632327080111e-10}, False),
+        pytest.param(CIRCLE | {"kappa": 3.07122127441096e-3}, False, marks=pytest.mark.thorough),
+        # The one point of 10⁵ of tests.oracles.families that was left undecided.
+        (
+            {
+                "theta0": 2.6739550310885836,
+                "mu0": 0.0,
+                "kappa": 0.19734271659075414,
+                "alpha": 0.002747021913709797,
+                "sigma": 2.9289279863232807,
+                "beta": 0.0,
+            },
+            True,
+        ),
+    ],
+)
 def test_stiff_springs_have_the_states_of_the_closed_forms(values, contact):
     eq = ss.equilibria(ss.Parameters(**values), contact=contact, method="search")
     known = ss.equilibria(ss.Parameters(**values), contact=contact)
@@ -93,7 +116,19 @@ def test_stiff_springs_have_the_states_of_the_closed_forms(values, contact):
 
 @pytest.mark.thorough
 def test_what_is_undecided_is_listed(with_a_line, run):
-    asked = ["folds", "--theta0", "57", "--mu0", "0", "--alpha", "0", "--vary", "sigma", "--method", "search"]
+    asked = [
+        "folds",
+        "--theta0",
+        "57",
+        "--mu0",
+        "0",
+        "--alpha",
+        "0",
+        "--vary",
+        "sigma",
+        "--method",
+        "search",
+    ]
     told = json.loads(run(*asked, "--json"))
     assert not told["complete"]
     assert set(told["undecided"][0]) == {"x", "y", "sigma"}

@@ -15,7 +15,9 @@ from tests.support import few
 @pytest.mark.thorough
 @pytest.mark.parametrize("vary", ["sigma", "alpha_a"])
 @pytest.mark.parametrize("theta0", few([0.7, 1.0, np.pi / 2], 0.7))
-def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stiffnesses(vary, theta0):
+def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stiffnesses(
+    vary, theta0
+):
     # Without friction and α the forces along the belt add up to α_a x_a = 0, and σ (L − 1) cos θ = 0 is left: an unstressed
     # spring, whatever its stiffness, or an upright one with L − 1 = (sin θ₀ − 1 + κ)/(1 + σ): κ alone changes its sign.
     model = ss.load("trolley")
@@ -30,8 +32,14 @@ def test_a_force_without_a_potential_can_bring_flutter_without_friction():
     # At V = 0 there is no friction, but its slope damps x. A pair crosses where y moves alone: K₁₂ K₂₁ = (P − σ/2)(−P − σ/2) = 0.
     text = shipped_page(
         "mode_coupling",
-        ("V = page", 'P = page.parameter("P", "N/m", "stiffness of a force that turns with the place", ">= 0", 0.0)\nV = page'),
-        ("page.force(0, -F_L, at=(x, y))", "page.force(0, -F_L, at=(x, y))\npage.force(-P * y, P * x, at=(x, y))"),
+        (
+            "V = page",
+            'P = page.parameter("P", "N/m", "stiffness of a force that turns with the place", ">= 0", 0.0)\nV = page',
+        ),
+        (
+            "page.force(0, -F_L, at=(x, y))",
+            "page.force(0, -F_L, at=(x, y))\npage.force(-P * y, P * x, at=(x, y))",
+        ),
         (", at_rest=mu0)", ")"),
     )
     model = model_of(text, "follower")
@@ -55,7 +63,9 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
     assert eq.complete
     assert (eq.count == 1).all()
     for place in np.ndindex(mu0.shape):
-        a, s, mu = (Fraction(float(value)) for value in (alpha[place[1]], sigma[place[1]], mu0[place]))
+        a, s, mu = (
+            Fraction(float(value)) for value in (alpha[place[1]], sigma[place[1]], mu0[place])
+        )
         exact = (a - 1) ** 2 - 4 * (mu - s / 2) * s / 2
         assert (eq.stability[place][0] == ss.Stability.FLUTTER) == (exact < 0)
         assert eq.marginal[place][0] == (exact == 0)
@@ -81,10 +91,17 @@ def test_an_onset_that_more_digits_do_not_prove_is_kept():
     # Found in a random attack: a regular root, known to 1.1e-12, was given up for a box of width 4e-4.
     model = ss.load("damped")
     p = model.Parameters(
-        theta0=2.9157543051574755, mu0=0.43699156516387977, kappa=0.15847075823454923, alpha=0.016250342603733297,
-        sigma=0.049769325988967605, beta=0.2578522662237829, zeta_x=0.18676578516369519, zeta_y=0.0016447809758024315,
-        V=0.06916325233881838, d=0.4435031872587287,
-    )  # fmt: skip
+        theta0=2.9157543051574755,
+        mu0=0.43699156516387977,
+        kappa=0.15847075823454923,
+        alpha=0.016250342603733297,
+        sigma=0.049769325988967605,
+        beta=0.2578522662237829,
+        zeta_x=0.18676578516369519,
+        zeta_y=0.0016447809758024315,
+        V=0.06916325233881838,
+        d=0.4435031872587287,
+    )
     found = ss.flutter_onsets(p, "zeta_s")
     assert (found.decided, len(found)) == (True, 2)
     _crosses(model, p, found, "zeta_s")
@@ -98,7 +115,9 @@ def _crosses(model, p, found, vary):
             beside = p.replace(**{vary: float(at * factor)})
             eq = ss.equilibria(beside)
             states = np.array([getattr(eq, name) for name in model.coordinates])
-            given = np.array([[float(getattr(beside, name))] * states.shape[1] for name in model.parameters])
+            given = np.array(
+                [[float(getattr(beside, name))] * states.shape[1] for name in model.parameters]
+            )
             parts = stability.linearization(Balance(model, True), states, given)
             unstable.append((stability.roots(*parts).real > 0).sum(axis=-1))
         assert sorted(np.abs(unstable[1] - unstable[0]).tolist())[-1] == 2
@@ -127,10 +146,15 @@ def circle():
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("u", "v", "angle"), [
-    ((-5.5, 2.5), (-2.5, 5.5), 2 * np.pi), ((0.9, 5.0), (-4.0, 3.0), 2 * np.arccos(0.9)),
-    ((-4.0, 3.0), (0.9, 5.0), 2 * np.arccos(0.9)), ((0.7, 5.0), (0.7, 4.0), np.arccos(0.7) - np.arcsin(0.7)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("u", "v", "angle"),
+    [
+        ((-5.5, 2.5), (-2.5, 5.5), 2 * np.pi),
+        ((0.9, 5.0), (-4.0, 3.0), 2 * np.arccos(0.9)),
+        ((-4.0, 3.0), (0.9, 5.0), 2 * np.arccos(0.9)),
+        ((0.7, 5.0), (0.7, 4.0), np.arccos(0.7) - np.arcsin(0.7)),
+    ],
+)
 def test_a_curve_of_folds_between_lines_is_seen_however_small(circle, u, v, angle):
     """Whole, or the part of it that a side or a corner of the range cuts off."""
     radius = 1e-3

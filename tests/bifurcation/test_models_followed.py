@@ -53,10 +53,14 @@ def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any
 
 #: F_φ = 6 φ − P sin φ, beside x = −1, 0 and 1: three pitchforks at P = 6, which no float beside it is told apart from.
 TRIPLETS = replaced(
-    ROD, ("P = page", 'x = page.coordinate("x", "m", "another place")\nP = page'),
-    ("k * (l * sin(phi) - e * l) ** 2 / 2", "3 * k * l**2 * (phi - e) ** 2 + k * (x**2 - l**2) ** 2 / l**2"),
+    ROD,
+    ("P = page", 'x = page.coordinate("x", "m", "another place")\nP = page'),
+    (
+        "k * (l * sin(phi) - e * l) ** 2 / 2",
+        "3 * k * l**2 * (phi - e) ** 2 + k * (x**2 - l**2) ** 2 / l**2",
+    ),
     ("page.kinetic(", "page.kinetic(m * page.rate(x) ** 2 / 2 + "),
-)  # fmt: skip
+)
 
 
 @pytest.mark.by_hand("values0")

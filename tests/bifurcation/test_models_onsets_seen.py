@@ -55,7 +55,9 @@ def pad() -> Any:
 def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     """Where the growth of the only state changes its sign; that there is no other one is not said."""
     found = ss.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
-    want = brentq(lambda mu: float(ss.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12)
+    want = brentq(
+        lambda mu: float(ss.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12
+    )
     assert found.kind.tolist() == ["hopf"]
     assert found.mu_s[0] == pytest.approx(want, abs=1e-9)
     assert found.error[0] < 1e-12

@@ -16,7 +16,14 @@ from tests.support import few
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
 SETS = (
     {"zeta_x": 0.001, "zeta_y": 0.1, "zeta_s": 0.001, "alpha": 0.3, "kappa": 0.1, "sigma": 0.5},
-    {"kappa": 0.0793, "alpha": 0.2943, "sigma": 0.5302, "zeta_x": 0.01459, "zeta_y": 0.6958, "zeta_s": 0.01327},
+    {
+        "kappa": 0.0793,
+        "alpha": 0.2943,
+        "sigma": 0.5302,
+        "zeta_x": 0.01459,
+        "zeta_y": 0.6958,
+        "zeta_s": 0.01327,
+    },
 )
 BETWEEN = {"mu0": (0.0, 2.0)}
 
@@ -38,7 +45,9 @@ def by_hand(page: str, P: dict[str, float], q: np.ndarray) -> np.ndarray:
     rows = np.empty((n, 2 * n))
     for k in range(2 * n):
         step = np.where(np.arange(2 * n) == k, 1e-30j, 0.0)
-        rows[:, k] = [complex(value).imag / 1e-30 for value in accelerations(page, P, list(rest + step))]
+        rows[:, k] = [
+            complex(value).imag / 1e-30 for value in accelerations(page, P, list(rest + step))
+        ]
     return np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), rows])
 
 
@@ -50,10 +59,14 @@ def test_stick_slip_in_closed_form() -> None:
     (curve,) = found.curves
     assert found.complete
     V, gentle = curve.V, curve.V < (1 + np.sqrt(2)) * 0.2
-    assert curve.zeta == pytest.approx(2 * 0.4 * 0.2 * (V**2 - 0.04) / (V**2 + 0.04) ** 2, abs=1e-11)
+    assert curve.zeta == pytest.approx(
+        2 * 0.4 * 0.2 * (V**2 - 0.04) / (V**2 + 0.04) ** 2, abs=1e-11
+    )
     assert (curve.criticality == np.where(gentle, "gentle", "dangerous")).all()
     assert curve.omega == pytest.approx(1.0)
-    assert found.changes["V"] == pytest.approx([(1 + np.sqrt(2)) * 0.2], abs=max(1e-12, *found.changes["error"]))
+    assert found.changes["V"] == pytest.approx(
+        [(1 + np.sqrt(2)) * 0.2], abs=max(1e-12, *found.changes["error"])
+    )
     assert found.changes["error"].max() < 1e-6
 
 
@@ -90,13 +103,22 @@ def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[An
 #: Two modes that a spring couples; friction feeds the first, a damper takes from the second.
 TWO_MODES = shipped_page(
     "stick_slip",
-    ("x = page.coordinate", 'y = page.coordinate("y", "m", "displacement across the belt")\nx = page.coordinate'),
+    (
+        "x = page.coordinate",
+        'y = page.coordinate("y", "m", "displacement across the belt")\nx = page.coordinate',
+    ),
     ("page.rate(x) ** 2", "(page.rate(x) ** 2 + page.rate(y) ** 2)"),
-    ("page.damper(c, along=x)", "page.damper(c, along=y)\npage.spring(k_y, along=y)\npage.spring(g, along=x + y)"),
-    ("V = page", '''k_y = page.parameter("k_y", "N/m", "stiffness across the belt", ">= 0", 1.5, becomes="kappa")
+    (
+        "page.damper(c, along=x)",
+        "page.damper(c, along=y)\npage.spring(k_y, along=y)\npage.spring(g, along=x + y)",
+    ),
+    (
+        "V = page",
+        """k_y = page.parameter("k_y", "N/m", "stiffness across the belt", ">= 0", 1.5, becomes="kappa")
 g = page.parameter("g", "N/m", "stiffness that couples the two", ">= 0", 0.4, becomes="gamma")
-V = page'''),
-)  # fmt: skip
+V = page""",
+    ),
+)
 
 
 @pytest.mark.thorough
@@ -105,23 +127,38 @@ def test_a_double_hopf_point_in_closed_form() -> None:
     pytest.importorskip("sympy")
     p = model_of(TWO_MODES, "two_modes").Parameters(v_s=0.5, V=1.0)
     fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
-    curves = ss.onset_curves(p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)})
+    curves = ss.onset_curves(
+        p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)}
+    )
     points = curves.points
     assert points.complete
     assert points.kind.tolist() == ["HH"]
-    np.testing.assert_allclose([points.kappa[0], points.zeta[0]], [1.0, fed], rtol=0, atol=float(points.error[0]) + 1e-15)
+    np.testing.assert_allclose(
+        [points.kappa[0], points.zeta[0]], [1.0, fed], rtol=0, atol=float(points.error[0]) + 1e-15
+    )
     # Curves come near it from all sides: 1 + γ, κ + γ and γ are the stiffnesses, and Hurwitz's determinant is 0 on each of them.
     g = float(p.gamma)
     for curve in curves.curves:
         k, z = np.asarray(curve.kappa), np.asarray(curve.zeta)
-        b = [(1 + g) * (k + g) - g * g, z * (1 + g) - fed * (k + g), 1 + k + 2 * g - fed * z, z - fed]
-        np.testing.assert_allclose(b[3] * b[2] * b[1], b[1] ** 2 + b[3] ** 2 * b[0], rtol=0, atol=1e-12)
-    places = np.concatenate([[curve.kappa - 1.0, curve.zeta - fed] for curve in curves.curves], axis=1).T
+        b = [
+            (1 + g) * (k + g) - g * g,
+            z * (1 + g) - fed * (k + g),
+            1 + k + 2 * g - fed * z,
+            z - fed,
+        ]
+        np.testing.assert_allclose(
+            b[3] * b[2] * b[1], b[1] ** 2 + b[3] ** 2 * b[0], rtol=0, atol=1e-12
+        )
+    places = np.concatenate(
+        [[curve.kappa - 1.0, curve.zeta - fed] for curve in curves.curves], axis=1
+    ).T
     near = places[np.hypot(*places.T) < 0.1]
     assert {tuple(np.sign(row).tolist()) for row in near} == {(1, 1), (1, -1), (-1, 1), (-1, -1)}
     # Along a line through it both pairs cross at one place, each with its frequency: roots of λ⁴ + b₂ λ² + b₀.
     both = ss.flutter_onsets(p.replace(kappa=1.0), vary="zeta", between={"zeta": (0.0, 0.4)})
-    assert np.sort(both.omega**2) == pytest.approx(np.sort(np.roots([1, -(2 + 2 * g - fed**2), 1 + 2 * g])), abs=1e-6)
+    assert np.sort(both.omega**2) == pytest.approx(
+        np.sort(np.roots([1, -(2 + 2 * g - fed**2), 1 + 2 * g])), abs=1e-6
+    )
 
 
 @pytest.mark.thorough
@@ -153,17 +190,26 @@ def test_bogdanov_takens_points() -> None:
 def test_where_friction_alone_damps_all_points_are_known() -> None:
     """Where friction is 0 all conditions hold but that of a fold: its slope, a factor of them, is divided out."""
     model = ss.load("kang_nam")
-    points = ss.onset_curves(model.Parameters(), n=2, between={"theta0": (0.3, 1.3), "mu0": (0.0, 1.5)}).points
+    points = ss.onset_curves(
+        model.Parameters(), n=2, between={"theta0": (0.3, 1.3), "mu0": (0.0, 1.5)}
+    ).points
     assert points.complete
     assert points.kind.tolist() == ["ZH", "ZH"]
     for row in range(2):
-        p = model.Parameters(**{name: float(getattr(points, name)[row]) for name in model.parameters})
+        p = model.Parameters(
+            **{name: float(getattr(points, name)[row]) for name in model.parameters}
+        )
         state = np.array([[points.x[row]], [points.y[row]]])
         M, C, K = (part[0] for part in linearization(Balance(model, True), state, columns(p)))
         assert abs(np.linalg.det(K)) < 1e-12
         # The pair is ± iω for any size of the only entry of C.
         for damping in (C, C / C[0, 0]):
-            whole = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, damping)]])
+            whole = np.block(
+                [
+                    [np.zeros((2, 2)), np.eye(2)],
+                    [-np.linalg.solve(M, K), -np.linalg.solve(M, damping)],
+                ]
+            )
             roots = np.linalg.eigvals(whole)
             assert np.abs(roots[np.abs(roots.imag) > 0.01].real).max() < 1e-8
 

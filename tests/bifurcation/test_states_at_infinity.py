@@ -49,27 +49,45 @@ def test_steady_sliding_ends_where_the_state_runs_to_infinity(run: Any) -> None:
     ends = np.tan(theta0) + kappa / (np.sin(theta0) * np.cos(theta0))
     eq = ss.equilibria(p.replace(mu0=ends + np.array([-1e-3, 1e-3])))
     assert (eq.count.tolist(), eq.complete) == ([1, 0], True)
-    with pytest.raises(ss.ConvergenceError, match=rf"runs to infinity at mu0 = {ends:.15f}"[:-3] + r"\d*, and there is no other"):
+    with pytest.raises(
+        ss.ConvergenceError,
+        match=rf"runs to infinity at mu0 = {ends:.15f}"[:-3] + r"\d*, and there is no other",
+    ):
         ss.quasi_static_path(p, "mu0", [0.1, 0.5, 1.2])
     assert "none, proved" in run("equilibria", "--model", str(folder), "--mu0", "1")
-    assert have_jumped(p.replace(mu0=ends + np.array([-1e-3, 1e-3]))).tolist() == [0, 1]  # as margins and probabilities ask
+    assert have_jumped(p.replace(mu0=ends + np.array([-1e-3, 1e-3]))).tolist() == [
+        0,
+        1,
+    ]  # as margins and probabilities ask
 
 
 def test_along_the_speed_of_a_falling_law() -> None:
-    page = replaced(ROD, ("mu0 * (1 - exp", "(psi + (mu0 - psi) * exp(-d * Abs(v) / 5)) * (1 - exp"), (", at_rest=mu0", ""))
+    page = replaced(
+        ROD,
+        ("mu0 * (1 - exp", "(psi + (mu0 - psi) * exp(-d * Abs(v) / 5)) * (1 - exp"),
+        (", at_rest=mu0", ""),
+    )
     with pytest.raises(ss.ConvergenceError, match=r"runs to infinity at V = 0\.1"):
-        ss.quasi_static_path(ss.load(derived(page, "falling_rod")).Parameters(mu0=1.6), "V", [0.05, 0.5])
+        ss.quasi_static_path(
+            ss.load(derived(page, "falling_rod")).Parameters(mu0=1.6), "V", [0.05, 0.5]
+        )
 
 
 @pytest.mark.thorough
 def test_the_friction_below_which_it_does_so_at_no_angle() -> None:
     """(1 + κ) tan θ₀ + κ/tan θ₀ is least where tan² θ₀ = κ/(1 + κ)."""
-    found = ss.critical_friction(ss.load(derived(ROD, "rigid_rod")).Parameters(), between={"mu0": (0.0, 1.0)})
+    found = ss.critical_friction(
+        ss.load(derived(ROD, "rigid_rod")).Parameters(), between={"mu0": (0.0, 1.0)}
+    )
     assert (found.kind, found.complete) == ("infinity", True)
-    assert [found.mu0, np.tan(found.theta0) ** 2] == pytest.approx([2 * np.sqrt(0.03 * 1.03), 0.03 / 1.03], rel=1e-12)
+    assert [found.mu0, np.tan(found.theta0) ** 2] == pytest.approx(
+        [2 * np.sqrt(0.03 * 1.03), 0.03 / 1.03], rel=1e-12
+    )
 
 
 def test_a_spring_that_is_stretched_without_end() -> None:
     p = ss.load(derived(SPUN, "spun")).Parameters()
-    with pytest.raises(ss.ConvergenceError, match=r"runs to infinity at P = (1\.0|0\.9999999999\d*),"):
+    with pytest.raises(
+        ss.ConvergenceError, match=r"runs to infinity at P = (1\.0|0\.9999999999\d*),"
+    ):
         ss.quasi_static_path(p, "P", [0.5, 0.9, 1.1], start=2)

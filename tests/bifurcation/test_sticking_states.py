@@ -12,10 +12,13 @@ from tests.oracles.user_pages import model_of, shipped_page
 
 #: A pendulum in a bearing.
 BEARING = shipped_page(
-    "coulomb_stick_slip", ("import Page", "import Page, cos"), ('"x", "m", "displacement along the belt"', '"x", "rad", "angle"'),
-    ("page.rate(x) ** 2", "(N_0 / k * page.rate(x)) ** 2"), ("page.friction(x,", "page.friction(N_0 / k * x,"),
+    "coulomb_stick_slip",
+    ("import Page", "import Page, cos"),
+    ('"x", "m", "displacement along the belt"', '"x", "rad", "angle"'),
+    ("page.rate(x) ** 2", "(N_0 / k * page.rate(x)) ** 2"),
+    ("page.friction(x,", "page.friction(N_0 / k * x,"),
     ("page.spring(k, along=x)", "page.potential(N_0**2 / k * (1 - cos(x)))"),
-)  # fmt: skip
+)
 
 
 @pytest.mark.parametrize(
@@ -34,7 +37,9 @@ def test_sets_of_the_articles_model_hold_its_equilibria_at_all_coefficients(
 ) -> None:
     """At coefficients of either sign, by the quartic: a belt that runs the other way is the mirror image."""
     theta0 = math.radians(degrees)
-    found = ss.sticking_states(ss.load("coulomb").Parameters(theta0=theta0, mu0=mu0, V=0.0, **given))
+    found = ss.sticking_states(
+        ss.load("coulomb").Parameters(theta0=theta0, mu0=mu0, V=0.0, **given)
+    )
     mu, x, y = mu0 * np.sin(np.linspace(0.0, math.pi / 2, 3001)), [], []
     own = {name: value for name, value in given.items() if name != "ratio"}
     for way, begin in ((1, theta0), (-1, math.pi - theta0)):
@@ -42,31 +47,44 @@ def test_sets_of_the_articles_model_hold_its_equilibria_at_all_coefficients(
         x, y = [*x, *(way * eq.x[eq.states])], [*y, *eq.y[eq.states]]
     assert found.complete
     assert found.x_low.size == sets
-    inside = (found.x_low[:, None] - found.error[:, None] <= x) & (x <= found.x_high[:, None] + found.error[:, None])
+    inside = (found.x_low[:, None] - found.error[:, None] <= x) & (
+        x <= found.x_high[:, None] + found.error[:, None]
+    )
     assert inside.sum(axis=0) == pytest.approx(1)
     for row, here in zip(found, inside, strict=True):
         for name, column in (("x", np.array(x)[here]), ("y", np.array(y)[here])):
-            assert (column.min(), column.max()) == pytest.approx((row[f"{name}_low"], row[f"{name}_high"]), rel=1e-7, abs=1e-12)
+            assert (column.min(), column.max()) == pytest.approx(
+                (row[f"{name}_low"], row[f"{name}_high"]), rel=1e-7, abs=1e-12
+            )
 
 
 @pytest.mark.parametrize(
     ("mu_s", "ends"),
-    [(0.6, [(-36.86989765, 36.86989765), (143.13010235, 216.86989765)]), (math.nextafter(1.0, 2.0), [(-180, 180)])],
+    [
+        (0.6, [(-36.86989765, 36.86989765), (143.13010235, 216.86989765)]),
+        (math.nextafter(1.0, 2.0), [(-180, 180)]),
+    ],
 )
 def test_an_angle_goes_on_beyond_half_a_turn(mu_s: float, ends: list[tuple[float, float]]) -> None:
     """A bearing holds a pendulum where |sin φ| ≤ μ_s; where μ_s > 1, anywhere."""
     found = ss.sticking_states(model_of(BEARING, "bearing").Parameters(mu_s=mu_s, V=0.0))
-    assert list(zip(np.degrees(found.x_low), np.degrees(found.x_high), strict=True)) == [pytest.approx(end) for end in ends]
+    assert list(zip(np.degrees(found.x_low), np.degrees(found.x_high), strict=True)) == [
+        pytest.approx(end) for end in ends
+    ]
 
 
 def test_the_slope_of_the_friction_by_the_share() -> None:
     """Of a law that is steeper one way, so that μ is not 0 at half of the limits."""
     law = ("slip=lambda v: mu_k * sgn(v)", "slip=lambda v: mu_k * (sgn(v) + sgn(v) ** 2 / 2)")
-    uneven = model_of(shipped_page("coulomb_stick_slip", law), "uneven").Parameters(mu_s=0.5, mu_k=0.4, V=0.0)
+    uneven = model_of(shipped_page("coulomb_stick_slip", law), "uneven").Parameters(
+        mu_s=0.5, mu_k=0.4, V=0.0
+    )
     found, own = ss.sticking_states(uneven), sticking._held(uneven.model)
     low, high = (own._model.algebra.friction_at_rest(0.5, 0.4, 0.0, share) for share in (-1, 1))
     assert [found.x_low[0], found.x_high[0], low, high] == pytest.approx([-0.5, 0.6, -0.5, 0.6])
-    assert own._model.algebra.friction_by_parameters(0.5, 0.4, 0.0, 0.3)[-1] == pytest.approx((high - low) / 2)
+    assert own._model.algebra.friction_by_parameters(0.5, 0.4, 0.0, 0.3)[-1] == pytest.approx(
+        (high - low) / 2
+    )
 
 
 def test_two_sets_of_the_pendulum_whose_tip_sticks() -> None:

@@ -10,12 +10,19 @@ from tests.oracles.user_pages import model_of, shipped_page
 
 #: Mode coupling with dampers (Hoffmann and Gaul 2003) under the law μ0 tanh(d v).
 CHANGES = (
-    ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", "mu0 * tanh(d * v)"), ("Abs, Page, exp, sgn", "Page, tanh"),
-    ("page.spring(k_x, along=x)\n", "page.spring(k_x, along=x)\npage.damper(c_x, along=x)\npage.damper(c_y, along=y)\n"),
-    ("V = page", """c_x = page.parameter("c_x", "N s/m", "damper", ">= 0", 0.05)
+    ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", "mu0 * tanh(d * v)"),
+    ("Abs, Page, exp, sgn", "Page, tanh"),
+    (
+        "page.spring(k_x, along=x)\n",
+        "page.spring(k_x, along=x)\npage.damper(c_x, along=x)\npage.damper(c_y, along=y)\n",
+    ),
+    (
+        "V = page",
+        """c_x = page.parameter("c_x", "N s/m", "damper", ">= 0", 0.05)
 c_y = page.parameter("c_y", "N s/m", "damper", ">= 0", 0.02)
-V = page"""),
-)  # fmt: skip
+V = page""",
+    ),
+)
 
 
 @pytest.fixture(scope="module")
@@ -29,13 +36,22 @@ def test_an_onset_of_the_tail_is_undecided(model: Any) -> None:
     a, b = 0.07, 0.05 * 1.25 + 0.02 * 1.55
     mu = 0.25 - (1.55 * 1.25 - b / a * (2.8 + 0.05 * 0.02 - b / a)) / 0.25
     assert onsets.mu0 == pytest.approx([mu], abs=1e-12)
-    assert abs(onsets.lyapunov[0]) > onsets.lyapunov_error[0]  # its sign is proved, and means nothing
+    assert (
+        abs(onsets.lyapunov[0]) > onsets.lyapunov_error[0]
+    )  # its sign is proved, and means nothing
     assert (onsets.criticality[0], "below the smoothing" in onsets.why[0]) == ("undecided", True)
     # Where the law is felt at the onset, its sign is told.
-    assert ss.flutter_onsets(model.Parameters(V=1.0, d=5.0), "mu0", between={"mu0": (0.0, 1.0)}).criticality[0] == "dangerous"
+    assert (
+        ss.flutter_onsets(
+            model.Parameters(V=1.0, d=5.0), "mu0", between={"mu0": (0.0, 1.0)}
+        ).criticality[0]
+        == "dangerous"
+    )
 
 
 def test_no_generalized_hopf_point_in_the_tail(model: Any) -> None:
-    found = ss.onset_curves(model.Parameters(d=20.0), ("mu0", "V"), 6, between={"mu0": (0.2, 0.5), "V": (0.8, 2.0)})
+    found = ss.onset_curves(
+        model.Parameters(d=20.0), ("mu0", "V"), 6, between={"mu0": (0.2, 0.5), "V": (0.8, 2.0)}
+    )
     assert {kind for curve in found.curves for kind in curve.criticality} == {"undecided"}
     assert not np.concatenate([found.changes["mu0"]]).size

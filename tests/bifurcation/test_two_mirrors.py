@@ -25,15 +25,21 @@ page.potential(k * a**2 / 2 + k2 * b**2 / 2 + P * l * cos(a) * cos(b))
 #: A second load, across the first one.
 LOADED = replaced(
     TRUSS,
-    ('">= 0", 0.01, becomes="P")', '"real", 0.01, becomes="P")\nQ = page.parameter("Q", "N", "load", "real", 0.0, becomes="Q")'),
+    (
+        '">= 0", 0.01, becomes="P")',
+        '"real", 0.01, becomes="P")\nQ = page.parameter("Q", "N", "load", "real", 0.0, becomes="Q")',
+    ),
     ("page.force(0, -P", "page.force(Q, -P"),
-)  # fmt: skip
+)
 #: A spring below the tip.
 HELD = replaced(
     TRUSS,
     ("page.spring(k_x, along=x)\n", "page.spring(k_x, along=x)\npage.spring(k_y, along=y)\n"),
-    ('">= 0", 0.01, becomes="P")', '"real", 0.01, becomes="P")\nk_y = page.parameter("k_y", "N/m", "", "> 0", becomes="beta")'),
-)  # fmt: skip
+    (
+        '">= 0", 0.01, becomes="P")',
+        '"real", 0.01, becomes="P")\nk_y = page.parameter("k_y", "N/m", "", "> 0", becomes="beta")',
+    ),
+)
 
 
 @pytest.mark.thorough
@@ -47,8 +53,12 @@ def test_all_cusps_of_a_plane_that_pitchforks_cross() -> None:
     p = model_of(HELD, "held").Parameters(alpha=0.0, h=8**0.5)
     found = ss.cusps(p, ("P", "beta"), between={"P": (-1.0, 1.0), "beta": (3.0, 5.0)})
     assert found.complete
-    np.testing.assert_allclose([found.P, found.beta, found.x, found.y], [[0.0], [4.0], [0.0], [0.0]], atol=1e-12)
-    (digits,) = ss.precise.cusps(p, vary=("P", "beta"), between={"P": (-0.1, 0.1), "beta": (3.9, 4.1)}, dps=30)
+    np.testing.assert_allclose(
+        [found.P, found.beta, found.x, found.y], [[0.0], [4.0], [0.0], [0.0]], atol=1e-12
+    )
+    (digits,) = ss.precise.cusps(
+        p, vary=("P", "beta"), between={"P": (-0.1, 0.1), "beta": (3.9, 4.1)}, dps=30
+    )
     angles = sorted(float(digits.numbers[f"theta_{i}"]) for i in (1, 2))
     assert angles == pytest.approx([0.0, np.pi], abs=1e-15)  # the bars lie in one line
 
@@ -56,14 +66,26 @@ def test_all_cusps_of_a_plane_that_pitchforks_cross() -> None:
 @pytest.mark.thorough
 def test_all_cusps_of_a_truss_under_two_loads() -> None:
     """Four where the bars are perpendicular and one has half its length L = √5/2; two on y = 0, where x² = 1 + L |x|."""
-    model, L, plane = model_of(LOADED, "loaded"), np.sqrt(1.25), {"P": (-2.0, 2.0), "Q": (-2.0, 2.0)}
+    model, L, plane = (
+        model_of(LOADED, "loaded"),
+        np.sqrt(1.25),
+        {"P": (-2.0, 2.0), "Q": (-2.0, 2.0)},
+    )
     found = ss.cusps(model.Parameters(alpha=0.0), ("P", "Q"), between=plane)
     near, far = 1 - L**2 / 8, (L + np.sqrt(L**2 + 4)) / 2
     assert found.complete
     np.testing.assert_allclose(np.sort(found.x), [-far, -near, -near, near, near, far], atol=1e-12)
-    np.testing.assert_allclose(np.abs(found.y), np.where(np.abs(found.x) < 1, np.sqrt(L**2 / 4 - (1 - near) ** 2), 0), atol=1e-12)
-    assert np.hypot(found.P, found.Q)[np.abs(found.x) > 1] == pytest.approx(2 * (far - L), abs=1e-12)
-    digits = ss.precise.cusps(model.Parameters(alpha=0.0), vary=("P", "Q"), between=plane | {"Q": (-2.0, -0.1)}, dps=30)
+    np.testing.assert_allclose(
+        np.abs(found.y),
+        np.where(np.abs(found.x) < 1, np.sqrt(L**2 / 4 - (1 - near) ** 2), 0),
+        atol=1e-12,
+    )
+    assert np.hypot(found.P, found.Q)[np.abs(found.x) > 1] == pytest.approx(
+        2 * (far - L), abs=1e-12
+    )
+    digits = ss.precise.cusps(
+        model.Parameters(alpha=0.0), vary=("P", "Q"), between=plane | {"Q": (-2.0, -0.1)}, dps=30
+    )
     assert (len(digits), digits.complete) == (3, True)
 
 
@@ -73,8 +95,14 @@ def test_all_loads_of_a_column_on_two_springs(kappa: float) -> None:
     """With κ < 1 two states a ≠ 0 become stable in b where P cos a = κ, beside P = 1 and P = κ."""
     p = model_of(COLUMN, "column").Parameters(kappa=kappa)
     found = ss.folds(p, "P", between={"P": (0.1, 2.4)})
-    later = brentq(lambda angle: np.cos(angle) * angle - kappa * np.sin(angle), 0.5, 3.0) if kappa < 1 else 0.0
+    later = (
+        brentq(lambda angle: np.cos(angle) * angle - kappa * np.sin(angle), 0.5, 3.0)
+        if kappa < 1
+        else 0.0
+    )
     tilts = [0.0, 0.0, *([-later, later] if kappa < 1 else [])]
     assert (found.complete, set(found.kind)) == (True, {"pitchfork"})
-    np.testing.assert_allclose(found.P, sorted([1.0, kappa]) + [angle / np.sin(angle) for angle in tilts[2:]], atol=1e-12)
+    np.testing.assert_allclose(
+        found.P, sorted([1.0, kappa]) + [angle / np.sin(angle) for angle in tilts[2:]], atol=1e-12
+    )
     np.testing.assert_allclose([found.a, found.b], [tilts, np.zeros(len(tilts))], atol=1e-12)

@@ -43,14 +43,25 @@ def test_check_prints_every_row(run: Run) -> None:
     rows = json.loads(run("check", "--json"))
     assert rows == json.loads(run("check", "--json", "--again"))
     assert len(rows) == 53
-    assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
+    assert [row["id"] for row in rows if row["status"] == "misprint"] == [
+        "eq-6",
+        "eq-9",
+        "eq-13",
+        "def-n",
+        "A1-d0",
+    ]
 
 
 def test_a_point_without_an_answer_costs_no_other(run: Run) -> None:
     """Lengths of 1e399 are no floats: that point says so, in the table and in JSON, and the others are listed."""
-    asked = shlex.split("equilibria --theta0 50 --mu0 1e200 --alpha 1 --sigma 1 --beta 1 --kappa 0.3,1e200,0.4")
+    asked = shlex.split(
+        "equilibria --theta0 50 --mu0 1e200 --alpha 1 --sigma 1 --beta 1 --kappa 0.3,1e200,0.4"
+    )
     shown = run(*asked)
-    assert [line.split()[:2] for line in shown.splitlines()[1:3]] == [["0.3", "contact"], ["0.4", "contact"]]
+    assert [line.split()[:2] for line in shown.splitlines()[1:3]] == [
+        ["0.3", "contact"],
+        ["0.4", "contact"],
+    ]
     assert "contact, undecided: log10 L = 399" in shown
     points = json.loads(run(*asked, "--json"))["points"]
     assert [point["complete"] for point in points] == [True, False, True]
@@ -67,13 +78,35 @@ MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
 #: Command that writes → what it writes to, given a folder.
 WRITING = {
     "bifurcation": (["bifurcation", "--plot"], "a.svg"),
-    "equilibria": (["equilibria", "--model", "mode_coupling", "--vary", "mu0=0:1", "--plot"], "a.svg"),
+    "equilibria": (
+        ["equilibria", "--model", "mode_coupling", "--vary", "mu0=0:1", "--plot"],
+        "a.svg",
+    ),
     "onsets": (
-        ["onsets", "--model", "stick_slip", "--vary", "V=0.1:0.4", "--vary", "zeta=0.5:1.5", "--n", "4", "--plot"],
+        [
+            "onsets",
+            "--model",
+            "stick_slip",
+            "--vary",
+            "V=0.1:0.4",
+            "--vary",
+            "zeta=0.5:1.5",
+            "--n",
+            "4",
+            "--plot",
+        ],
         "a.svg",
     ),
     "check": (["check", "--report"], "a.md"),
-    "report": (["report", "--no-oscillation", str(Path(ss.__file__).parent / "report/brake.toml"), "--html"], "a.html"),
+    "report": (
+        [
+            "report",
+            "--no-oscillation",
+            str(Path(ss.__file__).parent / "report/brake.toml"),
+            "--html",
+        ],
+        "a.html",
+    ),
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
     "cycles": (["cycles", "--theta0", "42", "--vary", "theta0=41.9:42.1", "--plot"], "a.svg"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
@@ -96,7 +129,9 @@ def in_the_way(command: str, folder: Path) -> tuple[list[str], Path]:
 
 
 @pytest.mark.parametrize("command", WRITING)
-def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_no_file_is_overwritten_without_force(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     pytest.importorskip("matplotlib")
     arguments, target = in_the_way(command, tmp_path)
     assert invoke(*arguments) == USAGE
@@ -110,7 +145,9 @@ def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, caps
 
 @pytest.mark.by_hand("report")
 @pytest.mark.thorough
-@pytest.mark.parametrize("command", [name for name in WRITING if name != "derive"])  # which replaces only what it wrote itself
+@pytest.mark.parametrize(
+    "command", [name for name in WRITING if name != "derive"]
+)  # which replaces only what it wrote itself
 def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     if command == "cycles" and LONG_MOTIONS_TAKE_MINUTES:
@@ -132,23 +169,43 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["path", "--vary", "nonsense=0:1"], USAGE, ["--vary", "'nonsense'", "theta0, mu0"]),
         (["equilibria", "--theta0", "30", "--theta0=40"], USAGE, ["--theta0", "2 times"]),
         (["equilibria", "-V", "1", "--speed", "2"], USAGE, ["--speed", "2 times"]),
-        (["equilibria", "--theta0", "30", "--vary", "mu0=0:1:3", "--mu0", "4"], USAGE, ["--mu0", "leave one of the two out"]),
+        (
+            ["equilibria", "--theta0", "30", "--vary", "mu0=0:1:3", "--mu0", "4"],
+            USAGE,
+            ["--mu0", "leave one of the two out"],
+        ),
         (["equilibria", "--theta0", "30", "--mu0", "0,5"], USAGE, ["--mu0", "0.5", "0.0,5"]),
-        (["folds", "--theta0", "30", "--vary", "mu0=0:1e300"], USAGE, ["mu0 = 1e+300", "at most 1e+06"]),
+        (
+            ["folds", "--theta0", "30", "--vary", "mu0=0:1e300"],
+            USAGE,
+            ["mu0 = 1e+300", "at most 1e+06"],
+        ),
         (["explore", "--no-open", "--model", ""], USAGE, ["--model", "empty"]),
         (["report", ""], USAGE, ["FILE", "empty"]),
-        (["fates", "--theta0", "30", "--backend", "compiled", "-o", "a.csv"], USAGE, ["heyoka", "scipy"]),
+        (
+            ["fates", "--theta0", "30", "--backend", "compiled", "-o", "a.csv"],
+            USAGE,
+            ["heyoka", "scipy"],
+        ),
         (["equilibria", "--theta0", "30", "--model", ""], USAGE, ["neither a shipped model"]),
         (["equilibria", "--theta0", "0"], USAGE, ["--theta0 = 0", "(0, 180)"]),
         (["equilibria", "--theta0", "nan"], USAGE, ["--theta0 = nan"]),
         (["equilibria", "--theta0", "49", "--sigma", "0"], USAGE, ["sigma = 0", "(0, inf)"]),
         (["path", "--vary", "mu0=1:0"], USAGE, ["--theta0 has no value while mu0 varies"]),
         (["cycles", "--near", "1,2"], USAGE, ["--near '1,2'", "4 numbers"]),
-        (["critical", "--theta0", "49", "--vary", "mu0=0:1", "--vary", "theta0"], USAGE, ["--vary", "2 times"]),
+        (
+            ["critical", "--theta0", "49", "--vary", "mu0=0:1", "--vary", "theta0"],
+            USAGE,
+            ["--vary", "2 times"],
+        ),
         (["bifurcation", "--plot", "a.txt"], USAGE, ["a.txt", ".pdf, .png or .svg"]),
         (["bifurcation", "--plot", "missing/a.pdf"], USAGE, ["missing/a.pdf", "existing folder"]),
         (["simulate", "--theta0", "49", "--t-end", "-1"], USAGE, ["--t-end = -1"]),
-        (["simulate", "--theta0", "49", "--t-end", "9", "--transient", "9"], USAGE, ["--transient = 9", "--t-end = 9"]),
+        (
+            ["simulate", "--theta0", "49", "--t-end", "9", "--transient", "9"],
+            USAGE,
+            ["--transient = 9", "--t-end = 9"],
+        ),
         (["simulate", "--theta0", "49", "-V", "-1"], USAGE, ["--speed = -1", "mirror image"]),
         (["simulate", "--theta0", "49", "--rtol", "2"], USAGE, ["--rtol = 2"]),
         (["sweep", "--theta0", "1:2", "-o", "a.csv"], USAGE, ["1:2", "start:stop:count"]),
@@ -162,25 +219,53 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["check", "--claims", "--model", "stribeck"], USAGE, ["leave --model out"]),
         (["report"], USAGE, ["FILE is missing"]),
         (["report", "a.toml", "--html", "a.txt"], USAGE, ["--html a.txt", ".html"]),
-        (["bifurcation", "--theta0", "30", "--vary", "mu0=0:1", "--plot", "a.pdf"], USAGE, ["another --vary"]),
-        (["onsets", "--model", "stick_slip", "--vary", "V=0.1:1"], USAGE, ["--vary = ('V',)", "two different"]),
+        (
+            ["bifurcation", "--theta0", "30", "--vary", "mu0=0:1", "--plot", "a.pdf"],
+            USAGE,
+            ["another --vary"],
+        ),
+        (
+            ["onsets", "--model", "stick_slip", "--vary", "V=0.1:1"],
+            USAGE,
+            ["--vary = ('V',)", "two different"],
+        ),
         (["cycles", "--theta0", "42", "--plot", "a.svg"], USAGE, ["--plot a.svg", "needs --vary"]),
         (["cycles", "--theta0", "42", "--diagram"], USAGE, ["--diagram", "--vary"]),
         (["cycles", "--theta0", "42", "--digits", "20"], USAGE, ["--digits", "--prove"]),
-        (["fates", "--theta0", "30", "-o", "a.csv", "--plot", "a.svg"], USAGE, ["--plot a.svg", "two parameters"]),
+        (
+            ["fates", "--theta0", "30", "-o", "a.csv", "--plot", "a.svg"],
+            USAGE,
+            ["--plot a.svg", "two parameters"],
+        ),
         (["folds", "--theta0", "30", "--vary", "mu0=0:x"], USAGE, ["'mu0=0:x'", "mu0=0:1:11"]),
-        (["equilibria", "--theta0", "30", "--vary", "mu0=0:1:1"], USAGE, ["'mu0=0:1:1'", "2 to 100000"]),
+        (
+            ["equilibria", "--theta0", "30", "--vary", "mu0=0:1:1"],
+            USAGE,
+            ["'mu0=0:1:1'", "2 to 100000"],
+        ),
         (["folds", "--theta0", "30", "--vary", "mu0=1:1"], USAGE, ["both ends are 1"]),
-        (["equilibria", "--alpha", "1,2", "--vary", "mu0=0:1:100000", "--theta0", "30"], USAGE, ["200000 points"]),
+        (
+            ["equilibria", "--alpha", "1,2", "--vary", "mu0=0:1:100000", "--theta0", "30"],
+            USAGE,
+            ["200000 points"],
+        ),
         (["folds", "--theta0", "30", "--within", "x"], USAGE, ["--within x", "x=0:1"]),
         (["folds", "--theta0", "30", "--vary", "k=0:1"], USAGE, ["--vary k", "give --vary sigma"]),
-        (["explore", "--no-open", "--model", "stribeck", "--method", "closed"], USAGE, ["stribeck", "leave --method out"]),
+        (
+            ["explore", "--no-open", "--model", "stribeck", "--method", "closed"],
+            USAGE,
+            ["stribeck", "leave --method out"],
+        ),
     ],
 )
 def test_an_error_is_one_line_that_says_what_to_do(
-    arguments: list[str], code: int, words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    code: int,
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
-) -> None:  # fmt: skip
+) -> None:
     if arguments[0] in ("figures", "bifurcation"):
         pytest.importorskip("matplotlib")
     monkeypatch.chdir(tmp_path)
@@ -207,7 +292,9 @@ def test_an_error_is_one_line_that_says_what_to_do(
         (ss.ParameterTypeError("a type"), USAGE, "a type"),
     ],
 )
-def test_exit_codes(error: BaseException, code: int, words: str, monkeypatch: pytest.MonkeyPatch, run: Run) -> None:
+def test_exit_codes(
+    error: BaseException, code: int, words: str, monkeypatch: pytest.MonkeyPatch, run: Run
+) -> None:
     def fail(*_: object, **__: object) -> None:
         raise error
 
@@ -235,7 +322,9 @@ ONE = ["equilibria", "--theta0", "30"]
 
 def test_many_points_are_asked_in_one_call(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     asked, answer = [], ss.equilibria
-    monkeypatch.setattr(ss, "equilibria", lambda p, **more: asked.append(p.shape) or answer(p, **more))
+    monkeypatch.setattr(
+        ss, "equilibria", lambda p, **more: asked.append(p.shape) or answer(p, **more)
+    )
     points = json.loads(run("equilibria", "--theta0", "20:80:7", "--json"))["points"]
     assert asked == [(7,), (7,)]
     assert points[1]["equilibria"] == json.loads(run(*ONE, "--json"))["equilibria"]
@@ -258,7 +347,9 @@ NUMBERS = st.one_of(
     st.floats(1e-3, 200).map(repr),
     st.floats(max_value=0, exclude_max=True).map(repr),
     st.integers(-5, 200).map(str),
-    st.sampled_from(["", "nan", "inf", "-inf", "1e400", "0x10", "1_0", "١٢", "1,5", "--", "-", "-0.0"]),
+    st.sampled_from(
+        ["", "nan", "inf", "-inf", "1e400", "0x10", "1_0", "١٢", "1,5", "--", "-", "-0.0"]
+    ),
     st.text(max_size=8),
 )
 PARAMETERS = ["--theta0", "--mu0", "--kappa", "--alpha", "--sigma", "--beta"]
@@ -279,18 +370,28 @@ def end_as_documented(arguments: list[str]) -> None:
 
 @pytest.mark.thorough
 @given(
-    st.sampled_from(["equilibria", "bifurcation"]), st.lists(st.tuples(FLAGS, NUMBERS), max_size=5), st.lists(NUMBERS, max_size=1)
-)  # fmt: skip
+    st.sampled_from(["equilibria", "bifurcation"]),
+    st.lists(st.tuples(FLAGS, NUMBERS), max_size=5),
+    st.lists(NUMBERS, max_size=1),
+)
 @example("equilibria", [("--theta0", "1e-300")], [])
 @example("equilibria", [("--theta0", "49"), ("--sigma", "1e300")], [])
 @example("bifurcation", [("--kappa", "1e300")], [])
 @example("bifurcation", [("--sigma", "1e-300")], [])
-def test_any_arguments_end_as_documented(command: str, options: list[tuple[str, str]], rest: list[str]) -> None:
+def test_any_arguments_end_as_documented(
+    command: str, options: list[tuple[str, str]], rest: list[str]
+) -> None:
     end_as_documented([command, *(word for pair in options for word in pair), *rest])
 
 
 def test_remarks_are_told_in_other_units() -> None:
-    remark = Remark("on lines: {}", Remark("searched {}, a part of its range", At("x", (0.0, 1.0), unit=" rad")))
+    remark = Remark(
+        "on lines: {}", Remark("searched {}, a part of its range", At("x", (0.0, 1.0), unit=" rad"))
+    )
     assert remark == "on lines: searched x in [0, 1] rad, a part of its range"
-    assert remark.told(lambda name: (f"{name}_mm", 38.0)) == "on lines: searched x_mm in [0, 38], a part of its range"
-    assert pickle.loads(pickle.dumps(remark)).told(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")  # noqa: S301
+    assert (
+        remark.told(lambda name: (f"{name}_mm", 38.0))
+        == "on lines: searched x_mm in [0, 38], a part of its range"
+    )
+    copied = pickle.loads(pickle.dumps(remark))  # noqa: S301  # bytes of our own
+    assert copied.told(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")

@@ -27,7 +27,10 @@ def ways(model: ss.Model, name: str, general: bool) -> tuple[str, ...]:
 def table(asked: list[ss.Model]) -> list[list[str]]:
     """A row for each question."""
     of_article = TABLE[Asked.article].split()
-    rows = ([name, *("+".join(ways(model, name, name not in of_article)) or "-" for model in asked)] for name in questions())
+    rows = (
+        [name, *("+".join(ways(model, name, name not in of_article)) or "-" for model in asked)]
+        for name in questions()
+    )
     return [["", *(model.name for model in asked)], *rows]
 
 
@@ -41,13 +44,18 @@ def main() -> int:
     rows = table(asked or [models.load(name) for name in models.MODELS])
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip(), flush=True)
+        print(
+            "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip(),
+            flush=True,
+        )
     if not asked:
         return 0
     # Workers are processes of their own, in which the models are those asked for.
     os.environ[models.ASKED] = os.pathsep.join(model.where for model in asked)
     workers = str(min(4, os.cpu_count() or 1))
-    return int(pytest.main([str(Path(__file__).parent), "-n", workers, *sys.argv[1 + len(named) :]]))
+    return int(
+        pytest.main([str(Path(__file__).parent), "-n", workers, *sys.argv[1 + len(named) :]])
+    )
 
 
 if __name__ == "__main__":

@@ -10,4 +10,8 @@ from tests.conformance.models import ASKED
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """In place: tests without a model's name go."""
     if ASKED in os.environ:
-        items[:] = [item for item in items if "name" in getattr(getattr(item, "callspec", None), "params", {})]
+        items[:] = [
+            item
+            for item in items
+            if "name" in getattr(getattr(item, "callspec", None), "params", {})
+        ]

@@ -40,7 +40,16 @@ PLACES = _places()
 MODELS = tuple(PLACES)
 
 #: Those that are another one with another law or one spring more: what is the same by the same code is asked of them by hand.
-ALIKE = ("damped", "coulomb", "stribeck", "cubic_contact", "hertz_contact", "inclined_belt", "trolley", "pad_on_disc")
+ALIKE = (
+    "damped",
+    "coulomb",
+    "stribeck",
+    "cubic_contact",
+    "hertz_contact",
+    "inclined_belt",
+    "trolley",
+    "pad_on_disc",
+)
 
 
 def place(name: str) -> str:
@@ -60,7 +69,11 @@ MOVING = tuple(name for name in MODELS if load(name).about["friction"] is not No
 def without_base(name: str, degrees: float) -> dict[str, float]:
     """What a set has to be given: an angle in degrees, 1 for anything else."""
     model = load(name)
-    return {one: degrees if one in model.about["angles"] else 1.0 for one in model.parameters if one not in model.base}
+    return {
+        one: degrees if one in model.about["angles"] else 1.0
+        for one in model.parameters
+        if one not in model.base
+    }
 
 
 def a_set(name: str, degrees: float = 40.0, **changes: Any) -> Any:
@@ -68,7 +81,11 @@ def a_set(name: str, degrees: float = 40.0, **changes: Any) -> Any:
     model = load(name)
     given = without_base(name, degrees)
     return model.Parameters(
-        **{one: math.radians(value) if one in model.about["angles"] else value for one, value in given.items()} | changes
+        **{
+            one: math.radians(value) if one in model.about["angles"] else value
+            for one, value in given.items()
+        }
+        | changes
     )
 
 
@@ -84,7 +101,13 @@ def starts(p: Any, usual: list[float]) -> list[list[float]]:
     if not hasattr(p.model.algebra, "grip"):
         return [usual]
     across = len(p.model.coordinates) - 1
-    return [usual, [0.05] + [-0.1] * across + [float(getattr(p, p.model.about["friction"]["belt"]))] + [0.0] * across]
+    return [
+        usual,
+        [0.05]
+        + [-0.1] * across
+        + [float(getattr(p, p.model.about["friction"]["belt"]))]
+        + [0.0] * across,
+    ]
 
 
 def moved(name: str, *first: str) -> tuple[str, float]:

@@ -35,7 +35,9 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
     p, model = a_set(name), load(name)
     assert [key.removesuffix("_deg") for key in told["parameters"]] == list(model.parameters)
     for one, shown in zip(model.parameters, told["parameters"].values(), strict=True):
-        assert shown == pytest.approx(_degrees(model, one, np.atleast_1d(getattr(p, one)))[0], rel=1e-15)
+        assert shown == pytest.approx(
+            _degrees(model, one, np.atleast_1d(getattr(p, one)))[0], rel=1e-15
+        )
     rows = [(state, eq, slot) for state, eq in _states(p) for slot in range(int(eq.count))]
     assert len(told["equilibria"]) == len(rows) > 0
     for row, (state, eq, slot) in zip(told["equilibria"], rows, strict=True):
@@ -50,7 +52,9 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
 
 
 def _states(p: Any) -> list[tuple[str, Any]]:
-    return [(state, ss.equilibria(p, contact=contact)) for contact, state in p.model.regimes.items()]
+    return [
+        (state, ss.equilibria(p, contact=contact)) for contact, state in p.model.regimes.items()
+    ]
 
 
 @pytest.mark.by_hand(*ALIKE)
@@ -62,7 +66,9 @@ def test_equilibria_of_every_model_along_a_range(name: str, run: Run) -> None:
     ranged = run("equilibria", *of(name), "--vary", f"{vary}={span}")
     assert ranged == run("equilibria", *of(name, options_of(load(name).about, vary)[0], span))
     assert ranged.split()[0] == vary
-    points = json.loads(run("equilibria", *of(name), "--vary", f"{vary}={span}", "--json"))["points"]
+    points = json.loads(run("equilibria", *of(name), "--vary", f"{vary}={span}", "--json"))[
+        "points"
+    ]
     assert [point["parameters"][vary] for point in points] == [base, 1.25 * base]
 
 
@@ -71,7 +77,9 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     text = run("report", "--example")
     one, two = tmp_path / "one.toml", tmp_path / "two.toml"
     one.write_text(text, encoding="utf-8")
-    two.write_text(text.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n', encoding="utf-8")
+    two.write_text(
+        text.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n', encoding="utf-8"
+    )
     told = [json.loads(run("equilibria", "--data", str(file), "--json")) for file in (one, two)]
     assert [each["model"] for each in told] == ["kang_nam", "cubic_contact"]
     for row, other in zip(*(each["equilibria"] for each in told), strict=True):
@@ -82,7 +90,9 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     p = study.dimensionless
     at_work = p.replace(mu0=study.friction[1])
     growth = ss.equilibria(at_work).growth
-    assert told[0]["equilibria"][0]["growth_per_s"] == pytest.approx(float(growth[0]) / study.scales.time, rel=1e-9)
+    assert told[0]["equilibria"][0]["growth_per_s"] == pytest.approx(
+        float(growth[0]) / study.scales.time, rel=1e-9
+    )
     assert growth[0] != ss.equilibria(at_work.replace(V=0.5, d=10.0)).growth[0]
     said = run("equilibria", "--data", str(two), "--model", "damped", code=2)
     assert "is about cubic_contact" in said
@@ -114,7 +124,9 @@ def _title(model: ss.Model, column: str, end: str = "") -> str:
 
 
 def _degrees(model: ss.Model, name: str, values: Any) -> list[float]:
-    return [math.degrees(value) if name in model.about["angles"] else value for value in values.tolist()]
+    return [
+        math.degrees(value) if name in model.about["angles"] else value for value in values.tolist()
+    ]
 
 
 @pytest.mark.by_hand("soft_brake", "two_springs", *ALIKE)
@@ -123,7 +135,16 @@ def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
     told = json.loads(run("bifurcation", *of(name), "--vary", load(name).axes[0], "--json"))
     assert list(told) == ["model", "parameters", "folds", "onsets"]
     for row in told["onsets"]["points"]:
-        keys = ["omega", "criticality", "when", "lyapunov", "lyapunov_error", "crossing", "why", "error"]
+        keys = [
+            "omega",
+            "criticality",
+            "when",
+            "lyapunov",
+            "lyapunov_error",
+            "crossing",
+            "why",
+            "error",
+        ]
         assert list(row)[-len(keys) :] == keys
     shown = run("bifurcation", *of(name), "--vary", load(name).axes[0], "--undamped")
     assert "Onsets" in shown
@@ -136,7 +157,9 @@ PLANES = [name for name in MODELS if len(load(name).axes) == 2]
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
-    told = json.loads(run("bifurcation", *of(name)[:2], "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))
+    told = json.loads(
+        run("bifurcation", *of(name)[:2], "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json")
+    )
     assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
     model = load(name)
     for row in told["cusps"]["points"]:
@@ -183,7 +206,9 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
         assert list(row) == [vary, "stability", "damped", "growth", *places]
     for column, place in zip(found.columns, places, strict=True):
         unit = math.degrees(1.0) if place.endswith("_deg") else 1.0
-        assert [row[place] for row in told["states"]] == pytest.approx(unit * found.places[column], rel=1e-12)
+        assert [row[place] for row in told["states"]] == pytest.approx(
+            unit * found.places[column], rel=1e-12
+        )
     assert len(told["jumps"]) == len(found.jumps)
     assert "States" in run("path", *of(name), "--vary", span)
 
@@ -197,11 +222,27 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run)
     model = load(name)
     first, *_ = model.coordinates
     angle = {entry["name"]: entry["unit"] for entry in model.about["coordinates"]}[first] == "rad"
-    words = ["--t-end", "30", "--backend", "scipy", "--rtol", "1e-8", f"--{first}0", "2" if angle else "0.05"]
+    words = [
+        "--t-end",
+        "30",
+        "--backend",
+        "scipy",
+        "--rtol",
+        "1e-8",
+        f"--{first}0",
+        "2" if angle else "0.05",
+    ]
     told = json.loads(run("simulate", *of(name), *words, "--json"))
     size = ["rms", "rms_about_mean", "mean", "largest"]
     events = [kind.name.lower() for kind in ss.Event]
-    assert list(told) == ["model", *(key + "_deg" * angle for key in size), "period", "converged", *events, "backend"]
+    assert list(told) == [
+        "model",
+        *(key + "_deg" * angle for key in size),
+        "period",
+        "converged",
+        *events,
+        "backend",
+    ]
     unit = math.degrees(1.0) if angle else 1.0
     start = {f"{first}0": math.radians(2.0) if angle else 0.05}
     tr = ss.simulate(a_set(name), t_end=30.0, rtol=1e-8, backend="scipy", **start)
@@ -211,7 +252,9 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run)
 @pytest.mark.by_hand("sprag_rod", "mode_coupling", "two_springs", *ALIKE)
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(MOVING, "stick_slip"))
-def test_maps_of_fates_of_every_model_are_those_of_python(name: str, tmp_path: Path, run: Run) -> None:
+def test_maps_of_fates_of_every_model_are_those_of_python(
+    name: str, tmp_path: Path, run: Run
+) -> None:
     out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
     spans = {}
     for axis in (moved(name, "V"), moved(name, *(one for one in load(name).base if one != "V"))):
@@ -219,7 +262,9 @@ def test_maps_of_fates_of_every_model_are_those_of_python(name: str, tmp_path: P
     axes = [f"{options_of(load(name).about, axis)[0]}={span}" for axis, span in spans.items()]
     run("fates", *of(name), *axes, "--t-end", "300", "-q", "-o", str(out), "--plot", str(picture))
     columns, _ = storage.read(out)
-    known = ss.fate_map(a_set(name).replace(**{axis: columns[axis].astype(float) for axis in spans}), t_end=300.0)
+    known = ss.fate_map(
+        a_set(name).replace(**{axis: columns[axis].astype(float) for axis in spans}), t_end=300.0
+    )
     assert columns["kind"].astype(int).tolist() == known.kind.tolist()
     assert columns["period"].astype(float) == pytest.approx(known.period, nan_ok=True)
     assert "<svg" in picture.read_text(encoding="utf-8")

@@ -32,11 +32,19 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
         few, many = (precise.equilibria(p, contact=contact, dps=dps) for dps in (25, 60))
         assert len(few) == len(many) == int(floats.count)
         assert few.complete == floats.complete
-        order = sorted(range(len(few)), key=lambda slot: float(few[slot].numbers[p.model.coordinates[0]]))
+        order = sorted(
+            range(len(few)), key=lambda slot: float(few[slot].numbers[p.model.coordinates[0]])
+        )
         slots = np.argsort(getattr(floats, p.model.coordinates[0])[: len(few)])
         for place, slot in zip(order, slots.tolist(), strict=True):
-            assert few[place].stability == many[place].stability == ss.Stability(int(floats.stability[slot]))
-            for one, decimal in few[place].decimals(26).items():  # of a number that is known exactly too
+            assert (
+                few[place].stability
+                == many[place].stability
+                == ss.Stability(int(floats.stability[slot]))
+            )
+            for one, decimal in (
+                few[place].decimals(26).items()
+            ):  # of a number that is known exactly too
                 value, truth = float(getattr(floats, one)[slot]), many[place].numbers[one]
                 assert value == pytest.approx(float(truth), rel=1e-11, abs=1e-11), one
                 number, error = map(exactly, decimal)
@@ -45,7 +53,9 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
                 assert abs(number - exact) <= error + rest
 
 
-@pytest.mark.by_hand("damped", "stribeck", "cubic_contact", "inclined_belt", "trolley", "pad_on_disc")
+@pytest.mark.by_hand(
+    "damped", "stribeck", "cubic_contact", "inclined_belt", "trolley", "pad_on_disc"
+)
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "hertz_contact"))
 def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
     """Forces by mpmath, which the search does not use."""
@@ -53,7 +63,9 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
     model = p.model
     balance = undecorated(model.algebra.forces)
     with mpmath.workdps(80):
-        values: dict[str, Any] = {one: mpmath.mpf(float(getattr(p, one))) for one in model.parameters}
+        values: dict[str, Any] = {
+            one: mpmath.mpf(float(getattr(p, one))) for one in model.parameters
+        }
         for angle, (cosine, sine) in model.about["angles"].items():
             values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
         law = undecorated(model.algebra.friction_at_rest)
@@ -67,16 +79,26 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
                     length = mpmath.hypot(dx, dy)
                     directions += [dx / length, dy / length, length]
                 if model.about.get("torsions"):
-                    pairs = undecorated(model.algebra.turnings)(*q, *directions, *statics, xp=mpmath)
+                    pairs = undecorated(model.algebra.turnings)(
+                        *q, *directions, *statics, xp=mpmath
+                    )
                     directions += [mpmath.atan2(sine, cosine) for cosine, sine in pairs]
                 forces = balance(*q, *directions, *statics, mu, int(contact), xp=mpmath)
                 assert max(map(abs, forces)) < mpmath.mpf(10) ** -55
 
 
 @pytest.mark.parametrize("contact", [True, False])
-@pytest.mark.parametrize("given", [{"theta0_deg": "49"}, {"theta0_deg": "30", "kappa": "1/70"}, {"theta0": 0.8, "mu0": 0}])
-def test_the_search_is_a_second_witness_of_the_closed_forms(given: dict[str, Any], contact: bool) -> None:
-    closed, search = (precise.equilibria(**given, contact=contact, dps=50, method=way) for way in ("closed", "search"))
+@pytest.mark.parametrize(
+    "given",
+    [{"theta0_deg": "49"}, {"theta0_deg": "30", "kappa": "1/70"}, {"theta0": 0.8, "mu0": 0}],
+)
+def test_the_search_is_a_second_witness_of_the_closed_forms(
+    given: dict[str, Any], contact: bool
+) -> None:
+    closed, search = (
+        precise.equilibria(**given, contact=contact, dps=50, method=way)
+        for way in ("closed", "search")
+    )
     assert len(closed) == len(search)
     assert closed.complete
     assert search.complete
@@ -84,13 +106,18 @@ def test_the_search_is_a_second_witness_of_the_closed_forms(given: dict[str, Any
         assert one.stability == other.stability
         assert one.names == other.names
         for name in one.names:
-            (mine, error), (its, rest) = (map(exactly, state.decimals()[name]) for state in (one, other))
+            (mine, error), (its, rest) = (
+                map(exactly, state.decimals()[name]) for state in (one, other)
+            )
             assert abs(mine - its) <= error + rest < Fraction(1, 10**49)
 
 
 #: Around the anchor of a torsion spring only numbers that floats hold are searched in polar coordinates.
 UNDECIDED = pytest.mark.xfail(raises=ss.ConvergenceError, strict=True)
-BESIDE = [pytest.param(name, id=name, marks=[UNDECIDED] if name == "soft_brake" else ()) for name in MODELS]
+BESIDE = [
+    pytest.param(name, id=name, marks=[UNDECIDED] if name == "soft_brake" else ())
+    for name in MODELS
+]
 
 
 @pytest.mark.by_hand(*ALIKE)
@@ -99,17 +126,26 @@ def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
     """Isolated over a box of parameters, each state on its side of the contact's border."""
     p = a_set(name)
     given = {one: Fraction(float(getattr(p, one))) for one in p.model.parameters}
-    beside: dict[str, Any] = {one: value + Fraction(1, 10**20) for one, value in given.items() if value}
+    beside: dict[str, Any] = {
+        one: value + Fraction(1, 10**20) for one, value in given.items() if value
+    }
     for contact in p.model.regimes:
-        both: Any = (precise.equilibria(p, contact=contact, dps=25), precise.equilibria(p, contact=contact, dps=25, **beside))
-        there, here = (sorted(found, key=lambda state: state.numbers[p.model.coordinates[0]]) for found in both)
+        both: Any = (
+            precise.equilibria(p, contact=contact, dps=25),
+            precise.equilibria(p, contact=contact, dps=25, **beside),
+        )
+        there, here = (
+            sorted(found, key=lambda state: state.numbers[p.model.coordinates[0]]) for found in both
+        )
         assert [state.stability for state in there] == [state.stability for state in here]
         for one, other in zip(there, here, strict=True):
             for column, value in one.numbers.items():
                 assert 0 <= abs(value - other.numbers[column]) < 1e-16
 
 
-@pytest.mark.parametrize("weight", ["1.000000000000000000000000000001", "0.999999999999999999999999999999"])
+@pytest.mark.parametrize(
+    "weight", ["1.000000000000000000000000000001", "0.999999999999999999999999999999"]
+)
 def test_a_state_beside_the_border_of_the_contact_is_on_its_side(weight: str) -> None:
     """Where W = P all forces vanish at x = y = 0: 1e-30 beside that no float tells the side."""
     pytest.importorskip("sympy")
@@ -117,7 +153,9 @@ def test_a_state_beside_the_border_of_the_contact_is_on_its_side(weight: str) ->
     touches = Fraction(weight) > 1
     assert len(precise.equilibria(p, W=weight)) == touches
     assert len(precise.equilibria(p, W=weight, contact=False)) == (not touches)
-    with pytest.raises(ss.ConvergenceError, match=r"1 boxes are not decided; change a parameter a little$"):
+    with pytest.raises(
+        ss.ConvergenceError, match=r"1 boxes are not decided; change a parameter a little$"
+    ):
         precise.equilibria(p, W=1)
 
 
@@ -131,17 +169,25 @@ def _are_one(one: Any, other: Any, bound: Fraction) -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("given", [{}, {"kappa": "1/50", "sigma": "1/7"}, {"kappa": 0.0078125, "alpha": 0.0078125, "sigma": 0.5}])
+@pytest.mark.parametrize(
+    "given",
+    [{}, {"kappa": "1/50", "sigma": "1/7"}, {"kappa": 0.0078125, "alpha": 0.0078125, "sigma": 0.5}],
+)
 def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) -> None:
     """Those of the plane that a page allows: θ₀ in (0, π), μ₀ ≥ 0."""
-    closed, search = precise.cusps(**given, dps=50), precise.cusps(**given, dps=50, method="search", between={"mu0": (0, 3)})
+    closed, search = (
+        precise.cusps(**given, dps=50),
+        precise.cusps(**given, dps=50, method="search", between={"mu0": (0, 3)}),
+    )
     within = [one for one in closed if 0 < one.theta0 < math.pi and 0 <= one.mu0 < 3]
     assert len(search) == len(within) > 0
     for one, other in zip(within, search, strict=True):
         _are_one(one, other, Fraction(1, 10**49))
     assert closed.complete
     assert precise.cusps(**given, dps=50, vary=("mu0", "theta0")) == closed
-    assert search.complete == all(Fraction(value) == float(Fraction(value)) for value in ({"kappa": "0.007"} | given).values())
+    assert search.complete == all(
+        Fraction(value) == float(Fraction(value)) for value in ({"kappa": "0.007"} | given).values()
+    )
     assert set(search.region) == {"x", "y", "theta0", "mu0"}
 
 
@@ -152,7 +198,9 @@ def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     vary = p.model.axes
     between = {"mu0": (0.0, 2.0)} if "mu0" in vary else None
     floats = ss.cusps(p, vary, between=between, method="search")
-    few, many = (precise.cusps(p, vary=vary, between=between, dps=dps, method="search") for dps in (25, 60))
+    few, many = (
+        precise.cusps(p, vary=vary, between=between, dps=dps, method="search") for dps in (25, 60)
+    )
     assert len(few) == len(many) == len(floats)
     assert few.complete == many.complete == floats.complete
     assert list(few.region.values()) == [tuple(ends) for ends in floats.region.tolist()]
@@ -160,4 +208,6 @@ def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     for one, other, slot in zip(few, many, order.tolist(), strict=True):
         _are_one(one, other, Fraction(1, 10**24))
         for column, number in one.numbers.items():
-            assert float(number) == pytest.approx(float(getattr(floats, column)[slot]), rel=1e-11, abs=1e-11)
+            assert float(number) == pytest.approx(
+                float(getattr(floats, column)[slot]), rel=1e-11, abs=1e-11
+            )

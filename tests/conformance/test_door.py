@@ -30,7 +30,12 @@ def test_a_set_knows_its_model() -> None:
     for name in MODELS:
         p, model = a_set(name), load(name)
         again = pickle.loads(pickle.dumps(p))  # noqa: S301  # our own bytes
-        for other in (p, p.replace(**dict.fromkeys(model.parameters[1:2], 0.1)), copy.deepcopy(p), again):
+        for other in (
+            p,
+            p.replace(**dict.fromkeys(model.parameters[1:2], 0.1)),
+            copy.deepcopy(p),
+            again,
+        ):
             assert other.model is model
             assert type(other) is model.Parameters
         assert again == p
@@ -40,7 +45,12 @@ def test_a_set_of_another_process_knows_its_model() -> None:
     """There the model is loaded by the set alone."""
     program = "import pickle, sys; p = pickle.load(sys.stdin.buffer); print(p.model.name, p.model.parameters == tuple(p.ranges))"
     for name in ("kang_nam", "two_springs"):
-        done = subprocess.run([sys.executable, "-c", program], input=pickle.dumps(a_set(name)), capture_output=True, check=True)
+        done = subprocess.run(
+            [sys.executable, "-c", program],
+            input=pickle.dumps(a_set(name)),
+            capture_output=True,
+            check=True,
+        )
         assert done.stdout.split() == [name.encode(), b"True"]
 
 
@@ -48,7 +58,10 @@ def test_a_set_of_another_process_knows_its_model() -> None:
 def test_V_and_d_are_parameters_like_others(shape: tuple[int, ...]) -> None:
     p = ss.Parameters.article(theta0=0.7, V=np.full(shape, 0.25), d=4.0)
     assert p.shape == shape
-    assert np.array_equal(ss.equilibria(p).count, np.broadcast_to(ss.equilibria(p.replace(V=0.5, d=10.0)).count, shape))
+    assert np.array_equal(
+        ss.equilibria(p).count,
+        np.broadcast_to(ss.equilibria(p.replace(V=0.5, d=10.0)).count, shape),
+    )
     assert ss.rms_sweep(p, t_end=1.0).rms.shape == shape
 
 
@@ -57,26 +70,40 @@ def test_V_and_d_are_parameters_like_others(shape: tuple[int, ...]) -> None:
 
 def test_two_ways_to_one_answer() -> None:
     one = ss.Parameters()
-    closed, search = (ss.folds(one.replace(theta0=0.7), "mu0", method=method) for method in ("closed", "search"))
+    closed, search = (
+        ss.folds(one.replace(theta0=0.7), "mu0", method=method) for method in ("closed", "search")
+    )
     assert (closed.parameters.model, search.parameters.model) == (one.model, one.model.search)
     # Where there are no closed forms for what is asked, or not at all, the general way answers.
     assert ss.equilibria(one.replace(theta0=0.5), within={"x": (5.0, 6.0)}).count == 0
     folds = ss.folds(one.replace(theta0=0.7), "d")  # which moves no equilibrium
     assert (folds.kind.size, folds.complete) == (0, True)
     assert ss.folds(one, between={"theta0": (0.5, 1.5)}).theta0.size == 1
-    assert ss.cusps(one.replace(theta0=1.2), vary=("kappa", "mu0"), between={"kappa": (0.006, 0.008)}).vary == ("kappa", "mu0")
+    assert ss.cusps(
+        one.replace(theta0=1.2), vary=("kappa", "mu0"), between={"kappa": (0.006, 0.008)}
+    ).vary == ("kappa", "mu0")
     rises = functools.partial(ss.certify, one, claim="no jump", vary="theta0")
-    for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped")), (rises, one)):
+    for function, p in (
+        (ss.equilibria, a_set("damped")),
+        (ss.jump_value, a_set("damped")),
+        (rises, one),
+    ):
         with pytest.raises(ss.ModelError, match=rf"{p.model.name} answers .* by no closed form"):
             function(p, method="closed")
-    with pytest.raises(ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"):
+    with pytest.raises(
+        ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"
+    ):
         ss.equilibria(p, method="guess")
     with pytest.raises(ss.ParameterTypeError, match="contact = 'yes'"):
         ss.equilibria(one, contact="yes")
     for ask, name, more in (
-        (ss.explore, "p", ()), (ss.basin, "p", ()), (ss.sensitivity, "p", ()), (ss.precise.prove_cycle, "cycle", ()),
-        (ss.cycle_branch, "cycle", ("V", (0, 1))), (ss.cycle_events, "event", (("V", "d"),)),
-    ):  # fmt: skip
+        (ss.explore, "p", ()),
+        (ss.basin, "p", ()),
+        (ss.sensitivity, "p", ()),
+        (ss.precise.prove_cycle, "cycle", ()),
+        (ss.cycle_branch, "cycle", ("V", (0, 1))),
+        (ss.cycle_events, "event", (("V", "d"),)),
+    ):
         with pytest.raises(ss.ParameterTypeError, match=f"{name} = 'coulomb' is no .*; "):
             ask("coulomb", *more)
 
@@ -87,7 +114,9 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     rng, shape = np.random.default_rng(3), (20, 10)
     given = {"theta0": rng.uniform(0.3, 2.0, shape), "mu0": rng.uniform(0.0, 2.0, shape)}
     sizes = {"kappa": (-4, -1), "alpha": (-3, 0), "sigma": (-2, 0.5), "beta": (-3, 0)}
-    p = ss.Parameters(**given, **{name: 10 ** rng.uniform(*ends, shape) for name, ends in sizes.items()})
+    p = ss.Parameters(
+        **given, **{name: 10 ** rng.uniform(*ends, shape) for name, ends in sizes.items()}
+    )
     closed, search = (have_jumped(p, method=method) for method in ("closed", "search"))
     assert closed.shape == search.shape == p.shape
     hasty = have_jumped(p, method="search", hasty=True)

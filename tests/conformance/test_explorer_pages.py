@@ -24,7 +24,9 @@ PARTS = ["mechanism_part", "plane_part", "along_part", "parameter_part", "built_
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
     with chromium() as started:
-        context = started.new_context(viewport={"width": 1300, "height": 1000}, reduced_motion="reduce")
+        context = started.new_context(
+            viewport={"width": 1300, "height": 1000}, reduced_motion="reduce"
+        )
         context.add_init_script(WITHOUT_WEBGL)
         yield context
 
@@ -41,25 +43,40 @@ def points(model: ss.Model, n: int) -> list[dict[str, float]]:
     """Random points about the base values, within the domains."""
     rng = np.random.default_rng(len(model.name))
     found = []
-    most = {one["name"]: math.inf if one["high"] is None else one["high"] for one in model.about["parameters"]}
+    most = {
+        one["name"]: math.inf if one["high"] is None else one["high"]
+        for one in model.about["parameters"]
+    }
     for _ in range(n):
-        values = {name: min(value * rng.uniform(0.7, 1.3), most[name]) for name, value in model.base.items()}
-        found.append(values | {name: rng.uniform(0.3, 1.5) for name in model.parameters if name not in values})
+        values = {
+            name: min(value * rng.uniform(0.7, 1.3), most[name])
+            for name, value in model.base.items()
+        }
+        found.append(
+            values
+            | {name: rng.uniform(0.3, 1.5) for name in model.parameters if name not in values}
+        )
     return found
 
 
-def compare_states(explorer: Explorer, model: ss.Model, point: dict[str, float], status: str) -> int:
+def compare_states(
+    explorer: Explorer, model: ss.Model, point: dict[str, float], status: str
+) -> int:
     """Hold the page's states against those that Python proves, by coordinate and by word; how many there are."""
     total = 0
     for contact in model.regimes:
         eq = ss.equilibria(model.Parameters(**point), contact=contact)
         count = int(eq.count)
-        found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": contact})
+        found = explorer.page.evaluate(
+            "p => window.spragsym.equilibria(p)", {**point, "contact": contact}
+        )
         assert (found["status"], found["count"]) == (status, count)
         where = np.array([getattr(eq, name)[:count] for name in model.coordinates])
         there = sorted(found["states"], key=lambda state: state[model.coordinates[0]])
         for slot, state in zip(np.argsort(where[0]), there, strict=True):
-            assert [state[name] for name in model.coordinates] == pytest.approx(where[:, slot], abs=1e-9)
+            assert [state[name] for name in model.coordinates] == pytest.approx(
+                where[:, slot], abs=1e-9
+            )
             assert state["stability"] == ss.Stability(int(eq.stability[slot])).name.lower()
         total += count
     return total
@@ -67,23 +84,40 @@ def compare_states(explorer: Explorer, model: ss.Model, point: dict[str, float],
 
 @pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam"))
-def test_every_page_has_the_same_parts_and_the_states_of_python(name: str, browser: Any, tmp_path: Path) -> None:
+def test_every_page_has_the_same_parts_and_the_states_of_python(
+    name: str, browser: Any, tmp_path: Path
+) -> None:
     model = load(name)
     explorer = opened(browser, model, tmp_path)
     page = explorer.page
-    parts = page.evaluate("[...document.querySelectorAll('main > section[id]')].map(part => part.id)")
+    parts = page.evaluate(
+        "[...document.querySelectorAll('main > section[id]')].map(part => part.id)"
+    )
     assert [part for part in parts if part in PARTS] == PARTS
     assert page.is_visible("#plane_part") == (len(model.plane) == 2)
-    heads = page.evaluate("[...document.querySelectorAll('#states th')].map(cell => cell.textContent)")
+    heads = page.evaluate(
+        "[...document.querySelectorAll('#states th')].map(cell => cell.textContent)"
+    )
     springs = len(model.about["springs"])
     assert heads[:3] == ["", "regime", "stability"]
-    assert sum(head.startswith("θ") for head in heads) == sum(bool(re.fullmatch(r"L\S*", head)) for head in heads) == springs
+    assert (
+        sum(head.startswith("θ") for head in heads)
+        == sum(bool(re.fullmatch(r"L\S*", head)) for head in heads)
+        == springs
+    )
     assert [heads[-2][:6], heads[-1][:8]] == ["normal", "friction"]
-    ids = page.evaluate("[...document.querySelectorAll('#parameters input[type=text]')].map(box => box.id)")
+    ids = page.evaluate(
+        "[...document.querySelectorAll('#parameters input[type=text]')].map(box => box.id)"
+    )
     assert [one.removesuffix("_deg") for one in ids] == list(model.parameters)
-    rows = page.evaluate("[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent))")
+    rows = page.evaluate(
+        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent))"
+    )
     eq, p = ss.equilibria(model.cases()[0][1]), model.cases()[0][1]
-    read = [[float(row[k].replace("\u2212", "-")) for row in rows if row[1] != "lift-off"] for k in (-2, -1)]
+    read = [
+        [float(row[k].replace("\u2212", "-")) for row in rows if row[1] != "lift-off"]
+        for k in (-2, -1)
+    ]
     if model.about["contact"]["gap"] is not None:
         normal = sorted(float(value) for value in eq.contact_force[: int(eq.count)])
         assert sorted(read[0]) == pytest.approx(normal, rel=1e-4)
@@ -110,7 +144,9 @@ def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> Non
     p = model.Parameters(**point)
     for start in starts(p, [0.05] + [0.0] * (2 * len(model.coordinates) - 1)):
         tr = ss.simulate(p, start=start, t_end=30.0)
-        assert explorer.page.evaluate(run, [point, start]) == pytest.approx(tr.state[:, -1], abs=2e-6)
+        assert explorer.page.evaluate(run, [point, start]) == pytest.approx(
+            tr.state[:, -1], abs=2e-6
+        )
     assert explorer.errors == []
     explorer.page.close()
 

@@ -28,7 +28,11 @@ from tests.support import few
 def calls(name: str) -> list[Call]:
     """Each function at two places, in contact where that matters."""
     rng, model = np.random.default_rng([182, *name.encode()]), load(name)
-    found = [call for _ in range(2) for call in exports.calls(model, lambda names: at_a_place(model, names, rng))]
+    found = [
+        call
+        for _ in range(2)
+        for call in exports.calls(model, lambda names: at_a_place(model, names, rng))
+    ]
     assert len({call.function for call in found}) > 15
     return found
 
@@ -40,11 +44,15 @@ def at_a_place(model: Any, names: tuple[str, ...], rng: np.random.Generator) -> 
         if angle in values and cosine in values:
             values |= {cosine: math.cos(values[angle]), sine: math.sin(values[angle])}
     if "l1" in values:
-        for count, (dx, dy, _) in enumerate(algebra.geometry(*map(values.get, names_of(algebra.geometry))), 1):
+        for count, (dx, dy, _) in enumerate(
+            algebra.geometry(*map(values.get, names_of(algebra.geometry))), 1
+        ):
             length = math.hypot(dx, dy)
             values |= {f"c{count}": dx / length, f"s{count}": dy / length, f"l{count}": length}
     if "phi1" in values:
-        for count, turn in enumerate(algebra.turnings(*map(values.get, names_of(algebra.turnings))), 1):
+        for count, turn in enumerate(
+            algebra.turnings(*map(values.get, names_of(algebra.turnings))), 1
+        ):
             values[f"phi{count}"] = math.atan2(*turn[::-1])
     return values
 
@@ -74,7 +82,9 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
     for call in calls(name):
         ours, found = found[: len(call.results)], found[len(call.results) :]
         close = 1e-13 * max(1.0, *map(abs, call.results))
-        np.testing.assert_allclose(ours, call.results, rtol=1e-13, atol=close, err_msg=call.function)
+        np.testing.assert_allclose(
+            ours, call.results, rtol=1e-13, atol=close, err_msg=call.function
+        )
 
 
 # ------------------------------------------------------------------------------------------------ what C has more
@@ -82,7 +92,9 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
 
 @pytest.mark.by_hand(*ALIKE)
 @pytest.mark.thorough
-@pytest.mark.skipif(CC is None or shutil.which("make") is None, reason="there is no C compiler, or no make")
+@pytest.mark.skipif(
+    CC is None or shutil.which("make") is None, reason="there is no C compiler, or no make"
+)
 @pytest.mark.parametrize("name", few(MOVING, "pressed"))
 def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path) -> None:
     """Without a warning, from functions that take the page's names; steps of h = 0.005 across a kink are off by as much as h."""
@@ -90,9 +102,13 @@ def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path
     out = export(name, "c", tmp_path)
     taken = set(re.findall(r"double (\w+)", (out / f"{name}.h").read_text(encoding="utf-8")))
     assert {f"{name}_" for name in model.parameters} <= taken
-    assert not taken & {f"{part}_" for pair in model.about["angles"].values() for part in pair}  # but an angle
+    assert not taken & {
+        f"{part}_" for pair in model.about["angles"].values() for part in pair
+    }  # but an angle
     subprocess.run(["make", "-s"], cwd=out, check=True, timeout=120)
-    lines = subprocess.run(["./example"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout.splitlines()
+    lines = subprocess.run(
+        ["./example"], cwd=out, check=True, capture_output=True, text=True, timeout=60
+    ).stdout.splitlines()
     assert len(lines) == 6
     tr = ss.simulate(a_set(name, 45.0), t_end=20.0)
     said = lines[2].split()

@@ -32,25 +32,37 @@ def test_a_start_may_be_given_whole_or_by_names() -> None:
     whole = ss.simulate(p, start=[0.1, -0.01, 0.0, 0.02], t_end=20.0)
     named = ss.simulate(p, x0=0.1, y0=-0.01, vy0=0.02, t_end=20.0)
     assert np.array_equal(whole.state, named.state)
-    with pytest.raises(ss.ParameterError, match=r"start has the shape \(2,\); it is x0, y0, vx0, vy0"):
+    with pytest.raises(
+        ss.ParameterError, match=r"start has the shape \(2,\); it is x0, y0, vx0, vy0"
+    ):
         ss.simulate(p, start=[0.1, 0.0])
-    with pytest.raises(ss.ParameterTypeError, match="xO is no argument; the initial state is x0, y0, vx0, vy0"):
+    with pytest.raises(
+        ss.ParameterTypeError, match="xO is no argument; the initial state is x0, y0, vx0, vy0"
+    ):
         ss.simulate(p, xO=0.1)
 
 
 def test_forces_of_springs_and_of_the_contact_are_those_written_by_hand() -> None:
     p = ss.load("two_springs").Parameters(theta0=0.8, sigma_2=0.04, lambda_2=1.3, theta0_2=1.9)
     tr = ss.simulate(p, t_end=40.0)
-    lengths = [np.hypot(size * np.cos(angle) - tr.x, size * np.sin(angle) - tr.y) for size, angle in ((1.0, 0.8), (1.3, 1.9))]
+    lengths = [
+        np.hypot(size * np.cos(angle) - tr.x, size * np.sin(angle) - tr.y)
+        for size, angle in ((1.0, 0.8), (1.3, 1.9))
+    ]
     assert np.abs(tr.spring_force("spring 1") - float(p.sigma) * (lengths[0] - 1.0)).max() < 1e-14
     assert np.abs(tr.spring_force("spring 2") - 0.04 * (lengths[1] - 1.3)).max() < 1e-14
     assert np.array_equal(tr.contact_force(), np.maximum(-tr.y, 0.0))
-    with pytest.raises(ss.ParameterError, match="spring = None of two_springs is one of 'spring 1', 'spring 2'"):
+    with pytest.raises(
+        ss.ParameterError, match="spring = None of two_springs is one of 'spring 1', 'spring 2'"
+    ):
         tr.spring_force()
     # Where the gap is no coordinate the normal force is the law of the depth, whatever share of it each coordinate feels.
     rod = ss.load("sprag_rod").Parameters(theta0=0.7)
     swing = ss.simulate(rod, start=[1.0, 0.0], t_end=20.0)
-    assert np.abs(swing.contact_force() - np.maximum(np.cos(swing.phi) - np.cos(0.7), 0.0)).max() < 1e-14
+    assert (
+        np.abs(swing.contact_force() - np.maximum(np.cos(swing.phi) - np.cos(0.7), 0.0)).max()
+        < 1e-14
+    )
     assert swing.contact_force().max() > 0
 
 
@@ -59,6 +71,8 @@ def test_the_range_of_forces_over_a_cycle_is_that_of_its_motion() -> None:
     cycle = ss.cycle(p, near=(2.54, 3.36, 0.0, 0.36))
     tr = cycle.trajectory()
     assert set(cycle.forces) == {"spring_force", "contact_force"}
-    assert cycle.forces["spring_force"] == pytest.approx((tr.spring_force().min(), tr.spring_force().max()), abs=1e-4)
+    assert cycle.forces["spring_force"] == pytest.approx(
+        (tr.spring_force().min(), tr.spring_force().max()), abs=1e-4
+    )
     belt = ss.load("stick_slip").Parameters(V=0.2)
     assert ss.cycle(belt).forces == {}

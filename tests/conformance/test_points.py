@@ -11,9 +11,23 @@ from tests.support import few
 
 #: What the contract names, and what may be asked besides.
 ATTRIBUTES = (
-    "kind", "error", "complete", "undecided", "region", "remarks", "ends", "when", "after", "vary", "parameters", "whole",
-    "endless", "decided", "columns", "coordinates",
-)  # fmt: skip
+    "kind",
+    "error",
+    "complete",
+    "undecided",
+    "region",
+    "remarks",
+    "ends",
+    "when",
+    "after",
+    "vary",
+    "parameters",
+    "whole",
+    "endless",
+    "decided",
+    "columns",
+    "coordinates",
+)
 
 
 @pytest.mark.by_hand(*ALIKE)
@@ -43,7 +57,10 @@ def test_what_ends_is_the_same_by_closed_forms_and_by_search(vary: str) -> None:
     p = ss.Parameters(theta0=0.6, mu0=0.45, alpha=0.01)
     closed, search = (
         ss.folds(p, vary, method=method).select(np.ones(number, dtype=bool))
-        for method, number in (("closed", len(ss.folds(p, vary))), ("search", len(ss.folds(p, vary, method="search"))))
+        for method, number in (
+            ("closed", len(ss.folds(p, vary))),
+            ("search", len(ss.folds(p, vary, method="search"))),
+        )
     )
     known = [int(np.abs(getattr(closed, vary) - value).argmin()) for value in getattr(search, vary)]
     assert len(known) > 0

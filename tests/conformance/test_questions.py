@@ -19,10 +19,25 @@ from tests.conformance.models import ALIKE, MODELS, a_set
 from tests.support import few
 
 #: Belt speeds at which a motion from 0 comes to a cycle; elsewhere, on a belt so slow that friction damps, it comes to rest.
-CYCLES = {"hertz_contact": 1.0, "inclined_belt": 1.0, "stribeck": 1.0, "stick_slip": 0.2, "coulomb_stick_slip": 0.2}
+CYCLES = {
+    "hertz_contact": 1.0,
+    "inclined_belt": 1.0,
+    "stribeck": 1.0,
+    "stick_slip": 0.2,
+    "coulomb_stick_slip": 0.2,
+}
 SLOW = 0.1
 #: Models with one equilibrium that grows in one direction only, at these speeds.
-SADDLES = ("coulomb", "cubic_contact", "damped", "hertz_contact", "kang_nam", "pad_on_disc", "sprag_rod", "trolley")
+SADDLES = (
+    "coulomb",
+    "cubic_contact",
+    "damped",
+    "hertz_contact",
+    "kang_nam",
+    "pad_on_disc",
+    "sprag_rod",
+    "trolley",
+)
 
 
 def refused(error: Any, words: str, question: Callable[..., Any], *given: Any, **more: Any) -> None:
@@ -56,7 +71,10 @@ class Asked:
 
     def folds(self, low: float, high: float, **changes: Any) -> Any:
         """Folds along what rises."""
-        return getattr(ss.folds(self.p.replace(**changes), self.vary, between={self.vary: (low, high)}), self.vary)
+        return getattr(
+            ss.folds(self.p.replace(**changes), self.vary, between={self.vary: (low, high)}),
+            self.vary,
+        )
 
     def equilibria(self) -> None:
         """Each is found again, alone, in a box around it."""
@@ -64,34 +82,55 @@ class Asked:
         assert int(ss.count(self.p)) == int(eq.count) > 0
         for slot in range(int(eq.count)):
             place = {name: float(column[slot]) for name, column in eq.coordinates.items()}
-            again = ss.equilibria(self.p, within={name: (value - 1e-3, value + 1e-3) for name, value in place.items()})
+            again = ss.equilibria(
+                self.p, within={name: (value - 1e-3, value + 1e-3) for name, value in place.items()}
+            )
             assert int(again.count) == 1
-            assert [column[0] for column in again.coordinates.values()] == pytest.approx([*place.values()], abs=1e-11)
+            assert [column[0] for column in again.coordinates.values()] == pytest.approx(
+                [*place.values()], abs=1e-11
+            )
 
     def points(self) -> None:
         """Two states end at a fold, or begin, and go to an equilibrium; two folds are on one side of a cusp."""
         between = self.near(self.vary, share=0.3)
         found = ss.folds(self.p, self.vary, between=between)
         counts = ss.count(self.p.replace(**{self.vary: [*between[self.vary]]}))
-        assert counts[1] - counts[0] == 2 * ((found.when == "down").sum() - (found.when == "up").sum())
+        assert counts[1] - counts[0] == 2 * (
+            (found.when == "down").sum() - (found.when == "up").sum()
+        )
         for row in np.flatnonzero(found.ends != ""):
             here = ss.equilibria(self.p.replace(**{self.vary: getattr(found, self.vary)[row]}))
-            away = [np.nanmin(np.abs(getattr(here, name) - column[row])) for name, column in found.after.items()]
+            away = [
+                np.nanmin(np.abs(getattr(here, name) - column[row]))
+                for name, column in found.after.items()
+            ]
             assert np.isnan(found.after[self.first][row]) or max(away) < 1e-6
-        plane = {"theta0": (1.1, 1.3), "mu0": (0.15, 0.3)} if self.planar else self.near(*self.plane)
+        plane = (
+            {"theta0": (1.1, 1.3), "mu0": (0.15, 0.3)} if self.planar else self.near(*self.plane)
+        )
         for cusp in ss.cusps(self.p, self.plane, between=plane):
             beside = [cusp["theta0"] + side for side in (-0.01, 0.01)]
-            assert {len(self.folds(cusp["mu0"] - 0.02, cusp["mu0"] + 0.02, theta0=one)) for one in beside} == {0, 2}
-        for curve in ss.bifurcation_set(self.p, self.plane, 2, between=self.near(*self.plane)).curves:
+            assert {
+                len(self.folds(cusp["mu0"] - 0.02, cusp["mu0"] + 0.02, theta0=one))
+                for one in beside
+            } == {0, 2}
+        for curve in ss.bifurcation_set(
+            self.p, self.plane, 2, between=self.near(*self.plane)
+        ).curves:
             at, value = (float(getattr(curve, name)[0]) for name in self.plane)
-            assert np.abs(self.folds(0.9 * value, 1.1 * value, **{self.other: at}) - value).min() < 1e-6
+            assert (
+                np.abs(self.folds(0.9 * value, 1.1 * value, **{self.other: at}) - value).min()
+                < 1e-6
+            )
 
     def onsets(self) -> None:
         """Two λ of an equilibrium there are ±iω, with all damping or without."""
         single = ss.flutter_onsets(self.p, self.vary, between=self.near(self.vary, share=0.3))
         places = [({self.vary: row[self.vary]}, row["omega"]) for row in single]
         for curve in ss.onset_curves(self.p, self.plane, 2, between=self.near(*self.plane)).curves:
-            places.append(({name: float(getattr(curve, name)[0]) for name in self.plane}, curve.omega[0]))
+            places.append(
+                ({name: float(getattr(curve, name)[0]) for name in self.plane}, curve.omega[0])
+            )
         for at, omega in places:
             eq = ss.equilibria(self.p.replace(**at))
             every = np.concatenate([eq.damped_eigenvalues[eq.states], eq.eigenvalues[eq.states]])
@@ -101,21 +140,35 @@ class Asked:
         """The states hold the equilibria of a belt that stands still."""
         still = self.p.replace(V=0.0)
         if not hasattr(self.model.algebra, "grip"):
-            return refused(ss.ModelError, f"in {self.name} friction holds nothing", ss.sticking_states, still)
+            return refused(
+                ss.ModelError, f"in {self.name} friction holds nothing", ss.sticking_states, still
+            )
         found, states = ss.sticking_states(still).data(), getattr(ss.equilibria(still), self.first)
         low, high = (found[f"{self.first}_{end}"][:, None] for end in ("low", "high"))
-        assert (((low - 1e-9 <= states) & (states <= high + 1e-9)).any(axis=0) | np.isnan(states)).all()
+        assert (
+            ((low - 1e-9 <= states) & (states <= high + 1e-9)).any(axis=0) | np.isnan(states)
+        ).all()
 
     def jumps(self) -> None:
         """A jump is at a fold, moves with a parameter as folds do, and is where a path jumps."""
-        known, (low, high) = self.folds(self.begin, 2.5 * self.own), self.near(self.other, share=1e-5)[self.other]
-        slope = ss.jump_gradient(self.p, self.vary, begin=self.begin, until=2.5 * self.own).slopes[self.other]
-        path = ss.quasi_static_path(self.p, self.vary, [self.begin, np.nanmax([self.own, 1.01 * self.jump])])
+        known, (low, high) = (
+            self.folds(self.begin, 2.5 * self.own),
+            self.near(self.other, share=1e-5)[self.other],
+        )
+        slope = ss.jump_gradient(self.p, self.vary, begin=self.begin, until=2.5 * self.own).slopes[
+            self.other
+        ]
+        path = ss.quasi_static_path(
+            self.p, self.vary, [self.begin, np.nanmax([self.own, 1.01 * self.jump])]
+        )
         if np.isnan(self.jump):
             assert (len(known), len(path.jumps)) == (0, 0)
             assert np.isnan(slope)
             return
-        below, above = (self.folds(0.98 * self.jump, 1.02 * self.jump, **{self.other: end})[0] for end in (low, high))
+        below, above = (
+            self.folds(0.98 * self.jump, 1.02 * self.jump, **{self.other: end})[0]
+            for end in (low, high)
+        )
         assert np.abs(known - self.jump).min() < 1e-9
         assert slope == pytest.approx((above - below) / (high - low), rel=1e-3)
         assert [end.value for end in path.jumps] == [pytest.approx(self.jump, rel=1e-9)]
@@ -126,93 +179,163 @@ class Asked:
             words = f"{self.name} has not both theta0 and mu0"
             refused(ss.ParameterError, words, ss.critical_friction, self.p)
             refused(ss.ParameterError, words, ss.cusp_friction, self.p)
-            return refused(ss.ParameterError, words, ss.critical_value, self.p, self.other, (0.1, 0.2))
+            return refused(
+                ss.ParameterError, words, ss.critical_value, self.p, self.other, (0.1, 0.2)
+            )
         least, most = 0.9 * self.jump, 1.1 * self.jump
         between = self.near("theta0") | {"mu0": (least, most)}
         found = ss.critical_friction(self.p, between=between)
         assert np.abs(self.folds(least, most, theta0=found.where) - found.value).min() < 1e-9
         for theta0 in between["theta0"]:
             assert min(self.folds(least, most, theta0=theta0), default=np.inf) >= found.value - 1e-9
-        assert ss.cusp_friction(self.p, between=between) == min(ss.cusps(self.p, between=between).mu0, default=np.inf)
+        assert ss.cusp_friction(self.p, between=between) == min(
+            ss.cusps(self.p, between=between).mu0, default=np.inf
+        )
         if self.name == "kang_nam":
             value = ss.critical_value(self.p, "beta", (1.0, 2.0))
-            assert float(ss.critical_friction(self.p.replace(beta=value))) == pytest.approx(0.5, rel=1e-9)
+            assert float(ss.critical_friction(self.p.replace(beta=value))) == pytest.approx(
+                0.5, rel=1e-9
+            )
         else:
             given = (self.p.replace(mu0=0.1), "kappa", (0.007, 0.008))
             between = {"theta0": (0.69, 0.7), "mu0": (0.1, 0.2)}
-            refused(ss.ParameterError, "both on one side of mu0", ss.critical_value, *given, between=between)
+            refused(
+                ss.ParameterError,
+                "both on one side of mu0",
+                ss.critical_value,
+                *given,
+                between=between,
+            )
 
     def odds(self) -> None:
         """The margin is how far the jump is; bounds of a probability hold the share of the interval beyond the jump."""
         margin = ss.jump_margin(self.p, {self.vary: 0.1}, vary=self.vary, begin=self.begin)
         away = np.inf if np.isnan(self.jump) else max(self.jump - self.own, 0.0) / 0.1
         assert margin.distance == pytest.approx(away, rel=1e-6)
-        high, fixed = 1.5 * self.own, {name: float(getattr(self.p, name)) for name in self.model.parameters}
-        how: dict[str, Any] = {"n": 32, "rng": 1, "sobol": False, "replicates": 2, "begin": self.begin, "vary": self.vary}
-        found = ss.jump_probability(fixed | {self.vary: (self.begin, high)}, model=self.model, **how)
-        assert found.low <= np.clip(np.nan_to_num((high - self.jump) / (high - self.begin)), 0.0, 1.0) <= found.high
+        high, fixed = (
+            1.5 * self.own,
+            {name: float(getattr(self.p, name)) for name in self.model.parameters},
+        )
+        how: dict[str, Any] = {
+            "n": 32,
+            "rng": 1,
+            "sobol": False,
+            "replicates": 2,
+            "begin": self.begin,
+            "vary": self.vary,
+        }
+        found = ss.jump_probability(
+            fixed | {self.vary: (self.begin, high)}, model=self.model, **how
+        )
+        assert (
+            found.low
+            <= np.clip(np.nan_to_num((high - self.jump) / (high - self.begin)), 0.0, 1.0)
+            <= found.high
+        )
 
     def certificates(self) -> None:
         """What is proved of a box is true at random points of it, and what is refuted is not true at the counterexample."""
         low, high = (self.p.replace(**{self.vary: share * self.own}) for share in (0.995, 1.005))
-        points = self.p.replace(**{self.vary: self.own * np.random.default_rng(1).uniform(0.995, 1.005, 4)})
+        points = self.p.replace(
+            **{self.vary: self.own * np.random.default_rng(1).uniform(0.995, 1.005, 4)}
+        )
         fails: dict[str, Callable[[Any], Any]] = {
             "no jump": lambda p: have_jumped(p, self.vary, begin=self.begin) == 1,
             "one equilibrium": lambda p: ss.count(p) != 1,
-            "no flutter": lambda p: (ss.equilibria(p).stability == ss.Stability.FLUTTER).any(axis=-1),
+            "no flutter": lambda p: (ss.equilibria(p).stability == ss.Stability.FLUTTER).any(
+                axis=-1
+            ),
         }
         for claim, is_false in fails.items():
             rises = {"vary": self.vary, "begin": self.begin} if claim == "no jump" else {}
             found = ss.certify(low, high, claim, max_boxes=60, **rises)
             if claim == "no flutter" and found.outcome == "undecided":
                 continue  # of several coordinates, in so few boxes
-            assert is_false(points if found.outcome == "proved" else found.counterexample).any() == (found.outcome == "refuted")
+            assert is_false(
+                points if found.outcome == "proved" else found.counterexample
+            ).any() == (found.outcome == "refuted")
 
     def designs(self) -> None:
         """A new design jumps where it should."""
         given = (self.p, self.other, {self.vary: 1.01 * self.jump})
         if np.isnan(self.jump):
-            return refused(ss.ParameterError, rf"target\['{self.vary}'\] = nan", ss.redesign, *given, begin=self.begin)
+            return refused(
+                ss.ParameterError,
+                rf"target\['{self.vary}'\] = nan",
+                ss.redesign,
+                *given,
+                begin=self.begin,
+            )
         found = ss.redesign(*given, begin=self.begin)
-        assert float(ss.jump_value(found.parameters, self.vary, begin=self.begin)) == pytest.approx(1.01 * self.jump, rel=1e-6)
+        assert float(ss.jump_value(found.parameters, self.vary, begin=self.begin)) == pytest.approx(
+            1.01 * self.jump, rel=1e-6
+        )
 
     def motions(self) -> None:
         """From half-way the same motion goes on; a sweep says the same of it; its exponents together are the trace."""
         whole = ss.simulate(self.p, t_end=8.0)
-        assert ss.simulate(self.p, t_end=4.0, start=whole(4.0)).state[:, -1] == pytest.approx(whole.state[:, -1], abs=1e-7)
+        assert ss.simulate(self.p, t_end=4.0, start=whole(4.0)).state[:, -1] == pytest.approx(
+            whole.state[:, -1], abs=1e-7
+        )
         sweep = ss.rms_sweep(self.p, t_end=8.0)
         assert float(sweep.rms) == pytest.approx(whole.rms(), abs=1e-9)
-        assert (sweep.regime, sweep.equilibrium) == (whole.outcome().regime, whole.outcome().equilibrium)
+        assert (sweep.regime, sweep.equilibrium) == (
+            whole.outcome().regime,
+            whole.outcome().equilibrium,
+        )
         exponents = ss.lyapunov(self.p, t_end=20.0)
         assert exponents.exponents.sum() == pytest.approx(exponents.trace, abs=1e-3)
 
     def steps(self) -> None:
         """The inclination at which the root mean square grows most, as a ratio."""
-        at, axes = self.p.replace(theta0=[0.3, 0.4, 0.5]) if "theta0" in self.p.ranges else self.p, {"V": [0.1], "d": [10.0]}
+        at, axes = (
+            self.p.replace(theta0=[0.3, 0.4, 0.5]) if "theta0" in self.p.ranges else self.p,
+            {"V": [0.1], "d": [10.0]},
+        )
         if not {"theta0", "d"} <= {*self.model.parameters}:
             return refused(ss.ModelError, "has no (d|theta0)", ss.sensitivity, at, **axes)
-        found, rms = ss.sensitivity(at, **axes, refine=0, t_end=8.0), ss.rms_sweep(at, V=0.1, d=10.0, t_end=8.0).rms
+        found, rms = (
+            ss.sensitivity(at, **axes, refine=0, t_end=8.0),
+            ss.rms_sweep(at, V=0.1, d=10.0, t_end=8.0).rms,
+        )
         assert found.theta0[0, 0] == pytest.approx(0.35 + 0.1 * int((rms[1:] / rms[:-1]).argmax()))
 
     def fates(self) -> None:
         """A map and a basin of one motion say what is said of it, and where its fate does not change there is no boundary."""
         found, sheet = ss.fate(self.moving), ss.fate_map(self.moving, V=[self.speed])
-        assert found.kind == ("cycle" if self.name in CYCLES else "undecided" if self.name == "coulomb" else "rest")
+        assert found.kind == (
+            "cycle" if self.name in CYCLES else "undecided" if self.name == "coulomb" else "rest"
+        )
         assert sheet.count()[found.kind] == 1
         assert sheet.period[0] == pytest.approx(found.outcome.period, nan_ok=True)
         one, other = self.model.components[:2]
         basin = ss.basin(self.moving, **{one: [0.0, 0.0], other: [0.0]}, t_end=100.0)
         assert basin.attractor.tolist() == [[0], [0]]
         assert basin.attractors[0][0] == basin.sweep.outcome((0, 0)).limit
-        words = "to nothing that is decided" if found.kind == "undecided" else "which is one attractor"
+        words = (
+            "to nothing that is decided" if found.kind == "undecided" else "which is one attractor"
+        )
         errors = (ss.ParameterError, ss.ConvergenceError)
-        refused(errors, words, ss.fate_boundary, self.moving, vary="V", bracket=(0.99 * self.speed, self.speed))
+        refused(
+            errors,
+            words,
+            ss.fate_boundary,
+            self.moving,
+            vary="V",
+            bracket=(0.99 * self.speed, self.speed),
+        )
 
     def boundary(self) -> None:
         """It passes by the saddle, without which there is none."""
         how: dict[str, Any] = {"points": 1, "step": 0.01}
         if self.name not in SADDLES:
-            return refused(ss.ParameterError, "one divergent equilibrium is needed", ss.basin_boundary, self.moving, **how)
+            return refused(
+                ss.ParameterError,
+                "one divergent equilibrium is needed",
+                ss.basin_boundary,
+                self.moving,
+                **how,
+            )
         found = ss.basin_boundary(self.moving, **how)
         assert found.growth > 0
         assert np.abs(found.points[:, 0] - found.saddle[0]).max() < 0.1
@@ -220,23 +343,43 @@ class Asked:
     def cycles(self) -> None:
         """A cycle returns to itself; the one at the end of a branch is found by itself; the curve of an event holds the event."""
         if self.name not in CYCLES:
-            return refused(ss.ConvergenceError, "no cycle was found near the motion", ss.cycle, self.moving, patient=False)
+            return refused(
+                ss.ConvergenceError,
+                "no cycle was found near the motion",
+                ss.cycle,
+                self.moving,
+                patient=False,
+            )
         found = ss.cycle(self.moving, patient=False)
         around = ss.simulate(self.moving, start=found.state, t_end=found.period)
         assert around.state[:, -1] == pytest.approx(found.state, abs=1e-6)
         branch = ss.cycle_branch(found, "V", (0.5 * self.speed, self.speed), points=40)
-        last = ss.cycle(self.p.replace(V=branch.values[0]), near=branch.cycles[0].state, patient=False)
+        last = ss.cycle(
+            self.p.replace(V=branch.values[0]), near=branch.cycles[0].state, patient=False
+        )
         assert last.period == pytest.approx(branch.periods[0], rel=1e-9)
         for event in branch.of("grazing", "torus")[:1]:
             curve = ss.cycle_events(event, ("V", self.other), points=2)
             assert np.abs(curve.values[:, 0] - event.value).min() < 1e-9
-        refused(ss.ParameterError, "end is not followed", ss.cycle_events, branch.events[-1], ("V", self.other))
+        refused(
+            ss.ParameterError,
+            "end is not followed",
+            ss.cycle_events,
+            branch.events[-1],
+            ("V", self.other),
+        )
 
     def curves(self) -> None:
         """A motion that begins on a curve of rest stays there."""
-        for rest in ss.diagram(self.moving, "V", (0.99 * self.speed, self.speed), points=2).equilibria:
-            start = [*rest.states[-1], *[0.0] * len(self.model.coordinates)][: len(self.model.components)]
-            assert ss.simulate(self.moving, start=start, t_end=1.0).state[:, -1] == pytest.approx(start, abs=1e-6)
+        for rest in ss.diagram(
+            self.moving, "V", (0.99 * self.speed, self.speed), points=2
+        ).equilibria:
+            start = [*rest.states[-1], *[0.0] * len(self.model.coordinates)][
+                : len(self.model.components)
+            ]
+            assert ss.simulate(self.moving, start=start, t_end=1.0).state[:, -1] == pytest.approx(
+                start, abs=1e-6
+            )
 
     def page(self) -> None:
         """It names the model."""
@@ -245,15 +388,35 @@ class Asked:
 
     def article(self) -> None:
         """Only the article's model has a surface, a flutter boundary, and a linear model with poles."""
-        of_article = {ss.surface: (0.8, 0.7), ss.flutter_boundary: (200,), ss.linear_sprag: (), ss.linear_critical_friction: ()}
+        of_article = {
+            ss.surface: (0.8, 0.7),
+            ss.flutter_boundary: (200,),
+            ss.linear_sprag: (),
+            ss.linear_critical_friction: (),
+        }
         for question, more in of_article.items() if self.name != "kang_nam" else ():
-            refused(ss.ModelError, f"{question.__name__} is not there yet for the model {self.name}; ", question, self.p, *more)
+            refused(
+                ss.ModelError,
+                f"{question.__name__} is not there yet for the model {self.name}; ",
+                question,
+                self.p,
+                *more,
+            )
         if self.name == "kang_nam":
             place, boundary = ss.surface(self.p, 0.8, 0.7), ss.flutter_boundary(self.p, 200)
-            assert np.nanmin(np.abs(ss.equilibria(self.p.replace(mu0=place.mu0, theta0=0.7)).theta - 0.8)) < 1e-12
-            known = ss.flutter_onsets(self.p.replace(mu0=boundary.mu0[9]), "theta0", damping=False).theta0
+            assert (
+                np.nanmin(
+                    np.abs(ss.equilibria(self.p.replace(mu0=place.mu0, theta0=0.7)).theta - 0.8)
+                )
+                < 1e-12
+            )
+            known = ss.flutter_onsets(
+                self.p.replace(mu0=boundary.mu0[9]), "theta0", damping=False
+            ).theta0
             assert np.abs(known - boundary.theta0[9]).min() < 1e-6
-            beside = self.p.replace(mu0=ss.linear_critical_friction(self.p) * np.array([0.99, 1.01]))
+            beside = self.p.replace(
+                mu0=ss.linear_critical_friction(self.p) * np.array([0.99, 1.01])
+            )
             assert np.isfinite(ss.linear_sprag(beside).poles).any(axis=-1).tolist() == [False, True]
 
 
@@ -262,14 +425,24 @@ case = cache(Asked)
 COMMITTED = () if models.ASKED in os.environ else MODELS
 #: The table: which method asks which questions.
 TABLE: dict[Callable[[Asked], None], str] = {
-    Asked.equilibria: "equilibria count", Asked.points: "folds cusps bifurcation_set",
-    Asked.onsets: "flutter_onsets onset_curves", Asked.sticking: "sticking_states",
-    Asked.jumps: "jump_value jump_gradient quasi_static_path", Asked.odds: "jump_margin jump_probability",
-    Asked.lowest: "critical_friction cusp_friction critical_value", Asked.certificates: "certify", Asked.designs: "redesign",
-    Asked.motions: "simulate rms_sweep lyapunov", Asked.steps: "sensitivity", Asked.fates: "fate fate_map fate_boundary basin",
-    Asked.boundary: "basin_boundary", Asked.cycles: "cycle cycle_branch cycle_events", Asked.curves: "diagram",
-    Asked.page: "explore", Asked.article: "surface flutter_boundary linear_sprag linear_critical_friction",
-}  # fmt: skip
+    Asked.equilibria: "equilibria count",
+    Asked.points: "folds cusps bifurcation_set",
+    Asked.onsets: "flutter_onsets onset_curves",
+    Asked.sticking: "sticking_states",
+    Asked.jumps: "jump_value jump_gradient quasi_static_path",
+    Asked.odds: "jump_margin jump_probability",
+    Asked.lowest: "critical_friction cusp_friction critical_value",
+    Asked.certificates: "certify",
+    Asked.designs: "redesign",
+    Asked.motions: "simulate rms_sweep lyapunov",
+    Asked.steps: "sensitivity",
+    Asked.fates: "fate fate_map fate_boundary basin",
+    Asked.boundary: "basin_boundary",
+    Asked.cycles: "cycle cycle_branch cycle_events",
+    Asked.curves: "diagram",
+    Asked.page: "explore",
+    Asked.article: "surface flutter_boundary linear_sprag linear_critical_friction",
+}
 #: Those that follow long motions; and those that take seconds where states end and no closed form says where.
 LONG = (Asked.fates, Asked.boundary, Asked.cycles)
 DEAR = ("jumps", "lowest", "odds", "designs", "page")
@@ -278,9 +451,15 @@ BY_HAND = [f"{name}-{ask}" for name in ("sprag_rod", "two_springs") for ask in D
 
 def questions() -> list[str]:
     """Public functions whose first argument is a set of parameters, or a cycle or an event of one."""
-    functions = {name: getattr(ss, name) for name in ss.__all__ if inspect.isfunction(getattr(ss, name))}
-    first = {name: next(iter(inspect.signature(one).parameters), "") for name, one in functions.items()}
-    return [name for name in functions if first[name] in ("p", "low", "distribution", "cycle", "event")]
+    functions = {
+        name: getattr(ss, name) for name in ss.__all__ if inspect.isfunction(getattr(ss, name))
+    }
+    first = {
+        name: next(iter(inspect.signature(one).parameters), "") for name, one in functions.items()
+    }
+    return [
+        name for name in functions if first[name] in ("p", "low", "distribution", "cycle", "event")
+    ]
 
 
 def test_no_public_question_is_left_out() -> None:

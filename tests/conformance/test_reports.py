@@ -31,9 +31,16 @@ def a_brake(name: str, folder: Path) -> tuple[Path, Any, float]:
         unit = entry["quantity_unit"]
         scale = 1.0 if unit in ("1", "rad") else kind.scale(unit, units)
         value = float(getattr(p, entry["name"])) * scale
-        lines.append(f"{entry['quantity']} = {value!r}" if unit == "1" else f'{entry["quantity"]} = "{value!r} {unit}"')
+        lines.append(
+            f"{entry['quantity']} = {value!r}"
+            if unit == "1"
+            else f'{entry["quantity"]} = "{value!r} {unit}"'
+        )
     file = folder / "brake.toml"
-    file.write_text(f'[brake]\nmodel = "{Path(place(name)).as_posix()}"\n' + "\n".join(lines) + "\n", encoding="utf-8")
+    file.write_text(
+        f'[brake]\nmodel = "{Path(place(name)).as_posix()}"\n' + "\n".join(lines) + "\n",
+        encoding="utf-8",
+    )
     return file, p, kind.scale("m", units)
 
 
@@ -41,7 +48,9 @@ def a_brake(name: str, folder: Path) -> tuple[Path, Any, float]:
 def keys_of_the_article() -> list[str]:
     """Those of the report on a brake with the article's model."""
     with TemporaryDirectory() as folder:
-        return list(ss.Study.from_file(a_brake("kang_nam", Path(folder))[0]).report(**LESS).to_dict())
+        return list(
+            ss.Study.from_file(a_brake("kang_nam", Path(folder))[0]).report(**LESS).to_dict()
+        )
 
 
 @pytest.mark.by_hand("soft_brake", "two_springs", "sprag_rod", *ALIKE)
@@ -53,16 +62,24 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
     if "mu0" in p.model.parameters:
         works = float(p.model.friction(p))
         assert told["mu_effective"] == pytest.approx(works, rel=1e-12)
-        if p.model.about["friction"]["at_rest"] == "mu0":  # else equilibria take the law at the belt's speed by themselves
+        if (
+            p.model.about["friction"]["at_rest"] == "mu0"
+        ):  # else equilibria take the law at the belt's speed by themselves
             p = p.replace(mu0=works)
     eq = ss.equilibria(p)
-    assert [state["stable"] for state in told["states"]] == (eq.growth_sign[: int(eq.count)] < 0).tolist()
+    assert [state["stable"] for state in told["states"]] == (
+        eq.growth_sign[: int(eq.count)] < 0
+    ).tolist()
     coordinate = p.model.about["coordinates"][0]
     key, unit = (
-        (f"{coordinate['name']}_mm", 1e3 * length) if coordinate["unit"] == "m" else (f"{coordinate['name']}_deg", 180 / math.pi)
+        (f"{coordinate['name']}_mm", 1e3 * length)
+        if coordinate["unit"] == "m"
+        else (f"{coordinate['name']}_deg", 180 / math.pi)
     )
     for slot, state in enumerate(told["states"]):
-        assert state[key] == pytest.approx(unit * float(getattr(eq, coordinate["name"])[slot]), rel=1e-9)
+        assert state[key] == pytest.approx(
+            unit * float(getattr(eq, coordinate["name"])[slot]), rel=1e-9
+        )
 
 
 @pytest.mark.by_hand(*ALIKE)
@@ -77,6 +94,8 @@ def test_every_model_has_a_file_to_begin_with(name: str, tmp_path: Path) -> None
         one["quantity"] for one in model.about["parameters"]
     ]
     out = tmp_path / "page.html"
-    done = CliRunner().invoke(explore, ["--data", str(file), "--trust", "--out", str(out), "--no-open"])
+    done = CliRunner().invoke(
+        explore, ["--data", str(file), "--trust", "--out", str(out), "--no-open"]
+    )
     assert done.exit_code == 0, done.exception
     assert isinstance(CliRunner().invoke(report, ["--model", place(name)]).exception, SystemExit)

@@ -8,7 +8,9 @@ from tests.conformance.models import MODELS, a_set
 from tests.support import few
 
 
-@pytest.mark.parametrize("name", few(MODELS, "two_springs", "stick_slip", "mode_coupling", "hertz_contact", "soft_brake"))
+@pytest.mark.parametrize(
+    "name", few(MODELS, "two_springs", "stick_slip", "mode_coupling", "hertz_contact", "soft_brake")
+)
 def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None:
     p = a_set(name)
     about = p.model.about
@@ -20,8 +22,13 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
             end = f"_{j + 1}" if count > 1 else ""
             tension = getattr(eq, f"spring_force{end}")
             assert tension.shape == eq.stability.shape
-            longer = getattr(eq, f"L{end}")[there] - np.broadcast_to(rest_of(p, j), eq.stability.shape)[there]
-            assert (tension[there] * longer >= 0).all()  # it pulls where it is longer than undeformed
+            longer = (
+                getattr(eq, f"L{end}")[there]
+                - np.broadcast_to(rest_of(p, j), eq.stability.shape)[there]
+            )
+            assert (
+                tension[there] * longer >= 0
+            ).all()  # it pulls where it is longer than undeformed
         if about["contact"]["gap"] is None:
             with pytest.raises(AttributeError, match="has no attribute 'contact_force'"):
                 eq.contact_force  # noqa: B018  # an attribute that is made when asked for
@@ -34,11 +41,15 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
             assert (force[there] == 0).all()
 
 
-@pytest.mark.parametrize("name", few(MODELS, "two_springs", "stick_slip", "mode_coupling", "hertz_contact", "soft_brake"))
+@pytest.mark.parametrize(
+    "name", few(MODELS, "two_springs", "stick_slip", "mode_coupling", "hertz_contact", "soft_brake")
+)
 def test_the_region_holds_every_state(name: str) -> None:
     eq = ss.equilibria(a_set(name), method="search")
     for i, column in enumerate(eq.coordinates.values()):
-        low, high = (np.broadcast_to(eq.region[..., i, end, None], column.shape)[eq.states] for end in (0, 1))
+        low, high = (
+            np.broadcast_to(eq.region[..., i, end, None], column.shape)[eq.states] for end in (0, 1)
+        )
         assert (low <= column[eq.states]).all()
         assert (column[eq.states] <= high).all()
 

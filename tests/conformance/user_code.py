@@ -8,7 +8,9 @@ import spragsym as ss
 
 p = ss.Parameters.article(theta0=1.0)
 model = ss.load("two_springs")
-eq: ss.Equilibria = ss.equilibria(model.Parameters(theta0=1.0), within={"x": (-1.0, 1.0)}, method="search")
+eq: ss.Equilibria = ss.equilibria(
+    model.Parameters(theta0=1.0), within={"x": (-1.0, 1.0)}, method="search"
+)
 found: ss.Points = ss.folds(p, "mu0", between={"mu0": (0.0, 1.0)}, method="closed")
 value = ss.jump_value(p, "sigma", until=1.0)
 path: ss.Path = ss.quasi_static_path(p, "mu0", np.linspace(0.0, 1.0, 3), method="search")

@@ -16,13 +16,20 @@ COMMITTED = ROOT / "generated"
 
 def files_of(folder: Path) -> dict[str, bytes]:
     """Every generated file below a folder, by relative path; not what the interpreter leaves there."""
-    paths = (path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
+    paths = (
+        path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts
+    )
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
 
 
 def test_the_digest_is_that_of_what_is_committed() -> None:
-    texts = {name: content.decode().replace(SOURCE_HASH, write.DIGEST) for name, content in files_of(COMMITTED).items()}
-    sealed = write.sealed({name: text.replace(SOURCE_HASH[:16], write.DIGEST[:16]) for name, text in texts.items()})
+    texts = {
+        name: content.decode().replace(SOURCE_HASH, write.DIGEST)
+        for name, content in files_of(COMMITTED).items()
+    }
+    sealed = write.sealed(
+        {name: text.replace(SOURCE_HASH[:16], write.DIGEST[:16]) for name, text in texts.items()}
+    )
     assert {name: text.encode() for name, text in sealed.items()} == files_of(COMMITTED)
 
 
@@ -53,14 +60,21 @@ def untouched(target: Path) -> bool:
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave out the steps before the check, and the shipped pages, which other tests run."""
     monkeypatch.setattr(command, "models", lambda **_: {})
-    for module in (command.elimination, command.catastrophe, command.lowest_fold, command.linear_sprag, command.page_equivalence):
+    for module in (
+        command.elimination,
+        command.catastrophe,
+        command.lowest_fold,
+        command.linear_sprag,
+        command.page_equivalence,
+    ):
         monkeypatch.setattr(module, "identities", lambda: {})
 
 
 def print_wrongly(monkeypatch: pytest.MonkeyPatch) -> None:
     """Set (A2) with a sign turned."""
     printed = tuple(
-        article._appendix("A2", entry.latex, -entry.expression) if entry.id == "A2" else entry for entry in article.APPENDIX
+        article._appendix("A2", entry.latex, -entry.expression) if entry.id == "A2" else entry
+        for entry in article.APPENDIX
     )
     changed = tuple(entry for entry in printed if entry.id in ("A2", "A5"))
     monkeypatch.setattr(check, "run", lambda: _run(changed))
@@ -86,7 +100,9 @@ def test_a_failed_check_writes_nothing_and_names_the_row(
 
 @pytest.mark.thorough
 @pytest.mark.usefixtures("quick")
-def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_variant_is_written_in_spite_of_the_print(
+    target: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     print_wrongly(monkeypatch)
     monkeypatch.setattr(emission, "render", lambda outcome, models: {"new.py": "new\n"})
     assert command.main(["--out", str(target), "--variant"]) == 0
@@ -95,18 +111,33 @@ def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: p
 
 #: What is not proved: a function, what it says then, and in which words that is told.
 UNPROVED = [
-    (theorem, "one_or_three", (theorem.Step("two and two are five", False),), "two and two are five"),
+    (
+        theorem,
+        "one_or_three",
+        (theorem.Step("two and two are five", False),),
+        "two and two are five",
+    ),
     (elimination, "identities", {"black is white": False}, "black is white"),
 ]
 
 
 @pytest.mark.usefixtures("quick")
 @pytest.mark.parametrize("options", [[], ["--variant"]])
-@pytest.mark.parametrize(("module", "name", "found", "words"), UNPROVED, ids=lambda part: part if isinstance(part, str) else "")
+@pytest.mark.parametrize(
+    ("module", "name", "found", "words"),
+    UNPROVED,
+    ids=lambda part: part if isinstance(part, str) else "",
+)
 def test_what_is_not_proved_writes_nothing(
-    module: Any, name: str, found: Any, words: str, options: list[str], target: Path,
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
-) -> None:  # fmt: skip
+    module: Any,
+    name: str,
+    found: Any,
+    words: str,
+    options: list[str],
+    target: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     monkeypatch.setattr(check, "run", lambda: [])
     monkeypatch.setattr(theorem, "one_or_three", lambda: ())
     monkeypatch.setattr(module, name, lambda: found)
@@ -143,5 +174,7 @@ def test_a_write_replaces_what_was_written_and_nothing_else(target: Path) -> Non
         write.write(NEW, target)
     (target / "new.py").unlink()
     write.write(NEW, target)
-    assert files_of(target) == {name: text.encode() for name, text in NEW.items()} | {"notes.txt": b"mine"}
+    assert files_of(target) == {name: text.encode() for name, text in NEW.items()} | {
+        "notes.txt": b"mine"
+    }
     assert not list(target.glob(".*"))

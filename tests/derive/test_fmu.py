@@ -35,11 +35,18 @@ def exported(folder: Path, *options: str) -> str:
     return str(out)
 
 
-def stepped(file: str, values: dict[str, float], names: list[str], t_end: float) -> tuple[list[float], list[float]]:
+def stepped(
+    file: str, values: dict[str, float], names: list[str], t_end: float
+) -> tuple[list[float], list[float]]:
     """The state at the end, by steps of Co-Simulation, and times of events, each of which turns one of the flags."""
-    description, options = fmpy.read_model_description(file), {"early_return_allowed": True, "event_mode_used": True}
+    description, options = (
+        fmpy.read_model_description(file),
+        {"early_return_allowed": True, "event_mode_used": True},
+    )
     references = {one.name: one.valueReference for one in description.modelVariables}
-    fmu = fmpy.simulation.instantiate_fmu(fmpy.extract(file), description, "CoSimulation", **options)
+    fmu = fmpy.simulation.instantiate_fmu(
+        fmpy.extract(file), description, "CoSimulation", **options
+    )
     fmu.enterInitializationMode(tolerance=1e-12, startTime=0.0)
     fmu.setFloat64([references[name] for name in values], list(values.values()))
     fmu.exitInitializationMode()
@@ -57,14 +64,21 @@ def stepped(file: str, values: dict[str, float], names: list[str], t_end: float)
     return fmu.getFloat64([references[name] for name in names]), events
 
 
-@pytest.mark.by_hand("cubic", "hertz", "inclined", "kang_nam", "mode", "pad", "stick_slip", "stribeck")
+@pytest.mark.by_hand(
+    "cubic", "hertz", "inclined", "kang_nam", "mode", "pad", "stick_slip", "stribeck"
+)
 @pytest.mark.parametrize("name", few(shipped(), "sprag_rod"))
 def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
     """Lift-off, reversals of the slip, sticking, a torsion spring that is counted on; Model Exchange as FMPy's solver can."""
     model, file = ss.load(name), exported(tmp_path, "--model", name)
     values = {one: 0.9 for one in model.parameters if one not in model.base}
     p, names = model.Parameters(**values), [*model.coordinates, *model.rates]
-    options = {"fmi_type": "ModelExchange", "stop_time": 100.0, "output_interval": 0.1, "relative_tolerance": 1e-12}
+    options = {
+        "fmi_type": "ModelExchange",
+        "stop_time": 100.0,
+        "output_interval": 0.1,
+        "relative_tolerance": 1e-12,
+    }
     for begun in starts(p, [0.05] * len(names)):
         tr = ss.simulate(p, start=begun, t_end=100.0, rtol=1e-13)
         start = values | dict(zip(names, begun, strict=True))
@@ -84,21 +98,39 @@ def brake(tmp_path_factory: pytest.TempPathFactory) -> str:
 @pytest.mark.thorough
 def test_a_brake_has_its_units(brake: str, tmp_path: Path) -> None:
     study = ss.Study.from_file(BRAKE)
-    given = {one.name: (float(one.start), one.unit) for one in fmpy.read_model_description(brake).modelVariables if one.start}
-    assert (given["k"], given["theta0"], given["m"]) == ((180.0, "N/mm"), (52.0, "deg"), (0.35, "kg"))
+    given = {
+        one.name: (float(one.start), one.unit)
+        for one in fmpy.read_model_description(brake).modelVariables
+        if one.start
+    }
+    assert (given["k"], given["theta0"], given["m"]) == (
+        (180.0, "N/mm"),
+        (52.0, "deg"),
+        (0.35, "kg"),
+    )
     state, _ = stepped(brake, {}, ["x", "vx"], 100.0 * study.scales.time)
     tr = ss.simulate(study.dimensionless, t_end=100.0, rtol=1e-13)
     units = study.scales.length / np.array([1.0, study.scales.time])
     np.testing.assert_allclose(state, units * [tr.x[-1], tr.vx[-1]], rtol=1e-7)
     assert Path(exported(tmp_path, "--data", str(BRAKE))).read_bytes() == Path(brake).read_bytes()
-    ((program, shown),) = (one for one in programs(DOCS / "howto_languages.md", "python") if "fmpy" in one[0])
+    ((program, shown),) = (
+        one for one in programs(DOCS / "howto_languages.md", "python") if "fmpy" in one[0]
+    )
     assert run(f"python -c {shlex.quote(program)}", tmp_path) == shown
 
 
 def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) -> None:
     """And partial derivatives by states, by parameters in their units and by the units of measure are those of differences."""
     description, sources = fmpy.read_model_description(brake), Path(fmpy.extract(brake)) / "sources"
-    command = [CC, "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-Wall", "-Wextra", "-Werror"]
+    command = [
+        CC,
+        "-std=c99",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+    ]
     files = [sources / "fmu.c", sources / "kang_nam.c", Path(__file__).with_name("fmu_driver.c")]
     subprocess.run([*command, *files, "-lm", "-o", tmp_path / "driver"], check=True)
     references = {one.name: str(one.valueReference) for one in description.modelVariables}

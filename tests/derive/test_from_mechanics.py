@@ -26,17 +26,27 @@ method = KanesMethod(belt, [X, Y], [U, W], [X.diff() - U - W, Y.diff() - W], bod
 """
 METHODS = {
     "kang_nam": LAGRANGE,
-    "two_springs": KANE.format(along="", across="", springs="((k, theta0, L_0, 0), (k_2, theta0_2, lambda_2 * L_0, 0))"),
-    "damped": KANE.format(along=" - c_x * (U + W)", across=" - c_y * W", springs="((k, theta0, L_0, c_s),)"),
+    "two_springs": KANE.format(
+        along="", across="", springs="((k, theta0, L_0, 0), (k_2, theta0_2, lambda_2 * L_0, 0))"
+    ),
+    "damped": KANE.format(
+        along=" - c_x * (U + W)", across=" - c_y * W", springs="((k, theta0, L_0, c_s),)"
+    ),
 }
 
 
 def read(folder: Path, name: str, method: str) -> pages.Model:
     """The shipped page with a method in the place of its coordinates and statements."""
-    text = (pages.SHIPPED / f"{name}.py").read_text(encoding="utf-8").partition("x = page.coordinate")[0]
+    text = (
+        (pages.SHIPPED / f"{name}.py")
+        .read_text(encoding="utf-8")
+        .partition("x = page.coordinate")[0]
+    )
     begun, ended = LAGRANGE.partition("mass.set_vel")[0], LAGRANGE.partition("\npage_from(")[2]
     said = method if "page_from(" in method else f"{begun}{method}\npage_from({ended}"
-    (folder / "mine.py").write_text(text.replace("..model", "spragsym.derive.model") + said, encoding="utf-8")
+    (folder / "mine.py").write_text(
+        text.replace("..model", "spragsym.derive.model") + said, encoding="utf-8"
+    )
     return pages.read(folder / "mine.py", name)
 
 
@@ -48,26 +58,47 @@ def test_the_code_is_that_of_the_shipped_page(name: str, tmp_path: Path) -> None
 
 @pytest.mark.thorough
 def test_a_damper_between_two_coordinates_resists_their_difference(tmp_path: Path) -> None:
-    resisted = "(mu * N - m * V / L_0 * (X - Y).diff()) * belt.x + m * V / L_0 * (X - Y).diff() * belt.y"
+    resisted = (
+        "(mu * N - m * V / L_0 * (X - Y).diff()) * belt.x + m * V / L_0 * (X - Y).diff() * belt.y"
+    )
     ours = read(tmp_path, "kang_nam", LAGRANGE.replace("mu * N * belt.x", resisted))
-    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8").replace("..model", "spragsym.derive.model")
-    (tmp_path / "theirs.py").write_text(f"{text}\npage.damper(m * V / L_0, along=x - y)\n", encoding="utf-8")
+    text = (
+        (pages.SHIPPED / "kang_nam.py")
+        .read_text(encoding="utf-8")
+        .replace("..model", "spragsym.derive.model")
+    )
+    (tmp_path / "theirs.py").write_text(
+        f"{text}\npage.damper(m * V / L_0, along=x - y)\n", encoding="utf-8"
+    )
     theirs = pages.read(tmp_path / "theirs.py", "kang_nam")
     assert folder.render(ours, "")["algebra.py"] == folder.render(theirs, "")["algebra.py"]
 
 
-@pytest.mark.parametrize(("before", "after", "words"), [
-    ("- stored, [X, Y],", "- stored, [X, Y], hol_coneqs=[X - Y],", "has constraints"),
-    ("mu * N * belt.x", "(mu * N + F_L * cos(dynamicsymbols._t)) * belt.x", "forcing in time"),
-    ("mu * N * belt.x", "(mu * N - m / L_0 * X.diff() ** 2) * belt.x", "nonlinear in speed"),
-    ("mu * N * belt.x", "(mu * N + N * X / L_0) * belt.x", "along x holds N beside contact and friction"),
-    ("mu * N * belt.x", "(mu * N + m * V / L_0 * Y.diff()) * belt.x", "gyroscopic"),
-    ("- stored, [X, Y],", "+ m * V / L_0 * X * Y.diff() - stored, [X, Y],", "gyroscopic"),
-    ("(length - L_0) ** 2)", "(length - L_0) ** 4 / L_0**2)", "is no spring of a page"),
-    ("sp.sqrt((L_0 * cos(theta0) - X) ** 2", "sp.sqrt((L_0 * cos(theta0) - X) * L_0", "no length between two points"),
-    ("contact=(N, Y, lambda depth: k_c * depth),", "", "friction and no normal force"),
-])  # fmt: skip
-def test_what_a_page_cannot_say_is_refused_by_name(before: str, after: str, words: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("- stored, [X, Y],", "- stored, [X, Y], hol_coneqs=[X - Y],", "has constraints"),
+        ("mu * N * belt.x", "(mu * N + F_L * cos(dynamicsymbols._t)) * belt.x", "forcing in time"),
+        ("mu * N * belt.x", "(mu * N - m / L_0 * X.diff() ** 2) * belt.x", "nonlinear in speed"),
+        (
+            "mu * N * belt.x",
+            "(mu * N + N * X / L_0) * belt.x",
+            "along x holds N beside contact and friction",
+        ),
+        ("mu * N * belt.x", "(mu * N + m * V / L_0 * Y.diff()) * belt.x", "gyroscopic"),
+        ("- stored, [X, Y],", "+ m * V / L_0 * X * Y.diff() - stored, [X, Y],", "gyroscopic"),
+        ("(length - L_0) ** 2)", "(length - L_0) ** 4 / L_0**2)", "is no spring of a page"),
+        (
+            "sp.sqrt((L_0 * cos(theta0) - X) ** 2",
+            "sp.sqrt((L_0 * cos(theta0) - X) * L_0",
+            "no length between two points",
+        ),
+        ("contact=(N, Y, lambda depth: k_c * depth),", "", "friction and no normal force"),
+    ],
+)
+def test_what_a_page_cannot_say_is_refused_by_name(
+    before: str, after: str, words: str, tmp_path: Path
+) -> None:
     assert before in LAGRANGE
     with pytest.raises(PageError, match=rf"^mine\.py, line \d+: .*{words}"):
         read(tmp_path, "kang_nam", LAGRANGE.replace(before, after))

@@ -58,11 +58,16 @@ MODULES = [
 ]
 FUNCTIONS = [
     Generated(name, function, getattr(module, function))
-    for name, module in ((name, importlib.import_module(f"spragsym.generated.{name}")) for name in MODULES)
+    for name, module in (
+        (name, importlib.import_module(f"spragsym.generated.{name}")) for name in MODULES
+    )
     for function in module.__all__
 ]
 #: Of the page's functions those of the motion, which come last.
-FUNCTIONS += [Generated("motion", name, getattr(algebra, name)) for name in algebra.__all__[algebra.__all__.index("rhs") :]]
+FUNCTIONS += [
+    Generated("motion", name, getattr(algebra, name))
+    for name in algebra.__all__[algebra.__all__.index("rhs") :]
+]
 NAMED = {function.name: function for function in FUNCTIONS}
 
 
@@ -86,13 +91,35 @@ def call(function: Callable[..., Any], values: dict[str, Any]) -> Any:
 # ---------------------------------------------------------------------------------------------------- numbers
 
 _RANGES: dict[str, tuple[float, float]] = {
-    "L": (0.3, 1.8), "mu0": (0.05, 1.5), "mu": (0.05, 1.5), "n": (0, 0.5), "kappa": (0.002, 0.3),
-    "alpha": (0.005, 0.9), "sigma": (0.02, 1.5),
-    "beta": (0, 2), "a_f": (-1, 1), "b_f": (-1, -0.01), "d_f": (-1, 1), "m_f": (0, 1),
-    "a_v": (-1, 1), "b_v": (-1, 1), "d_v": (-1, 1), "m_v": (-1, 1),
-    "K11": (-1, 1), "K12": (-1, 1), "K21": (-1, 1), "K22": (-1, 1), "C11": (-0.1, 0.1), "T": (0.1, 4),
-    "x": (-0.2, 0.3), "y": (-0.3, -0.01), "vx": (-0.4, 0.4), "vy": (-0.4, 0.4), "V": (0.5, 1), "d": (0.5, 3),
-}  # fmt: skip
+    "L": (0.3, 1.8),
+    "mu0": (0.05, 1.5),
+    "mu": (0.05, 1.5),
+    "n": (0, 0.5),
+    "kappa": (0.002, 0.3),
+    "alpha": (0.005, 0.9),
+    "sigma": (0.02, 1.5),
+    "beta": (0, 2),
+    "a_f": (-1, 1),
+    "b_f": (-1, -0.01),
+    "d_f": (-1, 1),
+    "m_f": (0, 1),
+    "a_v": (-1, 1),
+    "b_v": (-1, 1),
+    "d_v": (-1, 1),
+    "m_v": (-1, 1),
+    "K11": (-1, 1),
+    "K12": (-1, 1),
+    "K21": (-1, 1),
+    "K22": (-1, 1),
+    "C11": (-0.1, 0.1),
+    "T": (0.1, 4),
+    "x": (-0.2, 0.3),
+    "y": (-0.3, -0.01),
+    "vx": (-0.4, 0.4),
+    "vy": (-0.4, 0.4),
+    "V": (0.5, 1),
+    "d": (0.5, 3),
+}
 
 
 def rationals(seed: int) -> dict[str, Fraction]:
@@ -101,11 +128,16 @@ def rationals(seed: int) -> dict[str, Fraction]:
     point = {}
     for name, (low, high) in _RANGES.items():
         width = Fraction(high - low).limit_denominator(1000)
-        point[name] = Fraction(low).limit_denominator(1000) + width * Fraction(generator.randint(1, 96), 97)
+        point[name] = Fraction(low).limit_denominator(1000) + width * Fraction(
+            generator.randint(1, 96), 97
+        )
     for cosine, sine in (("cos", "sin"), ("cos0", "sin0")):
         half = Fraction(generator.randint(8, 90), 32)
         point[cosine], point[sine] = (1 - half**2) / (1 + half**2), 2 * half / (1 + half**2)
-    point["nbar"], point["side"] = Fraction(generator.randint(0, 1)), Fraction(generator.choice([-1, 1]))
+    point["nbar"], point["side"] = (
+        Fraction(generator.randint(0, 1)),
+        Fraction(generator.choice([-1, 1])),
+    )
     point["pushing"], point["near1"] = point["nbar"], Fraction(1)
     point["ax"], point["ay"] = (Fraction(generator.randint(-96, 96), 97) for _ in range(2))
     return point
@@ -140,7 +172,9 @@ def conditions(function: Generated, values: dict[str, float]) -> list[mpmath.mpf
             if name in ("nbar", "pushing", "side", "near1") or values[name] == 0:  # given exactly
                 continue
             moved = {key: mpmath.mpf(value) for key, value in values.items()}
-            for place, item in enumerate(function(moved | {name: moved[name] * (1 + step)}, mpmath)):
+            for place, item in enumerate(
+                function(moved | {name: moved[name] * (1 + step)}, mpmath)
+            ):
                 total[place] += abs(item - centre[place]) / step
         return total
 
@@ -153,7 +187,9 @@ def test_float64_is_within_a_few_ulp(function: Generated) -> None:
         truth = exact(function, values, 50)
         with mpmath.workprec(53):
             mpmath.iv.prec = 53
-            enclosures = function({name: mpmath.iv.mpf(value) for name, value in values.items()}, Intervals)
+            enclosures = function(
+                {name: mpmath.iv.mpf(value) for name, value in values.items()}, Intervals
+            )
         rows = zip(function(values), truth, conditions(function, values), enclosures, strict=True)
         for got, right, condition, enclosure in rows:
             assert isinstance(got, float), type(got)
@@ -230,13 +266,17 @@ def test_arrays_broadcast_constants_included(function: Generated) -> None:
         for i in range(2):
             for j in range(3):
                 alone = function({**values, first: columns[i, 0], second: rows[j]})
-                np.testing.assert_allclose([item[i, j] for item in table], alone, rtol=1e-12, atol=1e-13)
+                np.testing.assert_allclose(
+                    [item[i, j] for item in table], alone, rtol=1e-12, atol=1e-13
+                )
 
 
 # --------------------------------------------------------------- against the un-eliminated equations, by hand
 
 
-def forces(point: dict[str, Any], x: Any, y: Any, mu: Any, sqrt: Callable[[Any], Any] = mpmath.sqrt) -> tuple[Any, Any]:
+def forces(
+    point: dict[str, Any], x: Any, y: Any, mu: Any, sqrt: Callable[[Any], Any] = mpmath.sqrt
+) -> tuple[Any, Any]:
     """F_x and F_y of (12) and (13): minus the sum of forces, written out from the figure of the model."""
     anchor_x, anchor_y = point["cos0"] - x, point["sin0"] - y
     length = sqrt(anchor_x**2 + anchor_y**2)
@@ -249,7 +289,10 @@ def forces(point: dict[str, Any], x: Any, y: Any, mu: Any, sqrt: Callable[[Any],
 
 
 def at_rest(
-    seed: int, contact: int, *unknowns: str, further: Callable[[sp.Matrix], list[sp.Expr]] = lambda K: []
+    seed: int,
+    contact: int,
+    *unknowns: str,
+    further: Callable[[sp.Matrix], list[sp.Expr]] = lambda K: [],
 ) -> tuple[dict[str, Any], list[Fraction]]:
     """A place and parameters, all rational, for which the forces vanish there, and the slopes of the forces.
 
@@ -257,7 +300,11 @@ def at_rest(
     """
     here: dict[str, Any] = {name: sp.Rational(value) for name, value in rationals(seed).items()}
     here |= {name: sp.Symbol(name) for name in unknowns}
-    here |= {"nbar": contact, "x": here["cos0"] - here["L"] * here["cos"], "y": here["sin0"] - here["L"] * here["sin"]}
+    here |= {
+        "nbar": contact,
+        "x": here["cos0"] - here["L"] * here["cos"],
+        "y": here["sin0"] - here["L"] * here["sin"],
+    }
     place = sp.symbols("x y")
     balance = sp.Matrix(forces(here, *place, here["mu0"], sp.sqrt))
     there = {symbol: here[symbol.name] for symbol in place}
@@ -280,7 +327,13 @@ def polynomial(coefficients: Iterable[Any], at: Any) -> Any:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_equilibria_of_the_uneliminated_equations(contact: int, seed: int) -> None:
     here, K = at_rest(seed, contact, "mu0" if contact else "alpha", "kappa")
-    assert polynomial(call(equilibrium.contact_quartic if contact else equilibrium.liftoff_quartic, here), here["L"]) == 0
+    assert (
+        polynomial(
+            call(equilibrium.contact_quartic if contact else equilibrium.liftoff_quartic, here),
+            here["L"],
+        )
+        == 0
+    )
     matrix = call(equilibrium.contact_matrix if contact else equilibrium.liftoff_matrix, here)
     vector = call(equilibrium.contact_vector if contact else equilibrium.liftoff_vector, here)
     assert tuple(row[0] * here["cos"] + row[1] * here["sin"] for row in matrix) == vector
@@ -292,7 +345,9 @@ def test_equilibria_of_the_uneliminated_equations(contact: int, seed: int) -> No
     if contact:
         assert call(catastrophe.surface, here) == here["mu0"]
     assert leaves(call(stability.stiffness, here)) == K
-    assert equilibrium.f_slope(here["cos"], here["sin"], *trig) == here["L"] * (K[0] * K[3] - K[1] * K[2])
+    assert equilibrium.f_slope(here["cos"], here["sin"], *trig) == here["L"] * (
+        K[0] * K[3] - K[1] * K[2]
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -326,7 +381,10 @@ def test_flutter_onsets(seed: int) -> None:
     g0, g1, *cubic = call(stability.flutter_cubic, here)
     assert here["cos0"] * (g0 + g1 * here["sin0"]) == polynomial(cubic, here["sin0"])
     u1, w1, u2, w2 = call(stability.reference_lines, here)
-    assert (u1 + w1 * here["L"], u2 + w2 * here["L"]) == (here["sin0"], here["alpha"] * here["cos0"])
+    assert (u1 + w1 * here["L"], u2 + w2 * here["L"]) == (
+        here["sin0"],
+        here["alpha"] * here["cos0"],
+    )
     assert polynomial(call(stability.flutter_quadratic, here), here["L"]) == 0
     X, Y, Z = call(stability.flutter_elimination, here)
     assert (X * X, X) == (Y * Z, Y * here["L"])
@@ -372,7 +430,9 @@ def test_poles_of_the_linear_sprag_model(seed: int) -> None:
 
 def f_by_hand(point: dict[str, Any], theta: Any) -> Any:
     """q sin θ F_x with L from F_y = 0, in contact, from the forces alone."""
-    return (point["beta"] + 1 + point["sigma"]) * reference.along(theta, *(point[name] for name in NAMES))
+    return (point["beta"] + 1 + point["sigma"]) * reference.along(
+        theta, *(point[name] for name in NAMES)
+    )
 
 
 def test_derivatives_of_f() -> None:
@@ -385,13 +445,20 @@ def test_derivatives_of_f() -> None:
             point["theta0"] = mpmath.atan2(point["sin0"], point["cos0"])
             theta = mpmath.atan2(point["sin"], point["cos"])
             coefficients = call(equilibrium.f_coefficients, point)
-            for order, function in enumerate((equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature, equilibrium.f_third)):
+            for order, function in enumerate(
+                (equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature, equilibrium.f_third)
+            ):
                 right = mpmath.diff(lambda angle, p=point: f_by_hand(p, angle), theta, order)
                 assert abs(function(point["cos"], point["sin"], *coefficients) - right) < tiny
             right = [
-                mpmath.diff(lambda angle, v, n=name, p=point: f_by_hand({**p, n: v}, angle), (theta, point[name]), (order, 1))
-                for name in NAMES for order in (0, 1)
-            ]  # fmt: skip
+                mpmath.diff(
+                    lambda angle, v, n=name, p=point: f_by_hand({**p, n: v}, angle),
+                    (theta, point[name]),
+                    (order, 1),
+                )
+                for name in NAMES
+                for order in (0, 1)
+            ]
             for ours, theirs in zip(NAMED["unfolding"](point), right, strict=True):
                 assert abs(ours - theirs) < tiny
 
@@ -404,7 +471,13 @@ def test_characteristic_polynomial_and_invariants() -> None:
         coefficients = stability.characteristic(k11, k12, k21, k22, c11)
         for lam in (Fraction(0), Fraction(1), Fraction(-2), Fraction(3, 7), Fraction(5)):
             right = (lam**2 + lam * c11 + k11) * (lam**2 + k22) - k12 * k21
-            assert sum(item * lam**power for item, power in zip(coefficients, range(4, -1, -1), strict=True)) == right
+            assert (
+                sum(
+                    item * lam**power
+                    for item, power in zip(coefficients, range(4, -1, -1), strict=True)
+                )
+                == right
+            )
         trace, determinant, discriminant = stability.invariants(k11, k12, k21, k22)
         assert (trace, determinant) == (k11 + k22, k11 * k22 - k12 * k21)
         assert discriminant == trace**2 - 4 * determinant

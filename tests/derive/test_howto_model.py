@@ -19,7 +19,9 @@ PAGE = ROOT / "docs/howto_model.md"
 @pytest.mark.thorough
 def test_the_page_does_what_it_says(tmp_path: Path) -> None:
     text = PAGE.read_text(encoding="utf-8")
-    files = re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    files = re.findall(
+        r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL
+    )
     assert [name for name, _ in files] == ["soft_brake.py", "use.py"]
     for name, program in files:
         (tmp_path / name).write_text(program, encoding="utf-8")
@@ -32,7 +34,13 @@ def test_the_page_does_what_it_says(tmp_path: Path) -> None:
 @pytest.mark.thorough
 def test_around_a_torsion_spring_searches_end_soon_and_say_why() -> None:
     """Its force has no bound at the anchor, which comes down to the belt at both ends of the range of θ₀."""
-    files = dict(re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", PAGE.read_text("utf-8"), re.M | re.S))
+    files = dict(
+        re.findall(
+            r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$",
+            PAGE.read_text("utf-8"),
+            re.M | re.S,
+        )
+    )
     model = model_of(files["soft_brake.py"], "soft_brake")
     found = ss.folds(model.Parameters(), "theta0")
     assert not found.complete
@@ -43,7 +51,11 @@ def test_around_a_torsion_spring_searches_end_soon_and_say_why() -> None:
 
 
 def test_the_page_of_other_tests_is_the_one_that_is_shown() -> None:
-    shown = re.findall(r"^```{code-block} python\n:caption: soft_brake.py\n(.*?)^```$", PAGE.read_text("utf-8"), re.M | re.S)
+    shown = re.findall(
+        r"^```{code-block} python\n:caption: soft_brake.py\n(.*?)^```$",
+        PAGE.read_text("utf-8"),
+        re.M | re.S,
+    )
     assert shown == [(ROOT / "tests/oracles/pages/soft_brake.py").read_text(encoding="utf-8")]
 
 

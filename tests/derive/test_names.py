@@ -27,22 +27,36 @@ def page(tmp_path: Path, name: str, text: str = names.PAGE.format(*TAKEN)) -> Pa
 
 
 @pytest.mark.thorough
-@pytest.mark.skipif(NODE is None or OCTAVE is None, reason="there is no node or no Octave on this machine")
+@pytest.mark.skipif(
+    NODE is None or OCTAVE is None, reason="there is no node or no Octave on this machine"
+)
 @pytest.mark.parametrize("name", ["my-brake", "main"])
 def test_names_of_languages_are_computed_with_as_in_python(name: str, tmp_path: Path) -> None:
     path = page(tmp_path, name)
     folder.write_page(path, tmp_path / "model")
-    assert names.compare(ss.load(tmp_path / "model"), tmp_path, np.random.default_rng(55), list(TAKEN)) == []
+    assert (
+        names.compare(ss.load(tmp_path / "model"), tmp_path, np.random.default_rng(55), list(TAKEN))
+        == []
+    )
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("language", ["python", "c", "javascript"])
 def test_a_text_ends_no_comment_and_no_docstring(language: str, tmp_path: Path) -> None:
     said = 'ends */ alert(1) /* """ \\N{x} \\'
-    text = names.PAGE.format(*TAKEN).replace('Page("A block on a belt.")', f"Page({said!r})").replace('"friction"', repr(said))
+    text = (
+        names.PAGE.format(*TAKEN)
+        .replace('Page("A block on a belt.")', f"Page({said!r})")
+        .replace('"friction"', repr(said))
+    )
     path = page(tmp_path, "mine", text)
     if language == "python":
-        assert said in (ast.get_docstring(ast.parse(folder.render(pages.read(path), "Generated.")["algebra.py"])) or "")
+        assert said in (
+            ast.get_docstring(
+                ast.parse(folder.render(pages.read(path), "Generated.")["algebra.py"])
+            )
+            or ""
+        )
         return
     for name, whole in export.export(path, "mine", language).items():
         assert "alert" not in re.sub(r"/\*.*?\*/|(?m:^ *// .*$)", "", whole, flags=re.DOTALL), name
@@ -65,4 +79,7 @@ def test_a_file_is_refused_whose_model_could_not_be_loaded(name: str, tmp_path: 
 
 @pytest.mark.thorough
 def test_a_page_of_any_other_name_is_explored(tmp_path: Path) -> None:
-    assert sorted(export.for_the_browser(pages.read(page(tmp_path, "2 dof")), "")) == ["2 dof.mjs", "2 dof.svg"]
+    assert sorted(export.for_the_browser(pages.read(page(tmp_path, "2 dof")), "")) == [
+        "2 dof.mjs",
+        "2 dof.svg",
+    ]

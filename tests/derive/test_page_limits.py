@@ -41,7 +41,7 @@ page.damper(c, along=y)
 page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))
 page.contact(y, lambda depth: k_c * depth)
 page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
-'''  # fmt: skip
+'''
 
 
 def written(tmp_path: Path, *changes: tuple[str, str]) -> Path:
@@ -56,7 +56,9 @@ def loaded(*changes: tuple[str, str]) -> Any:
 
 def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: float) -> np.ndarray:
     p = model.Parameters(**changes)
-    return np.array(model.algebra.rhs(*state, *(float(value) for value in model.arguments(p, "motion"))))
+    return np.array(
+        model.algebra.rhs(*state, *(float(value) for value in model.arguments(p, "motion")))
+    )
 
 
 # ------------------------------------------------------------------------------------------------ what a page can't say
@@ -65,33 +67,106 @@ def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: f
 DAMPER, CONTACT = "page.damper(c, along=y)", "page.contact(y, lambda depth: k_c * depth)"
 LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
-    "two contacts": (limits.SECOND_CONTACT, DAMPER, "page.contact(x, lambda depth: k_c * depth)", CONTACT),
+    "two contacts": (
+        limits.SECOND_CONTACT,
+        DAMPER,
+        "page.contact(x, lambda depth: k_c * depth)",
+        CONTACT,
+    ),
     "a contact and a force": (limits.SECOND_CONTACT, DAMPER, "page.normal_force(F_L)", CONTACT),
-    "two frictions": (limits.SECOND_CONTACT, DAMPER, "page.friction(y, V, lambda v: mu0 * tanh(d * v))", "page.friction(x"),
-    "a gap with speeds": (limits.CONTACT_DAMPING, "page.contact(y,", "page.contact(y + page.rate(y) / d / V,", "page.contact("),
-    "a law with speeds": (limits.CONTACT_DAMPING, "k_c * depth)", "k_c * depth - c * page.rate(y))", "page.contact("),
-    "a law of two": (limits.CONTACT_DAMPING, "lambda depth: k_c", "lambda depth, speed: c * speed + k_c", "page.contact("),
-    "a force with speeds": (limits.CONTACT_DAMPING, CONTACT, "page.normal_force(F_L + c * page.rate(x))", "page.normal_force("),
-    "a coefficient with speeds": (limits.NONLINEAR_DAMPER, DAMPER, "page.damper(c * page.rate(y)**2 / V**2, along=y)",
-                                  "page.damper("),
-    "a force of the square": (limits.NONLINEAR_DAMPER, DAMPER, "page.force(-c * page.rate(y)**3 / V**2, along=y)",
-                              "page.force(-c"),
+    "two frictions": (
+        limits.SECOND_CONTACT,
+        DAMPER,
+        "page.friction(y, V, lambda v: mu0 * tanh(d * v))",
+        "page.friction(x",
+    ),
+    "a gap with speeds": (
+        limits.CONTACT_DAMPING,
+        "page.contact(y,",
+        "page.contact(y + page.rate(y) / d / V,",
+        "page.contact(",
+    ),
+    "a law with speeds": (
+        limits.CONTACT_DAMPING,
+        "k_c * depth)",
+        "k_c * depth - c * page.rate(y))",
+        "page.contact(",
+    ),
+    "a law of two": (
+        limits.CONTACT_DAMPING,
+        "lambda depth: k_c",
+        "lambda depth, speed: c * speed + k_c",
+        "page.contact(",
+    ),
+    "a force with speeds": (
+        limits.CONTACT_DAMPING,
+        CONTACT,
+        "page.normal_force(F_L + c * page.rate(x))",
+        "page.normal_force(",
+    ),
+    "a coefficient with speeds": (
+        limits.NONLINEAR_DAMPER,
+        DAMPER,
+        "page.damper(c * page.rate(y)**2 / V**2, along=y)",
+        "page.damper(",
+    ),
+    "a force of the square": (
+        limits.NONLINEAR_DAMPER,
+        DAMPER,
+        "page.force(-c * page.rate(y)**3 / V**2, along=y)",
+        "page.force(-c",
+    ),
     "Coulomb": (limits.STICKING, LAW, "lambda v: mu0 * sgn(v), at_rest=mu0", "page.friction("),
-    "a jump at rest": (limits.STICKING, LAW, "lambda v: mu0 * (1 + exp(-d * Abs(v))) * sgn(v), at_rest=mu0", "page.friction("),
+    "a jump at rest": (
+        limits.STICKING,
+        LAW,
+        "lambda v: mu0 * (1 + exp(-d * Abs(v))) * sgn(v), at_rest=mu0",
+        "page.friction(",
+    ),
     "time": (limits.FORCING, DAMPER, "page.force(F_L * cos(t), along=y)", "cos(t)"),
-    "time of the page": (limits.FORCING, DAMPER, "page.force(F_L * cos(page.time), along=y)", "page.time"),
-    "time as a symbol": (limits.FORCING, DAMPER, "page.force(F_L * cos(sp.Symbol('t')), along=y)", "sp.Symbol"),
-    "friction of a place": (limits.FRICTION_STATE, LAW, "lambda v: mu0 * tanh(d * v) * (1 + y / L_0)", "page.friction("),
-    "friction of a state": (limits.FRICTION_STATE, LAW, "lambda v, z: mu0 * tanh(d * v) * z", "page.friction("),
-    "a gyroscopic term": (limits.GYROSCOPIC, "page.kinetic(", "page.kinetic(c * x * page.rate(y) + ", "page.kinetic("),
-    "five coordinates": (limits.FIFTH_COORDINATE, "more = []",
-                         "more = [m * page.rate(page.coordinate(f'z{i}', 'm', 'z'))**2 for i in range(3)]",
-                         "more = ["),
-}  # fmt: skip
+    "time of the page": (
+        limits.FORCING,
+        DAMPER,
+        "page.force(F_L * cos(page.time), along=y)",
+        "page.time",
+    ),
+    "time as a symbol": (
+        limits.FORCING,
+        DAMPER,
+        "page.force(F_L * cos(sp.Symbol('t')), along=y)",
+        "sp.Symbol",
+    ),
+    "friction of a place": (
+        limits.FRICTION_STATE,
+        LAW,
+        "lambda v: mu0 * tanh(d * v) * (1 + y / L_0)",
+        "page.friction(",
+    ),
+    "friction of a state": (
+        limits.FRICTION_STATE,
+        LAW,
+        "lambda v, z: mu0 * tanh(d * v) * z",
+        "page.friction(",
+    ),
+    "a gyroscopic term": (
+        limits.GYROSCOPIC,
+        "page.kinetic(",
+        "page.kinetic(c * x * page.rate(y) + ",
+        "page.kinetic(",
+    ),
+    "five coordinates": (
+        limits.FIFTH_COORDINATE,
+        "more = []",
+        "more = [m * page.rate(page.coordinate(f'z{i}', 'm', 'z'))**2 for i in range(3)]",
+        "more = [",
+    ),
+}
 
 
 @pytest.mark.parametrize("case", BEYOND)
-def test_what_a_page_cannot_say_is_refused_in_the_words_of_the_list(case: str, tmp_path: Path) -> None:
+def test_what_a_page_cannot_say_is_refused_in_the_words_of_the_list(
+    case: str, tmp_path: Path
+) -> None:
     limit, before, after, place = BEYOND[case]
     path = written(tmp_path, (before, after))
     lines = path.read_text(encoding="utf-8").splitlines()
@@ -104,7 +179,9 @@ def test_what_a_page_cannot_say_is_refused_in_the_words_of_the_list(case: str, t
 
 def test_the_list_is_that_of_the_guide() -> None:
     """Every entry stands there with what can be done instead, and every entry is refused above."""
-    guide = " ".join((ROOT / "docs" / "howto_model.md").read_text(encoding="utf-8").replace("`", "").split())
+    guide = " ".join(
+        (ROOT / "docs" / "howto_model.md").read_text(encoding="utf-8").replace("`", "").split()
+    )
     for limit in limits.LIMITS:
         assert f"{limit.what}: {limit.instead}" in guide, limit.what
     assert {limit for limit, *_ in BEYOND.values()} == set(limits.LIMITS)
@@ -115,20 +192,29 @@ def test_the_list_is_that_of_the_guide() -> None:
 STATE = (0.1, -0.2, 0.3, 0.4)
 
 
-@pytest.mark.parametrize(("said", "words"), [
-    ("page.spring(k, along=x + V)", "adds what can't be added"),
-    ("page.spring(k, along=x, length=V)", "undeformed length"),
-    ("page.damper(c, along=x * y)", "expected is kg m.-2 s.-1"),
-    ("page.force(F_L, along=x * V)", "expected is"),
-    ("page.force(F_L, along=x + V)", "adds what"),
-    ("page.spring(k, along=x + sp.Symbol('b'))", "does not define"),
-    ("page.push(F_L, along=x)", "a page has .*kinetic, .*force"),
-    ("page.spring(K, along=x)", "offers Abs"),
-    ("page.contact(y, 3)", "no function"),
-])  # fmt: skip
-def test_a_statement_that_does_not_fit_is_refused_by_its_line(said: str, words: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ("page.spring(k, along=x + V)", "adds what can't be added"),
+        ("page.spring(k, along=x, length=V)", "undeformed length"),
+        ("page.damper(c, along=x * y)", "expected is kg m.-2 s.-1"),
+        ("page.force(F_L, along=x * V)", "expected is"),
+        ("page.force(F_L, along=x + V)", "adds what"),
+        ("page.spring(k, along=x + sp.Symbol('b'))", "does not define"),
+        ("page.push(F_L, along=x)", "a page has .*kinetic, .*force"),
+        ("page.spring(K, along=x)", "offers Abs"),
+        ("page.contact(y, 3)", "no function"),
+    ],
+)
+def test_a_statement_that_does_not_fit_is_refused_by_its_line(
+    said: str, words: str, tmp_path: Path
+) -> None:
     path = written(tmp_path, (CONTACT if "contact" in said else DAMPER, said))
-    (number,) = [number for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1) if said in line]
+    (number,) = [
+        number
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if said in line
+    ]
     with pytest.raises(PageError, match=rf"line {number}: .*{words}"):
         pages.read(path)
 

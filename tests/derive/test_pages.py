@@ -22,7 +22,9 @@ ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 
 def changed(tmp_path: Path, *changes: tuple[str, str]) -> Path:
     """The article's page with pieces of text replaced, as a user's file."""
-    text = ARTICLE.replace("from ..model import", "import sympy as sp; from spragsym.derive.model import")
+    text = ARTICLE.replace(
+        "from ..model import", "import sympy as sp; from spragsym.derive.model import"
+    )
     path = tmp_path / "mine.py"
     path.write_text(replaced(text, *changes), encoding="utf-8")
     return path
@@ -37,59 +39,222 @@ def line_of(path: Path, piece: str) -> int:
 LAW = "lambda depth: k_c * depth"
 FRICTION = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 REFUSED = {
-    "a law of a coordinate": (LAW, "lambda depth: k_c * depth * (1 + x / L_0)", "page.contact(", "depends on x; it is a"),
-    "a stiffness that moves": ("page.spring(k_y, along=y)", "page.spring(k_y * y / L_0, along=y)", "k_y * y", "depends on y"),
-    "one name for two": ('becomes="beta"', 'becomes="alpha"', "k_y = page.parameter(", "k_x and k_y both become alpha"),
+    "a law of a coordinate": (
+        LAW,
+        "lambda depth: k_c * depth * (1 + x / L_0)",
+        "page.contact(",
+        "depends on x; it is a",
+    ),
+    "a stiffness that moves": (
+        "page.spring(k_y, along=y)",
+        "page.spring(k_y * y / L_0, along=y)",
+        "k_y * y",
+        "depends on y",
+    ),
+    "one name for two": (
+        'becomes="beta"',
+        'becomes="alpha"',
+        "k_y = page.parameter(",
+        "k_x and k_y both become alpha",
+    ),
     "a damper that may drive": (
-        "page.contact(", 'c = page.parameter("c", "N s/m", "damping", "real", 0.1)\npage.damper(c, along=y)\npage.contact(',
-        "page.damper(", "c, is negative at c = -980, where it drives",
+        "page.contact(",
+        'c = page.parameter("c", "N s/m", "damping", "real", 0.1)\npage.damper(c, along=y)\npage.contact(',
+        "page.damper(",
+        "c, is negative at c = -980, where it drives",
     ),
     "a contact that pulls": (LAW, "lambda depth: -k_c * depth", "page.contact(", "pulls"),
-    "a contact that jumps": (LAW, "lambda depth: k_c * depth + F_L", "page.contact(", "just touches"),
+    "a contact that jumps": (
+        LAW,
+        "lambda depth: k_c * depth + F_L",
+        "page.contact(",
+        "just touches",
+    ),
     "units of a law": (LAW, "lambda depth: k_c * depth**2", "page.contact(", "kg m^2 s^-2"),
-    "no inertia": ("page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)", "page.kinetic(m * page.rate(x) ** 2 / 2)",
-                   'page.coordinate("y"', "no inertia"),
-    "no domain": ('"steepness of the friction law in creep", "> 0"', '"steepness of the friction law in creep", "positive"',
-                  "positive", "is not a domain"),
-    "a base value outside": ('">= 0", 0.5, latex', '">= 0", -0.5, latex', "-0.5", "not in its domain"),
-    "nothing uses it": ("V = page.p", 'q = page.parameter("q", "m", "idle")\nV = page.p', '"idle"', "in no statement"),
-    "a damper that drives": ("page.spring(k_y, along=y)", "page.damper(-k_c / d / V, along=y)", "page.damper(", "is negative"),
-    "one named as a speed": ('becomes="beta"', 'becomes="vx"', "k_y = page.parameter(", "the rate of x"),
-    "a word of Python": ('becomes="beta"', 'becomes="lambda"', "k_y = page.parameter(", "no name in Python"),
-    "a name of the results": ('page.coordinate("y"', 'page.coordinate("count"', '"count"', "results and generated functions"),
-    "a point of space": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y, 0), (0, 0, 0))", "(0, 0, 0)", "point of the"),
-    "along what stands still": ("page.spring(k_y, along=y)", "page.spring(k_y, along=L_0)", "along=L_0", "no coordinate moves"),
-    "a gap that never closes": ("page.contact(y,", "page.contact(L_0,", "page.contact(", "holds no coordinate"),
-    "an energy of speed": ("page.spring(k_y, along=y)", "page.potential(m * page.rate(x) ** 2)", "potential(", "holds a speed"),
-    "a name of generated code": ('becomes="beta"', 'becomes="_one"', "k_y = page.parameter(", "begins with a letter"),
-    "a function as coefficient": ("page.spring(k_y, along=y)", "page.damper(lambda v: k_c / V, along=y)", "page.damper(",
-                                  "here is a function; give an expression"),
-    "a name of two words": ('page.parameter("k_y"', 'page.parameter("k y"', "k_y = page.parameter(", "no name; give .* 'k_y'"),
-    "a meaning of two lines": ('"preload', '"pre\\nload', "F_L = page", r"U\+000A, which is not printed"),
-    "a Greek name": ('becomes="beta"', 'becomes="β"', "k_y = page.parameter(", "which C can't spell"),
-    "another name of an angle": ('"(0, pi)", latex', '"(0, pi)", becomes="q", latex', '"(0, pi)"', "has no unit to be rid of"),
-    "a base value in degrees": ('"(0, pi)", latex', '"(0, pi)", 45, latex', '"(0, pi)", 45', "45 degrees are pi/4"),
-    "a kink in the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0))", "page.contact(", "not smooth"),
-    "a step in friction": (FRICTION, "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v) * (2 + sgn(d * Abs(v) - 3))",
-                           "page.friction(",
-                           "not smooth"),
-    "an error function in the energy": (LAW, "lambda depth: k_c * L_0 * (1 - exp(-(depth**2) / L_0**2))", "page.contact(",
-                                        "has no energy"),
-    "a complex law": (LAW, "lambda depth: k_c * depth * (-1) ** 0.5", "page.contact(", "no real number"),
-    "a force that pulls": ("page.contact(y, lambda depth: k_c * depth)", "page.normal_force(-F_L)", "normal_force", "pulls"),
-    "a force in N/m": ("page.contact(y, lambda depth: k_c * depth)", "page.normal_force(k_c)", "normal_force", "normal force"),
-    "a belt backwards": ("page.friction(x, V", "page.friction(x, -V", "page.friction(", "may be negative"),
-    "a unit too many": ("theta0 = page.p", 'q = page.unit("q", "N", "a force")\ntheta0 = page.p', '"a force"',
-                        "can't become 1 too"),
+    "no inertia": (
+        "page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)",
+        "page.kinetic(m * page.rate(x) ** 2 / 2)",
+        'page.coordinate("y"',
+        "no inertia",
+    ),
+    "no domain": (
+        '"steepness of the friction law in creep", "> 0"',
+        '"steepness of the friction law in creep", "positive"',
+        "positive",
+        "is not a domain",
+    ),
+    "a base value outside": (
+        '">= 0", 0.5, latex',
+        '">= 0", -0.5, latex',
+        "-0.5",
+        "not in its domain",
+    ),
+    "nothing uses it": (
+        "V = page.p",
+        'q = page.parameter("q", "m", "idle")\nV = page.p',
+        '"idle"',
+        "in no statement",
+    ),
+    "a damper that drives": (
+        "page.spring(k_y, along=y)",
+        "page.damper(-k_c / d / V, along=y)",
+        "page.damper(",
+        "is negative",
+    ),
+    "one named as a speed": (
+        'becomes="beta"',
+        'becomes="vx"',
+        "k_y = page.parameter(",
+        "the rate of x",
+    ),
+    "a word of Python": (
+        'becomes="beta"',
+        'becomes="lambda"',
+        "k_y = page.parameter(",
+        "no name in Python",
+    ),
+    "a name of the results": (
+        'page.coordinate("y"',
+        'page.coordinate("count"',
+        '"count"',
+        "results and generated functions",
+    ),
+    "a point of space": (
+        "page.spring(k_y, along=y)",
+        "page.spring(k_y, (x, y, 0), (0, 0, 0))",
+        "(0, 0, 0)",
+        "point of the",
+    ),
+    "along what stands still": (
+        "page.spring(k_y, along=y)",
+        "page.spring(k_y, along=L_0)",
+        "along=L_0",
+        "no coordinate moves",
+    ),
+    "a gap that never closes": (
+        "page.contact(y,",
+        "page.contact(L_0,",
+        "page.contact(",
+        "holds no coordinate",
+    ),
+    "an energy of speed": (
+        "page.spring(k_y, along=y)",
+        "page.potential(m * page.rate(x) ** 2)",
+        "potential(",
+        "holds a speed",
+    ),
+    "a name of generated code": (
+        'becomes="beta"',
+        'becomes="_one"',
+        "k_y = page.parameter(",
+        "begins with a letter",
+    ),
+    "a function as coefficient": (
+        "page.spring(k_y, along=y)",
+        "page.damper(lambda v: k_c / V, along=y)",
+        "page.damper(",
+        "here is a function; give an expression",
+    ),
+    "a name of two words": (
+        'page.parameter("k_y"',
+        'page.parameter("k y"',
+        "k_y = page.parameter(",
+        "no name; give .* 'k_y'",
+    ),
+    "a meaning of two lines": (
+        '"preload',
+        '"pre\\nload',
+        "F_L = page",
+        r"U\+000A, which is not printed",
+    ),
+    "a Greek name": (
+        'becomes="beta"',
+        'becomes="β"',
+        "k_y = page.parameter(",
+        "which C can't spell",
+    ),
+    "another name of an angle": (
+        '"(0, pi)", latex',
+        '"(0, pi)", becomes="q", latex',
+        '"(0, pi)"',
+        "has no unit to be rid of",
+    ),
+    "a base value in degrees": (
+        '"(0, pi)", latex',
+        '"(0, pi)", 45, latex',
+        '"(0, pi)", 45',
+        "45 degrees are pi/4",
+    ),
+    "a kink in the contact": (
+        LAW,
+        "lambda depth: k_c * (depth + Abs(depth - L_0))",
+        "page.contact(",
+        "not smooth",
+    ),
+    "a step in friction": (
+        FRICTION,
+        "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v) * (2 + sgn(d * Abs(v) - 3))",
+        "page.friction(",
+        "not smooth",
+    ),
+    "an error function in the energy": (
+        LAW,
+        "lambda depth: k_c * L_0 * (1 - exp(-(depth**2) / L_0**2))",
+        "page.contact(",
+        "has no energy",
+    ),
+    "a complex law": (
+        LAW,
+        "lambda depth: k_c * depth * (-1) ** 0.5",
+        "page.contact(",
+        "no real number",
+    ),
+    "a force that pulls": (
+        "page.contact(y, lambda depth: k_c * depth)",
+        "page.normal_force(-F_L)",
+        "normal_force",
+        "pulls",
+    ),
+    "a force in N/m": (
+        "page.contact(y, lambda depth: k_c * depth)",
+        "page.normal_force(k_c)",
+        "normal_force",
+        "normal force",
+    ),
+    "a belt backwards": (
+        "page.friction(x, V",
+        "page.friction(x, -V",
+        "page.friction(",
+        "may be negative",
+    ),
+    "a unit too many": (
+        "theta0 = page.p",
+        'q = page.unit("q", "N", "a force")\ntheta0 = page.p',
+        '"a force"',
+        "can't become 1 too",
+    ),
     "an exit": ("page.spring(k_y, along=y)", "raise SystemExit(3)", "SystemExit(3)", "SystemExit"),
-}  # fmt: skip
+}
 REFUSED |= {
-    "a function without intervals": ("exp(-d * Abs(v))", "sp.erfc(d * Abs(v))", "page.friction(", "generated code does not know"),
-    "a root without slope": (FRICTION, "lambda v: mu0 * sp.sqrt(d * Abs(v)) * sgn(v)", "page.friction(",
-                             "not seen to be positive"),
-    "a symbol for an exponent": (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** mu0", "page.contact(",
-                                 "a fraction of two integers"),
-}  # fmt: skip
+    "a function without intervals": (
+        "exp(-d * Abs(v))",
+        "sp.erfc(d * Abs(v))",
+        "page.friction(",
+        "generated code does not know",
+    ),
+    "a root without slope": (
+        FRICTION,
+        "lambda v: mu0 * sp.sqrt(d * Abs(v)) * sgn(v)",
+        "page.friction(",
+        "not seen to be positive",
+    ),
+    "a symbol for an exponent": (
+        LAW,
+        "lambda depth: k_c * L_0 * (depth / L_0) ** mu0",
+        "page.contact(",
+        "a fraction of two integers",
+    ),
+}
 
 
 def test_a_decimal_is_the_fraction_that_is_written(tmp_path: Path) -> None:
@@ -103,7 +268,9 @@ def test_a_decimal_is_the_fraction_that_is_written(tmp_path: Path) -> None:
 def test_a_page_that_makes_no_sense_is_refused_by_its_line(case: str, tmp_path: Path) -> None:
     before, after, place, words = REFUSED[case]
     path = changed(tmp_path, (before, after))
-    with pytest.raises(PageError, match=rf"^mine\.py, line {line_of(path, place)}: .*{words.replace('^', '.')}"):
+    with pytest.raises(
+        PageError, match=rf"^mine\.py, line {line_of(path, place)}: .*{words.replace('^', '.')}"
+    ):
         pages.read(path)
 
 
@@ -120,11 +287,20 @@ def test_a_coordinate_hides_nothing_of_the_results() -> None:
     from spragsym.motion.sweeps.many import reported
 
     def asked(kind: type) -> set[str]:
-        return {name for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind))) if not name.startswith("_")}
+        return {
+            name
+            for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind)))
+            if not name.startswith("_")
+        }
 
     for kind in (ss.Trajectory, ss.Sweep, ss.Equilibria, ss.Points, ss.Path):
         assert asked(kind) <= reserved.RESULTS | reserved.OF_MOTIONS, kind
-    assert asked(ss.Points) | asked(ss.Onsets) | {*reported((""), ()), "regime", "equilibrium", "reason"} <= reserved.RESULTS
+    assert (
+        asked(ss.Points)
+        | asked(ss.Onsets)
+        | {*reported((""), ()), "regime", "equilibrium", "reason"}
+        <= reserved.RESULTS
+    )
 
 
 # ------------------------------------------------------------------------------------------------ the article's page
@@ -138,7 +314,9 @@ def test_the_general_way_gives_the_article() -> None:
 @pytest.mark.thorough
 def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison can fail: what the pages add is not added for nothing."""
-    monkeypatch.setattr(page_equivalence, "ADDED", {"cubic_contact": (), "damped": ("zeta_x", "zeta_y")})
+    monkeypatch.setattr(
+        page_equivalence, "ADDED", {"cubic_contact": (), "damped": ("zeta_x", "zeta_y")}
+    )
     held = page_equivalence.identities()
     assert sum(held.values()) == 1
     assert len(held) == 3
@@ -146,7 +324,9 @@ def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None
 
 def test_the_articles_page_gives_lagranges_equations() -> None:
     """(1) and (2), with all units, from energies and forces written here, by SymPy's own mechanics."""
-    m, k, k_x, k_y, F_L, L_0 = (nm.quantities()[name].symbol for name in ("m", "k", "k_x", "k_y", "F_L", "L_0"))
+    m, k, k_x, k_y, F_L, L_0 = (
+        nm.quantities()[name].symbol for name in ("m", "k", "k_x", "k_y", "F_L", "L_0")
+    )
     x, y = dynamicsymbols("x y")
     frame, origin = ReferenceFrame("belt"), Point("O")
     origin.set_vel(frame, 0)
@@ -155,8 +335,14 @@ def test_the_articles_page_gives_lagranges_equations() -> None:
     length = sp.sqrt((L_0 * nm.c0 - x) ** 2 + (L_0 * nm.s0 - y) ** 2)
     stored = (k_x * x**2 + k_y * y**2 + k * (length - L_0) ** 2) / 2
     pushed = [(mass, nm.mu * nm.N * frame.x + (nm.N - F_L) * frame.y)]
-    method = LagrangesMethod(m * (x.diff() ** 2 + y.diff() ** 2) / 2 - stored, [x, y], forcelist=pushed, frame=frame)
-    theirs = method.form_lagranges_equations().doit().subs({x.diff().diff(): mechanics.AX, y.diff().diff(): mechanics.AY})
+    method = LagrangesMethod(
+        m * (x.diff() ** 2 + y.diff() ** 2) / 2 - stored, [x, y], forcelist=pushed, frame=frame
+    )
+    theirs = (
+        method.form_lagranges_equations()
+        .doit()
+        .subs({x.diff().diff(): mechanics.AX, y.diff().diff(): mechanics.AY})
+    )
     ours = mechanics.measured_motion()
     for mine, row in zip((ours.x, ours.y), theirs, strict=True):
         spelled = row.subs({x: nm.x, y: nm.y})

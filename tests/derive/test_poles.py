@@ -23,16 +23,21 @@ page.force(U / (1 - x / l) ** 2, along=x)
 '''
 #: Ziegler's column under a load that follows the upper link in part only (Herrmann and Bungay 1964).
 PARTLY = replaced(
-    COLUMN, ("a = page", 'e = page.parameter("e", "1", "share that follows", "real", 1.0)\na = page'),
+    COLUMN,
+    ("a = page", 'e = page.parameter("e", "1", "share that follows", "real", 1.0)\na = page'),
     ("sin(b), -P * cos(b)", "sin(e * b), -P * cos(e * b)"),
-)  # fmt: skip
+)
 
 
 def test_pull_in_is_found_and_all_is_decided_beside_the_pole() -> None:
     p = model_of(PULL_IN, "pull_in").Parameters()
     found = ss.folds(p, "U", between={"U": (0.01, 1.0)}, within={"x": (-1.0, 0.99)})
     assert (found.U, found.x) == (pytest.approx([4 / 27]), pytest.approx([1 / 3]))
-    assert (found.ends.tolist(), found.when.tolist(), found.undecided.shape[0]) == (["lower"], ["up"], 0)
+    assert (found.ends.tolist(), found.when.tolist(), found.undecided.shape[0]) == (
+        ["lower"],
+        ["up"],
+        0,
+    )
     eq = ss.equilibria(p.replace(U=0.1))
     assert eq.decided
     assert eq.x[:3] == pytest.approx(np.sort(np.roots([1.0, -2.0, 1.0, -0.1]).real))

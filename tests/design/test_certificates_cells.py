@@ -16,7 +16,10 @@ from spragsym.models.quantities import Unit
 from tests.support import as_fraction
 
 #: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂²; the belt's speed is nothing to equilibria.
-UNITS = {"u1": Unit(0.1, 2.0, {"kappa": -1, "alpha": -1}), "u2": Unit(0.1, 2.0, {"kappa": -2, "sigma": 2, "V": -0.5})}
+UNITS = {
+    "u1": Unit(0.1, 2.0, {"kappa": -1, "alpha": -1}),
+    "u2": Unit(0.1, 2.0, {"kappa": -2, "sigma": 2, "V": -0.5}),
+}
 
 
 def random_boxes(seed: int, count: int, units: Mapping[str, Unit] = MappingProxyType({})) -> Boxes:
@@ -33,7 +36,9 @@ def random_boxes(seed: int, count: int, units: Mapping[str, Unit] = MappingProxy
 def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
     """value + Σ terms ε of box k, exactly."""
     terms = zip(number.terms[:, k], at, strict=True)
-    return Fraction(float(number.value[k])) + sum(Fraction(float(term)) * as_fraction(mpmath.mpf(share)) for term, share in terms)
+    return Fraction(float(number.value[k])) + sum(
+        Fraction(float(term)) * as_fraction(mpmath.mpf(share)) for term, share in terms
+    )
 
 
 @pytest.mark.thorough
@@ -47,32 +52,45 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, units: Any) -> None
     high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
     begin = rng.choice([0.0, 0.25, 0.5], 20)
     end = begin + 0.25
-    ground = certificates.at(boxes, low) if fixed else certificates.over(boxes, low, high, begin, end)
+    ground = (
+        certificates.at(boxes, low) if fixed else certificates.over(boxes, low, high, begin, end)
+    )
     with mpmath.workprec(150):
         for k in range(20):
             for at in rng.choice([-1.0, 1.0, 0.0, 0.5], (6, n + 1)):
                 ends = [value.slopes[:, k] @ at[:n] + value.value[k] for value in (low, high)]
                 share = begin[k] + (end[k] - begin[k]) * (1 + at[n]) / 2
                 theta = ends[0] if fixed else ends[0] + share * (ends[1] - ends[0])
-                middle, half = (boxes.low[:, k] + boxes.high[:, k]) / 2, (boxes.high[:, k] - boxes.low[:, k]) / 2
+                middle, half = (
+                    (boxes.low[:, k] + boxes.high[:, k]) / 2,
+                    (boxes.high[:, k] - boxes.low[:, k]) / 2,
+                )
                 point = [mpmath.mpf(one) for one in middle + half * at[:n]]
                 known = [
-                    (ground.c, mpmath.cos(theta)), (ground.s, mpmath.sin(theta)),
-                    (ground.c0, mpmath.cos(point[0])), (ground.s0, mpmath.sin(point[0])),
-                ]  # fmt: skip
+                    (ground.c, mpmath.cos(theta)),
+                    (ground.s, mpmath.sin(theta)),
+                    (ground.c0, mpmath.cos(point[0])),
+                    (ground.s0, mpmath.sin(point[0])),
+                ]
                 for name, true in zip(NAMES, point, strict=False):
                     powers = (unit.powers.get(name, 0) for unit in units.values())
-                    factors = [of**power for of, power in zip(point[len(NAMES) :], powers, strict=True)]
+                    factors = [
+                        of**power for of, power in zip(point[len(NAMES) :], powers, strict=True)
+                    ]
                     known.append((ground.parameters[name], true * mpmath.fprod(factors)))
                 for number, true in known:
                     allowed = Fraction(float(number.error[k])) + Fraction(1, 10**15)
                     assert abs(as_fraction(true) - value_at(number, at, k)) <= allowed
-    assert [one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)] == [True] * 5
+    assert [
+        one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)
+    ] == [True] * 5
     assert max(ground.c.error.max(), ground.s.error.max()) < (0.13 if fixed else 0.6)
 
 
 def whole(count: int) -> Boxes:
-    return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.zeros(count, dtype=bool), {})
+    return Boxes(
+        np.full((6, count), 0.5), np.full((6, count), 0.5), np.zeros(count, dtype=bool), {}
+    )
 
 
 def flat(ends: Any) -> Line:
@@ -82,14 +100,25 @@ def flat(ends: Any) -> Line:
 
 def test_every_direction_is_looked_at() -> None:
     """A claim that fails in a narrow stretch fails for the boxes whose directions have it, wherever that is."""
-    begin, end = flat([0.0, 0.0, 0.31, 0.0, 0.29, 0.5, 0.2999]), flat([1.0, 0.29, 1.0, 0.301, 0.31, 0.6, 0.3])
+    begin, end = (
+        flat([0.0, 0.0, 0.31, 0.0, 0.29, 0.5, 0.2999]),
+        flat([1.0, 0.29, 1.0, 0.301, 0.31, 0.6, 0.3]),
+    )
 
     def test(ground: Ground) -> Verdict:
         angle = np.arctan2(ground.s.value, ground.c.value)
         reach = np.maximum(ground.c.radius(), ground.s.radius()) * 1.5 + 1e-9
         return np.abs(angle - 0.3) > reach + 1e-4, (ground.c,)
 
-    assert certificates.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
+    assert certificates.covered(whole(7), begin, end, test)[0].tolist() == [
+        False,
+        True,
+        True,
+        False,
+        False,
+        True,
+        False,
+    ]
 
 
 # ------------------------------------------------------------------------------------------------------ certificates

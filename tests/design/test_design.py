@@ -28,7 +28,9 @@ NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
 
 def one(p: ss.Parameters, i: int) -> ss.Parameters:
-    return ss.Parameters(**{name: float(np.broadcast_to(getattr(p, name), p.shape)[i]) for name in NAMES})
+    return ss.Parameters(
+        **{name: float(np.broadcast_to(getattr(p, name), p.shape)[i]) for name in NAMES}
+    )
 
 
 # ------------------------------------------------------------------------------------------------------ jump values
@@ -37,13 +39,26 @@ def one(p: ss.Parameters, i: int) -> ss.Parameters:
 @pytest.mark.parametrize(
     ("vary", "direction"),
     [
-        ("mu0", "up"), ("theta0", "up"),
-        *(pytest.param(name, way, marks=pytest.mark.thorough) for name, way in
-          (("kappa", "down"), ("kappa", "up"), ("sigma", "up"), ("alpha", "down"), ("beta", "up"))),
+        ("mu0", "up"),
+        ("theta0", "up"),
+        *(
+            pytest.param(name, way, marks=pytest.mark.thorough)
+            for name, way in (
+                ("kappa", "down"),
+                ("kappa", "up"),
+                ("sigma", "up"),
+                ("alpha", "down"),
+                ("beta", "up"),
+            )
+        ),
     ],
-)  # fmt: skip
+)
 def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -> None:
-    p = families.near_folds(np.random.default_rng(6), 150) if vary not in ("mu0", "theta0") else None
+    p = (
+        families.near_folds(np.random.default_rng(6), 150)
+        if vary not in ("mu0", "theta0")
+        else None
+    )
     p = p or families.random(np.random.default_rng(7), 150)
     values = np.asarray(ss.jump_value(p, vary, direction=direction))
     jumping, still = np.flatnonzero(np.isfinite(values)), np.flatnonzero(np.isnan(values))
@@ -51,7 +66,11 @@ def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -
     for i in [*jumping[:5], *still[:3]]:
         point, value = one(p, i), values[i]
         start = {"mu0": 0.0, "theta0": 1e-12}.get(vary, float(getattr(point, vary)))
-        end = (3.14159 if vary == "theta0" else 1e3 + 2 * start) if direction == "up" else start * 1e-3
+        end = (
+            (3.14159 if vary == "theta0" else 1e3 + 2 * start)
+            if direction == "up"
+            else start * 1e-3
+        )
         path = ss.quasi_static_path(point, vary, [start, end])
         first = [jump.value for jump in path.jumps[:1]]
         if np.isnan(value) or not min(start, end) < value < max(start, end):
@@ -64,7 +83,8 @@ def test_values_on_folds_and_in_symmetric_systems() -> None:
     # μ₀ = α = 0: nothing jumps at a pitchfork.
     assert math.isnan(ss.jump_value(BASE.replace(mu0=0.0, alpha=0.0), "theta0"))
     assert ss.jump_value(BASE.replace(theta0=0.5, alpha=0.0)) == pytest.approx(
-        ss.quasi_static_path(BASE.replace(theta0=0.5, alpha=0.0), "mu0", [0.0, 9.0]).jumps[0].value, rel=1e-12
+        ss.quasi_static_path(BASE.replace(theta0=0.5, alpha=0.0), "mu0", [0.0, 9.0]).jumps[0].value,
+        rel=1e-12,
     )
     # Just above the cusp in θ₀ there is no jump, just below there is one, at its friction.
     cusp = ss.cusps(BASE)
@@ -104,7 +124,9 @@ def test_many_inclinations_are_told_from_one_fold() -> None:
     p = families.near_folds(np.random.default_rng(6), 60)
     for i in np.flatnonzero(np.isfinite(ss.jump_value(p, "theta0"))):
         fold = float(ss.jump_value(one(p, int(i)), "theta0"))
-        assert have_jumped(one(p, int(i)).replace(theta0=fold + np.array([1e-3, -1e-12, 1e-12])), "theta0").tolist() == [1, 0, 1]
+        assert have_jumped(
+            one(p, int(i)).replace(theta0=fold + np.array([1e-3, -1e-12, 1e-12])), "theta0"
+        ).tolist() == [1, 0, 1]
 
 
 @pytest.mark.thorough
@@ -130,7 +152,9 @@ def test_signs_between_two_places_are_those_of_the_polynomial() -> None:
     assert found.negative.tolist() == [True, False, False, True, False, False]
     assert found.positive.tolist() == [False, True, True, False, True, True]
     # A root within the uncertainty of an end leaves that open.
-    near = bernstein.signs_between(coefficients, place[0], np.full(6, 1.0 / (1.0 + bernstein.SCALE)), np.full(6, 1e-9))
+    near = bernstein.signs_between(
+        coefficients, place[0], np.full(6, 1.0 / (1.0 + bernstein.SCALE)), np.full(6, 1e-9)
+    )
     assert not near.negative[0]
     assert not near.positive[0]
 
@@ -152,7 +176,9 @@ def test_gradients_are_those_of_forty_digits(vary: str) -> None:
                 along = functools.partial(reference.along, **moved | {vary: value})
                 return [along(angle), mpmath.diff(along, angle)]
 
-            return mpmath.findroot(both, (mpmath.mpf(theta), mpmath.mpf(float(found.value))), tol=1e-60)[1]
+            return mpmath.findroot(
+                both, (mpmath.mpf(theta), mpmath.mpf(float(found.value))), tol=1e-60
+            )[1]
 
         assert abs(at(given) - float(found.value)) < 1e-13
         for name in NAMES:
@@ -165,12 +191,16 @@ def test_gradients_are_those_of_forty_digits(vary: str) -> None:
 # ------------------------------------------------------------------------------------------------------ certificates
 
 
-def boxes(seed: int, number: int, sizes: tuple[float, ...]) -> Iterable[tuple[ss.Parameters, ss.Parameters]]:
+def boxes(
+    seed: int, number: int, sizes: tuple[float, ...]
+) -> Iterable[tuple[ss.Parameters, ss.Parameters]]:
     p = families.random(np.random.default_rng(seed), number)
     for i in range(number):
         values = {name: float(getattr(p, name)[i]) for name in NAMES}
         off = sizes[i % len(sizes)]
-        low, high = ({name: value * (1 + side * off) for name, value in values.items()} for side in (-1, 1))
+        low, high = (
+            {name: value * (1 + side * off) for name, value in values.items()} for side in (-1, 1)
+        )
         high["theta0"] = min(high["theta0"], 3.1415)
         yield ss.Parameters(**low), ss.Parameters(**high)
 
@@ -193,13 +223,18 @@ def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(clai
         corners = {name: (float(getattr(low, name)), float(getattr(high, name))) for name in NAMES}
         if found.outcome == "proved":
             inside = {name: rng.uniform(*ends, 2000) for name, ends in corners.items()}
-            inside = {name: np.concatenate([values, rng.choice(corners[name], 100)]) for name, values in inside.items()}
+            inside = {
+                name: np.concatenate([values, rng.choice(corners[name], 100)])
+                for name, values in inside.items()
+            }
             assert HOLDS[claim](ss.Parameters(**inside)).all()
             assert found.undecided == 0.0
         elif found.outcome == "refuted":
             point = found.counterexample
             assert point is not None
-            assert all(ends[0] <= float(getattr(point, name)) <= ends[1] for name, ends in corners.items())
+            assert all(
+                ends[0] <= float(getattr(point, name)) <= ends[1] for name, ends in corners.items()
+            )
             assert not HOLDS[claim](point)
             if claim == "no jump":
                 assert ss.quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps
@@ -251,7 +286,9 @@ def test_no_point_of_the_fold_is_nearer_than_the_margin() -> None:
     margin = ss.jump_margin(p, scale)
     turn = np.linspace(0, 2 * np.pi, 721)[:, None]
     radius = margin.distance * np.array([0.5, 0.9, 0.999, 1.002])
-    around = p.replace(theta0=0.7 + 0.02 * radius * np.cos(turn), sigma=0.1 + 0.01 * radius * np.sin(turn))
+    around = p.replace(
+        theta0=0.7 + 0.02 * radius * np.cos(turn), sigma=0.1 + 0.01 * radius * np.sin(turn)
+    )
     jumps = ss.jump_value(around) <= 0.5
     assert jumps.any(axis=0).tolist() == [False, False, False, True]
     assert ss.jump_value(margin.parameters) == pytest.approx(0.5, rel=1e-9)
@@ -265,7 +302,9 @@ def test_no_point_of_the_fold_is_nearer_than_the_margin() -> None:
 def test_a_new_design_keeps_the_target_and_a_smaller_change_does_not() -> None:
     p = BASE.replace(theta0=0.7)
     better = ss.redesign(p, "theta0", {"mu0": 0.7})
-    angle = brentq(lambda value: float(ss.jump_value(p.replace(theta0=value))) - 0.7, 0.5, 0.7, xtol=1e-15)
+    angle = brentq(
+        lambda value: float(ss.jump_value(p.replace(theta0=value))) - 0.7, 0.5, 0.7, xtol=1e-15
+    )
     assert 0.7 + better.change["theta0"] == pytest.approx(angle, rel=1e-9)
     assert not ss.quasi_static_path(better.parameters, "mu0", [0.0, 0.7]).jumps
     half = p.replace(theta0=0.7 + 0.999 * better.change["theta0"])
@@ -279,14 +318,28 @@ def test_a_new_design_keeps_the_target_and_a_smaller_change_does_not() -> None:
 # ------------------------------------------------------------------------------------------------------ probability
 
 TOLERANCES: dict[str, Any] = {
-    "theta0": (0.68, 0.72), "mu0": (0.4, 0.6), "kappa": (0.006, 0.008), "alpha": 0.007, "sigma": (0.085, 0.115), "beta": 0.0,
-}  # fmt: skip
+    "theta0": (0.68, 0.72),
+    "mu0": (0.4, 0.6),
+    "kappa": (0.006, 0.008),
+    "alpha": 0.007,
+    "sigma": (0.085, 0.115),
+    "beta": 0.0,
+}
 
 
-def estimated(function: sampling.Function, variables: int, n: int, seed: int, indices: bool) -> ss.JumpProbability:
+def estimated(
+    function: sampling.Function, variables: int, n: int, seed: int, indices: bool
+) -> ss.JumpProbability:
     tasks = sampling.chunks(n, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
-    records = [sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks]
-    return estimate(records, [task.replicate for task in tasks], 0.95, [str(j) for j in range(variables * indices)])
+    records = [
+        sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks
+    ]
+    return estimate(
+        records,
+        [task.replicate for task in tasks],
+        0.95,
+        [str(j) for j in range(variables * indices)],
+    )
 
 
 def test_indices_of_a_linear_model_are_its_squares() -> None:
@@ -302,17 +355,25 @@ def test_indices_of_a_linear_model_are_its_squares() -> None:
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
     limit = math.sqrt(2 * share)
-    studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, False) for seed in range(100)]
+    studies = [
+        estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, False)
+        for seed in range(100)
+    ]
     assert 88 <= sum(study.low <= share <= study.high for study in studies) <= 100
     assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
     # Where the function has no value it may be 1, and all of them are no more than all.
-    assert estimated(lambda u: np.where(u[..., 0] < share, math.nan, 1.0), 2, 1024, 1, False).high == 1.0
+    assert (
+        estimated(lambda u: np.where(u[..., 0] < share, math.nan, 1.0), 2, 1024, 1, False).high
+        == 1.0
+    )
 
 
 @pytest.mark.parametrize("name", ["m", "k", "k_c", "L_0"])
 def test_a_design_at_a_limit_is_allowed(name: str) -> None:
     """Where the range has no least number."""
-    values = dict(m=0.35, k=180e3, k_x=9e3, k_y=0.0, k_c=1.5e6, F_L=420.0, L_0=0.038, theta0=0.9, mu0=0.3)
+    values = dict(
+        m=0.35, k=180e3, k_x=9e3, k_y=0.0, k_c=1.5e6, F_L=420.0, L_0=0.038, theta0=0.9, mu0=0.3
+    )
     designs = space(ss.PhysicalParameters(**values), None, [name])
     assert 0 < getattr(designs.made(designs.limits()[0]), name) < 1e-6 * values[name]
 
@@ -322,14 +383,24 @@ def test_a_design_at_a_limit_is_allowed(name: str) -> None:
 
 @pytest.mark.thorough
 def test_a_probability_with_correlated_normals_is_that_of_plain_samples() -> None:
-    names, mean, sd = ("sigma", "alpha", "mu0"), np.array([0.1, 0.02, 0.55]), np.array([0.01, 0.003, 0.04])
-    law: dict[str, Any] = {name: truncnorm(-6, 6, *each) for name, *each in zip(names, mean, sd, strict=True)}
+    names, mean, sd = (
+        ("sigma", "alpha", "mu0"),
+        np.array([0.1, 0.02, 0.55]),
+        np.array([0.01, 0.003, 0.04]),
+    )
+    law: dict[str, Any] = {
+        name: truncnorm(-6, 6, *each) for name, *each in zip(names, mean, sd, strict=True)
+    }
     law |= {"kappa": 0.007, "beta": 0.0, "theta0": 0.7}
     correlation = {("sigma", "alpha"): 0.95, ("mu0", "sigma"): -0.4, ("alpha", "mu0"): -0.4}
     found = ss.jump_probability(law, correlation=correlation, n=1 << 13, rng=1)
     matrix = np.array([[1, 0.95, -0.4], [0.95, 1, -0.4], [-0.4, -0.4, 1]])
-    sample = np.random.default_rng(2).multivariate_normal(mean, matrix * np.outer(sd, sd), 100_000, check_valid="raise")
-    p = ss.Parameters(**{"kappa": 0.007, "beta": 0.0, "theta0": 0.7} | dict(zip(names, sample.T, strict=True)))
+    sample = np.random.default_rng(2).multivariate_normal(
+        mean, matrix * np.outer(sd, sd), 100_000, check_valid="raise"
+    )
+    p = ss.Parameters(
+        **{"kappa": 0.007, "beta": 0.0, "theta0": 0.7} | dict(zip(names, sample.T, strict=True))
+    )
     plain = float((np.asarray(ss.jump_value(p)) <= p.mu0).mean())
     off = 3 * math.sqrt(plain * (1 - plain) / 1e5)
     assert found.low - off < plain < found.high + off
@@ -345,13 +416,18 @@ def test_a_probability_with_correlated_normals_is_that_of_plain_samples() -> Non
 AT, LATER = BASE.replace(theta0=0.7), BASE.replace(theta0=1.2)
 #: A question that makes no sense, and what its error names.
 MISTAKES: list[tuple[Callable[[], Any], str]] = [
-    (lambda: ss.jump_value(BASE, "V"), "theta0"), (lambda: ss.jump_value(BASE), "theta0"),
+    (lambda: ss.jump_value(BASE, "V"), "theta0"),
+    (lambda: ss.jump_value(BASE), "theta0"),
     (lambda: ss.jump_value(AT, direction="down"), "direction = 'down'"),
     (lambda: ss.jump_value(AT, "kappa", direction="left"), "direction = 'left'"),
     (lambda: ss.certify(LATER, LATER, "no sprag"), "'no sprag'.*'no flutter'"),
-    (lambda: ss.certify(LATER, LATER.replace(mu0=0.1), "no jump"), r"low\.mu0 = 0\.5.*high\.mu0 = 0\.1"),
+    (
+        lambda: ss.certify(LATER, LATER.replace(mu0=0.1), "no jump"),
+        r"low\.mu0 = 0\.5.*high\.mu0 = 0\.1",
+    ),
     (lambda: ss.certify(LATER, LATER.replace(mu0=[0.6, 0.7]), "no jump"), "high"),
-    (lambda: ss.jump_margin(AT, {}), "scale"), (lambda: ss.jump_margin(AT, {"k_x": 1.0}), "'k_x' in scale"),
+    (lambda: ss.jump_margin(AT, {}), "scale"),
+    (lambda: ss.jump_margin(AT, {"k_x": 1.0}), "'k_x' in scale"),
     (lambda: ss.jump_margin(AT, {"mu0": -1.0}), r"scale\['mu0'\] = -1"),
     (lambda: ss.redesign(AT, "beta", {"mu0": 0.7}), "beta = 0.*scale"),
     (lambda: ss.redesign(AT, "sigma", {"sigma": 0.7}), "sigma is the target"),
@@ -373,8 +449,13 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: with_correlation({("sigma", "mu0"): 1.5}), "is not in"),
     (lambda: with_correlation({("sigma", "mu0"): -1.5}), "is not in"),
     (lambda: with_correlation({("sigma", "mu0"): 0.5, ("mu0", "sigma"): 0.5}), "twice"),
-    (lambda: with_correlation({("sigma", "mu0"): 0.9, ("mu0", "kappa"): 0.9, ("sigma", "kappa"): -0.9}), "all be true at once"),
-]  # fmt: skip
+    (
+        lambda: with_correlation(
+            {("sigma", "mu0"): 0.9, ("mu0", "kappa"): 0.9, ("sigma", "kappa"): -0.9}
+        ),
+        "all be true at once",
+    ),
+]
 
 
 def with_correlation(correlation: Any) -> Any:

@@ -15,7 +15,9 @@ BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
 
 def sets(model: Any, ranges: dict[str, tuple[float, float]]) -> tuple[Any, Any]:
     """Corners of a box."""
-    low, high = (model.Parameters(**{name: ends[side] for name, ends in ranges.items()}) for side in (0, 1))
+    low, high = (
+        model.Parameters(**{name: ends[side] for name, ends in ranges.items()}) for side in (0, 1)
+    )
     return low, high
 
 
@@ -41,14 +43,19 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     values = box.whole.low + shares * (box.whole.high - box.whole.low)
     found = box.settled(box.points(values))[0]
     names = dict(zip((*box.free, "mu0"), values, strict=True))
-    jump, known = ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])), found.outcome != OPEN
+    jump, known = (
+        ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])),
+        found.outcome != OPEN,
+    )
     assert known.mean() > 0.98
     assert np.array_equal((found.outcome == ENDS)[known], (jump < names["mu0"])[known])
     assert ((found.safe <= jump) & (jump <= found.top)).all()
 
 
 @pytest.mark.validate
-@pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize(
+    ("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)]
+)
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
     found = ss.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
     theirs = ss.jump_probability(sets(ss.load("kang_nam"), BOX), n=1 << 14, rng=1, sobol=False)
@@ -62,13 +69,19 @@ def test_at_a_fold_and_without_friction() -> None:
     model = ss.load("inclined_belt")
     end = first_end(model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
     assert end is not None
-    below, above = (model.Parameters(theta0=1.0, mu0=end.value * (1 + side)) for side in (-1e-3, 1e-3))
+    below, above = (
+        model.Parameters(theta0=1.0, mu0=end.value * (1 + side)) for side in (-1e-3, 1e-3)
+    )
     assert ss.certify(below, below).outcome == "proved"
     assert ss.certify(above, above).outcome == "refuted"
     assert ss.certify(below, above).outcome == "refuted"
     at = model.Parameters(theta0=1.0, mu0=end.value)
     found = ss.certify(at, at)
-    assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)  # a point can't be halved
+    assert (found.outcome, found.undecided, found.boxes) == (
+        "undecided",
+        1.0,
+        1,
+    )  # a point can't be halved
     none = model.Parameters(theta0=1.0, mu0=0.0)
     assert ss.certify(none, none).outcome == "proved"
 
@@ -81,7 +94,9 @@ def test_flutter_begins_where_its_onset_is_proved() -> None:
     below, close, above = (model.Parameters(mu0=onset * (1 + side)) for side in (-0.5, -1e-4, 1e-4))
     assert ss.certify(below, close, "no flutter").outcome == "proved"
     assert ss.certify(below, above, "no flutter").outcome == "refuted"
-    found = ss.certify(below, model.Parameters(mu0=onset), "no flutter", max_boxes=100, refute=False)
+    found = ss.certify(
+        below, model.Parameters(mu0=onset), "no flutter", max_boxes=100, refute=False
+    )
     assert found.outcome == "undecided"
     assert found.boxes <= 100
     assert found.undecided < 1e-6
@@ -93,12 +108,16 @@ def test_where_two_states_meet() -> None:
     model = ss.load("inclined_belt")
     folds = ss.folds(model.Parameters(theta0=1.0), vary="mu0")
     fold = float(folds.mu0[0])
-    at, below, above = (model.Parameters(theta0=1.0, mu0=fold * (1 + side)) for side in (0.0, -1e-6, 1e-6))
+    at, below, above = (
+        model.Parameters(theta0=1.0, mu0=fold * (1 + side)) for side in (0.0, -1e-6, 1e-6)
+    )
     found = ss.certify(at, at, "one equilibrium", refute=False)
     assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)
     counts = [int(ss.equilibria(p).count) for p in (below, above)]
     for p, count in zip((below, above), counts, strict=True):
-        assert ss.certify(p, p, "one equilibrium").outcome == ("proved" if count == 1 else "refuted")
+        assert ss.certify(p, p, "one equilibrium").outcome == (
+            "proved" if count == 1 else "refuted"
+        )
     assert abs(counts[0] - counts[1]) == 2 or 0 in counts
 
 

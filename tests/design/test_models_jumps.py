@@ -17,7 +17,9 @@ def random_sets(seed: int, number: int) -> Any:
     rng = np.random.default_rng(seed)
     scales = {"kappa": 0.007, "alpha": 0.007, "sigma": 0.1}
     some = {name: scale * 2 ** rng.uniform(-1, 1, number) for name, scale in scales.items()}
-    return SEARCH.Parameters(theta0=rng.uniform(0.3, 1.4, number), beta=rng.uniform(0.0, 0.01, number), **some)
+    return SEARCH.Parameters(
+        theta0=rng.uniform(0.3, 1.4, number), beta=rng.uniform(0.0, 0.01, number), **some
+    )
 
 
 @pytest.mark.by_hand("3000")
@@ -40,7 +42,10 @@ def test_they_are_those_of_closed_forms(number: int) -> None:
 def test_gradients_are_those_of_closed_forms() -> None:
     p = random_sets(2, 20)
     values = p.replace(mu0=[[0.1], [0.2]])  # values of the parameter that varies do not matter
-    found, theirs = ss.jump_gradient(p, method="search", until=3.0), ss.jump_gradient(values, method="closed")
+    found, theirs = (
+        ss.jump_gradient(p, method="search", until=3.0),
+        ss.jump_gradient(values, method="closed"),
+    )
     low = theirs.value < 3.0
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
         np.testing.assert_allclose(getattr(found, name)[low], getattr(theirs, name)[low], rtol=1e-7)
@@ -50,4 +55,6 @@ def test_gradients_are_those_of_closed_forms() -> None:
 
 def test_where_nothing_jumps_there_is_no_slope() -> None:
     for vary in ("mu_s", "v_s"):  # 0 is no v_s
-        assert np.isnan([*ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes.values()]).all()
+        assert np.isnan(
+            [*ss.jump_gradient(ss.load("stick_slip").Parameters(), vary).slopes.values()]
+        ).all()

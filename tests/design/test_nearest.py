@@ -9,12 +9,18 @@ import pytest
 from spragsym.design.design_space import nearest
 
 #: Centres and radii of discs; the nearest point of each lies on the line to its centre.
-DISCS = ((np.array([5.0, 0.0, 0.0]), 1.0), (np.array([0.0, -2.0, 2.0]), 1.0), (np.array([-1.5, 3.0, 3.0]), 0.8))
+DISCS = (
+    (np.array([5.0, 0.0, 0.0]), 1.0),
+    (np.array([0.0, -2.0, 2.0]), 1.0),
+    (np.array([-1.5, 3.0, 3.0]), 0.8),
+)
 LIMITS = (np.full(3, -10.0), np.full(3, 10.0))
 
 
 def in_a_disc(z: Any) -> Any:
-    return np.any([np.linalg.norm(z - centre, axis=-1) <= radius for centre, radius in DISCS], axis=0)
+    return np.any(
+        [np.linalg.norm(z - centre, axis=-1) <= radius for centre, radius in DISCS], axis=0
+    )
 
 
 def on_disc(which: int | None) -> Callable[[Any], Any]:
@@ -23,7 +29,11 @@ def on_disc(which: int | None) -> Callable[[Any], Any]:
     def improved(z: Any) -> Any:
         if not z.any() and which is None:
             return None
-        number = which if not z.any() else int(np.argmin([np.linalg.norm(z - centre) - radius for centre, radius in DISCS]))
+        number = (
+            which
+            if not z.any()
+            else int(np.argmin([np.linalg.norm(z - centre) - radius for centre, radius in DISCS]))
+        )
         assert number is not None
         centre, radius = DISCS[number]
         return centre * (1 - radius / np.linalg.norm(centre))
@@ -32,7 +42,9 @@ def on_disc(which: int | None) -> Callable[[Any], Any]:
 
 
 @pytest.mark.parametrize("first", [None, 0, 1, 2])
-def test_of_several_sheets_the_nearest_one_is_found_whichever_comes_first(first: int | None) -> None:
+def test_of_several_sheets_the_nearest_one_is_found_whichever_comes_first(
+    first: int | None,
+) -> None:
     found = nearest(in_a_disc, LIMITS, on_disc(first))
     assert found is not None
     assert np.linalg.norm(found) == pytest.approx(8**0.5 - 1.0, abs=1e-12)

@@ -24,19 +24,33 @@ page.force(S * k * l * (x / l - 2) * (x / l - 2 - h) * (x / l - 2 - 2 * h) * (x 
 
 def test_no_state_of_one_coordinate_flutters() -> None:
     low = model_of(FOUR_ROOTS, "four_roots").Parameters(P=-1.0)
-    assert ss.certify(low, low.replace(P=1.0, S=1000.0, h=0.1), "no flutter", max_boxes=4).outcome == "proved"
+    assert (
+        ss.certify(low, low.replace(P=1.0, S=1000.0, h=0.1), "no flutter", max_boxes=4).outcome
+        == "proved"
+    )
 
 
 def test_without_friction_a_potential_has_no_flutter() -> None:
     low = ss.load("mode_coupling").Parameters(mu0=0.0)
-    assert ss.certify(low, low.replace(alpha=2.0, sigma=1.0), "no flutter", max_boxes=4).outcome == "proved"
+    assert (
+        ss.certify(low, low.replace(alpha=2.0, sigma=1.0), "no flutter", max_boxes=4).outcome
+        == "proved"
+    )
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("S", [1.0, 1000.0])
 def test_folds_of_roots_that_are_nearly_one_are_told_and_shown(S: float) -> None:
     # With u = (x − 2)/h − 3/2 the force is S h⁴ (u² − 9/4) (u² − 1/4): extrema −1 at u² = 5/4 and 9/16 at u = 0.
-    found = ss.folds(model_of(FOUR_ROOTS, "four_roots").Parameters(S=S), "P", between={"P": (-1.0, 1.0)})
+    found = ss.folds(
+        model_of(FOUR_ROOTS, "four_roots").Parameters(S=S), "P", between={"P": (-1.0, 1.0)}
+    )
     assert np.sort(found.P) == pytest.approx(S * 1e-12 * np.array([-9 / 16, 1.0, 1.0]), rel=1e-6)
-    assert np.sort(found.x) == pytest.approx(2.0015 + 1e-3 * np.sqrt(1.25) * np.array([-1.0, 0.0, 1.0]), abs=1e-9)
-    assert sorted(row[3:5] for row in found.as_table().rows) == [("lower", "up"), ("lower", "up"), ("upper", "down")]
+    assert np.sort(found.x) == pytest.approx(
+        2.0015 + 1e-3 * np.sqrt(1.25) * np.array([-1.0, 0.0, 1.0]), abs=1e-9
+    )
+    assert sorted(row[3:5] for row in found.as_table().rows) == [
+        ("lower", "up"),
+        ("lower", "up"),
+        ("upper", "down"),
+    ]

@@ -15,11 +15,27 @@ from tests.support import ROOT, written_brake
 pytest.importorskip("sympy")
 
 PAGE = (ROOT / "tests/oracles/pages/snapping_truss.py").read_text(encoding="utf-8")
-TRUSS = {"m": "0.35 kg", "k": "1500 N/mm", "b": "38 mm", "h": "11.4 mm", "P": "200 N", "c": "70 N s/m"}
+TRUSS = {
+    "m": "0.35 kg",
+    "k": "1500 N/mm",
+    "b": "38 mm",
+    "h": "11.4 mm",
+    "P": "200 N",
+    "c": "70 N s/m",
+}
 BRAKE = {
-    "m": "0.35 kg", "k": "180 N/mm", "k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm", "F_L": "420 N ± 10 %", "L_0": "38 mm",
-    "theta0": "40 deg", "mu0": "0.45", "V": "0.1 m/s", "d": "10 s/m",
-}  # fmt: skip
+    "m": "0.35 kg",
+    "k": "180 N/mm",
+    "k_x": "9 N/mm",
+    "k_y": "0 N/mm",
+    "k_c": "1500 N/mm",
+    "F_L": "420 N ± 10 %",
+    "L_0": "38 mm",
+    "theta0": "40 deg",
+    "mu0": "0.45",
+    "V": "0.1 m/s",
+    "d": "10 s/m",
+}
 QUICKLY = {"redesign": False, "oscillation": False}
 
 
@@ -32,7 +48,9 @@ def snaps(k: float, b: float, h: float) -> float:
 
 def truss(folder: Path, **changes: str) -> ss.Study:
     model = derived(PAGE, "snapping_truss").as_posix()
-    return ss.Study.from_file(written_brake(folder, {"model": model, **TRUSS, "vary": "P", **changes}), trust=True)
+    return ss.Study.from_file(
+        written_brake(folder, {"model": model, **TRUSS, "vary": "P", **changes}), trust=True
+    )
 
 
 LOAD = snaps(1.5e6, 0.038, 0.0114)
@@ -44,7 +62,9 @@ def weighted(folder: Path, **changes: str) -> ss.Study:
     weight = 'page.parameter("G", "N", "weight", ">= 0", 0.007, becomes="gam")'
     model = derived(f"{text}page.force({weight}, along=w)\n", "weighted_truss").as_posix()
     rows = {**TRUSS, "P": "-200 N ± 10 %", "G": "400 N", "vary": "P", "begin": "-500 N"}
-    return ss.Study.from_file(written_brake(folder, {"model": model, **rows, **changes}), trust=True)
+    return ss.Study.from_file(
+        written_brake(folder, {"model": model, **rows, **changes}), trust=True
+    )
 
 
 @pytest.mark.thorough
@@ -82,8 +102,12 @@ def test_changes_keep_the_load_at_its_target(tmp_path: Path) -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("ends", "outcome"), [((200, 0.9999 * LOAD), "proved"), ((200, 1.0001 * LOAD), "refuted")])
-def test_a_certificate_is_as_sharp_as_the_closed_form(ends: tuple[float, float], outcome: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("ends", "outcome"), [((200, 0.9999 * LOAD), "proved"), ((200, 1.0001 * LOAD), "refuted")]
+)
+def test_a_certificate_is_as_sharp_as_the_closed_form(
+    ends: tuple[float, float], outcome: str, tmp_path: Path
+) -> None:
     found = truss(tmp_path, P=f"[{ends[0]}, {ends[1]}] N").report(**QUICKLY, n=64)
     assert found.certificate is not None
     assert found.certificate.outcome == outcome
@@ -112,7 +136,9 @@ def test_the_probability_is_the_share_of_loads_beyond(tmp_path: Path) -> None:
         ({"vary": "mu0", "begin": "0.2"}, ("begin = 0.2", "leave begin out")),
     ],
 )
-def test_what_can_t_rise_is_said_with_its_line(rows: dict[str, str], named: tuple[str, ...], tmp_path: Path) -> None:
+def test_what_can_t_rise_is_said_with_its_line(
+    rows: dict[str, str], named: tuple[str, ...], tmp_path: Path
+) -> None:
     with pytest.raises(ss.errors.ParameterError) as error:
         ss.Study.from_file(written_brake(tmp_path, BRAKE | rows))
     for part in (*named, ", line "):

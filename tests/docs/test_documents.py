@@ -23,17 +23,30 @@ MODULES = sorted(
     name
     for _, name, package in pkgutil.walk_packages(spragsym.__path__, "spragsym.")
     if not name.endswith("__main__") and ".cli" not in name and ".derive" not in name
-    for path in [ROOT / name.replace(".", "/") / "__init__.py" if package else ROOT / f"{name.replace('.', '/')}.py"]
+    for path in [
+        ROOT / name.replace(".", "/") / "__init__.py"
+        if package
+        else ROOT / f"{name.replace('.', '/')}.py"
+    ]
     if path.is_file() and ">>> " in path.read_text(encoding="utf-8")
 )
 
 #: Modules whose examples take long, or seconds: tests have the same calls.
 LONG = (
-    "spragsym.orbits.branch", "spragsym.orbits.diagram", "spragsym.bifurcation.hopf_curves",
-    "spragsym.figures.curves", "spragsym.design.probability", "spragsym.design.jumps", "spragsym.design.margins",
+    "spragsym.orbits.branch",
+    "spragsym.orbits.diagram",
+    "spragsym.bifurcation.hopf_curves",
+    "spragsym.figures.curves",
+    "spragsym.design.probability",
+    "spragsym.design.jumps",
+    "spragsym.design.margins",
     "spragsym.design.tube_certificates",
-)  # fmt: skip
-SECONDS = ("spragsym.orbits.fate_boundaries", "spragsym.orbits.basin_boundaries", "spragsym.bifurcation.critical")
+)
+SECONDS = (
+    "spragsym.orbits.fate_boundaries",
+    "spragsym.orbits.basin_boundaries",
+    "spragsym.bifurcation.critical",
+)
 #: The others by their room.
 ROOMS = sorted({name.split(".")[1] for name in MODULES if name not in (*LONG, *SECONDS)})
 
@@ -52,7 +65,9 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
             assert failed == 0, one
 
 
-@pytest.mark.parametrize("room", ["numerics", "files", "results", "statics", "bifurcation", "design", "cli"])
+@pytest.mark.parametrize(
+    "room", ["numerics", "files", "results", "statics", "bifurcation", "design", "cli"]
+)
 def test_a_room_has_what_it_offers(room: str) -> None:
     exec(f"from spragsym.{room} import *", {})
 
@@ -66,7 +81,9 @@ def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
                 wanted |= {"Parameters", "Raises"}
             if signature.return_annotation not in (None, "None"):
                 wanted.add("Returns")
-            assert {section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text} == set(), name
+            assert {
+                section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text
+            } == set(), name
 
 
 # -------------------------------------------------------------------------------------------------------- README
@@ -95,7 +112,9 @@ def test_readme_links_and_numbers() -> None:
 
 
 def make_targets() -> set[str]:
-    return set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    return set(
+        re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+    )
 
 
 def test_table_of_corrections_is_the_ledgers() -> None:
@@ -118,7 +137,11 @@ def test_citation() -> None:
     assert cited["version"] == spragsym.__version__
     assert f"## {spragsym.__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     article = cited["references"][0]
-    assert (article["journal"], article["year"], article["volume"]) == ("Applied Sciences", 2020, 10)
+    assert (article["journal"], article["year"], article["volume"]) == (
+        "Applied Sciences",
+        2020,
+        10,
+    )
     assert f"10 ({article['year']}) {article['start']}" in README.read_text(encoding="utf-8")
     assert np.all([person["family-names"] for person in article["authors"]])
 
@@ -137,16 +160,22 @@ def _named_in(page: str) -> int:
     named = re.findall(r"`(test_)?(\w+)\.(\w+)`", (DOCS / f"{page}.md").read_text(encoding="utf-8"))
     for test, module, name in named:
         if test:
-            assert f"def {name}(" in next((ROOT / "tests").rglob(f"test_{module}.py")).read_text(encoding="utf-8"), name
+            assert f"def {name}(" in next((ROOT / "tests").rglob(f"test_{module}.py")).read_text(
+                encoding="utf-8"
+            ), name
         else:
-            assert callable(getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)), name
+            assert callable(
+                getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)
+            ), name
     return len(named)
 
 
 @pytest.mark.parametrize(
     "command",
     [
-        pytest.param(command, marks=pytest.mark.thorough) if command.startswith("spragsym sweep") else command
+        pytest.param(command, marks=pytest.mark.thorough)
+        if command.startswith("spragsym sweep")
+        else command
         for command, _ in commands(DOCS / "command_line.md")
     ],
 )
@@ -157,14 +186,21 @@ def test_command_line_page(command: str, tmp_path: Path) -> None:
 def test_the_page_on_the_command_line_lists_every_command() -> None:
     from spragsym.cli import COMMANDS
 
-    listed = re.findall(r"^\| `(\w+)` \|", (DOCS / "command_line.md").read_text(encoding="utf-8"), re.MULTILINE)
+    listed = re.findall(
+        r"^\| `(\w+)` \|", (DOCS / "command_line.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
     assert sorted(listed) == sorted(COMMANDS)
 
 
 def test_the_reference_has_every_public_name() -> None:
     """By itself, as a module, or among the errors, which come with theirs."""
     page = (DOCS / "api.md").read_text(encoding="utf-8")
-    shown = set(re.findall(r"spragsym\.(?:kang_nam\.)?(\w+)", page)) | {"kang_nam"} | set(vars(spragsym.errors)) | {"__version__"}
+    shown = (
+        set(re.findall(r"spragsym\.(?:kang_nam\.)?(\w+)", page))
+        | {"kang_nam"}
+        | set(vars(spragsym.errors))
+        | {"__version__"}
+    )
     assert set(spragsym.__all__) - shown == set()
 
 
@@ -176,7 +212,11 @@ def test_files_that_contributing_names_exist() -> None:
         for path in (ROOT / room).rglob("*.*")
     ]
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    to_write = ("spragsym/cli/NAME.py", "spragsym/design/snap_energy.py", "derive/emit/targets/text/__init__.py")
+    to_write = (
+        "spragsym/cli/NAME.py",
+        "spragsym/design/snap_energy.py",
+        "derive/emit/targets/text/__init__.py",
+    )
     for name in set(re.findall(r"`([\w/.]+\.(?:py|js|c|toml|html))`", text)) - {*to_write}:
         assert (ROOT / name).is_file() or any(path.endswith(f"/{name}") for path in tracked), name
 
@@ -197,15 +237,29 @@ def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
     for module in ("sphinx", "myst_nb", "numpydoc", "furo"):
         pytest.importorskip(module, exc_type=ImportError)
     done = subprocess.run(
-        [sys.executable, "-m", "sphinx", "-W", "-q", "-D", "nb_execution_mode=off", str(DOCS), str(tmp_path / "html")],
-        capture_output=True, text=True, timeout=600,
-    )  # fmt: skip
+        [
+            sys.executable,
+            "-m",
+            "sphinx",
+            "-W",
+            "-q",
+            "-D",
+            "nb_execution_mode=off",
+            str(DOCS),
+            str(tmp_path / "html"),
+        ],
+        capture_output=True,
+        text=True,
+        timeout=600,
+    )
     assert done.returncode == 0, done.stderr
 
 
 def test_what_the_glossary_names_is_there() -> None:
     """Each term leads to a function or class of the package."""
-    named = re.findall(r"`([a-z_]+(?:\.[a-z_]+)*\.\w+)`", (DOCS / "glossary.md").read_text(encoding="utf-8"))
+    named = re.findall(
+        r"`([a-z_]+(?:\.[a-z_]+)*\.\w+)`", (DOCS / "glossary.md").read_text(encoding="utf-8")
+    )
     assert len(named) > 40
     for path in named:
         module, _, name = path.rpartition(".")

@@ -23,9 +23,19 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 #: What ``pip install spragsym`` brings, by the names of its folders in site-packages.
 RUNTIME = (
-    "numpy", "numpy.libs", "scipy", "scipy.libs", "mpmath", "click", "rich", "pygments", "markdown_it*", "mdurl", "filelock",
+    "numpy",
+    "numpy.libs",
+    "scipy",
+    "scipy.libs",
+    "mpmath",
+    "click",
+    "rich",
+    "pygments",
+    "markdown_it*",
+    "mdurl",
+    "filelock",
     "lazy_loader",
-)  # fmt: skip
+)
 
 
 def sources(folder: Path) -> dict[str, Path]:
@@ -39,11 +49,19 @@ def sources(folder: Path) -> dict[str, Path]:
 
 def test_packages_are_those_of_the_tree() -> None:
     listed = PROJECT["tool"]["setuptools"]["packages"]
-    tree = {name: path for name, path in sources(ROOT / "spragsym").items() if not (ROOT / "spragsym" / path.name).is_symlink()}
+    tree = {
+        name: path
+        for name, path in sources(ROOT / "spragsym").items()
+        if not (ROOT / "spragsym" / path.name).is_symlink()
+    }
     for folder in ("derive", "generated"):
         tree |= {f"spragsym.{name}": path for name, path in sources(ROOT / folder).items()}
     # A target language is found by its folder, by setuptools too: as data of the registry's package.
-    tree = {name: path for name, path in tree.items() if not name.startswith("spragsym.derive.emit.targets.")}
+    tree = {
+        name: path
+        for name, path in tree.items()
+        if not name.startswith("spragsym.derive.emit.targets.")
+    }
     assert sorted(listed) == sorted(tree)
     assert len(listed) == len(set(listed))
 
@@ -55,7 +73,10 @@ def test_parts_are_found_beside_the_package_where_there_are_no_links(tmp_path: P
     for name in ("__init__.py", "__init__.pyi"):
         shutil.copy(ROOT / "spragsym" / name, tmp_path / "spragsym")
     program = "import spragsym.derive; print(spragsym.derive.name, spragsym.generated.name)"
-    assert subprocess.check_output([sys.executable, "-c", program], cwd=tmp_path, text=True) == "derive generated\n"
+    assert (
+        subprocess.check_output([sys.executable, "-c", program], cwd=tmp_path, text=True)
+        == "derive generated\n"
+    )
 
 
 # ------------------------------------------------------------------------------------------------------ archives
@@ -64,7 +85,9 @@ def test_parts_are_found_beside_the_package_where_there_are_no_links(tmp_path: P
 def clone(folder: Path) -> Path:
     """A copy of the tree as Git would give it, named spragsym."""
     copy = folder / "spragsym"
-    ignored = shutil.ignore_patterns(".git", ".venv", "__pycache__", "*.egg-info", ".*_cache", "*.so", "node_modules")
+    ignored = shutil.ignore_patterns(
+        ".git", ".venv", "__pycache__", "*.egg-info", ".*_cache", "*.so", "node_modules"
+    )
     shutil.copytree(ROOT, copy, symlinks=True, ignore=ignored)
     return copy
 
@@ -81,8 +104,11 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     copy = clone(tmp_path_factory.mktemp("tree"))
     done = subprocess.run(
         [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(copy)],
-        env=os.environ | {"CC": "/bin/false"}, capture_output=True, text=True, timeout=300,
-    )  # fmt: skip
+        env=os.environ | {"CC": "/bin/false"},
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
     assert done.returncode == 0, done.stderr
     (wheel,), (sdist,) = out.glob("*.whl"), out.glob("*.tar.gz")
     return wheel, sdist
@@ -91,12 +117,16 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 def committed(*folders: str) -> set[str]:
     """Files of the tree below some folders, without what tools leave there."""
     skipped = {"__pycache__", "_build", "jupyter_execute"}
-    links = [ROOT / "spragsym" / name for name in ("derive", "generated")]  # without symbolic links, files
+    links = [
+        ROOT / "spragsym" / name for name in ("derive", "generated")
+    ]  # without symbolic links, files
     paths = (path for folder in folders for path in (ROOT / folder).rglob("*") if path not in links)
     return {
         path.relative_to(ROOT).as_posix()
         for path in paths
-        if path.is_file() and not skipped & set(path.parts) and path.suffix not in (".pyc", ".so", ".pyd")
+        if path.is_file()
+        and not skipped & set(path.parts)
+        and path.suffix not in (".pyc", ".so", ".pyd")
     }
 
 
@@ -108,8 +138,17 @@ def test_the_wheel_holds_all_of_the_package(archives: tuple[Path, Path]) -> None
         assert f"spragsym/{path}" in names
     for path in committed("spragsym"):
         assert path in names
-    assert {name.split("/")[0] for name in names} == {"spragsym", f"spragsym-{spragsym.__version__}.dist-info"}
-    for name in ("generated/c/spragsym.h", "generated/c/spragsym.c", "generated/ledger.json", "generated/LEDGER.md", "py.typed"):
+    assert {name.split("/")[0] for name in names} == {
+        "spragsym",
+        f"spragsym-{spragsym.__version__}.dist-info",
+    }
+    for name in (
+        "generated/c/spragsym.h",
+        "generated/c/spragsym.c",
+        "generated/ledger.json",
+        "generated/LEDGER.md",
+        "py.typed",
+    ):
         assert f"spragsym/{name}" in names
     assert any(name.endswith("licenses/LICENSE") for name in names)
 
@@ -119,7 +158,15 @@ def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Pat
     with tarfile.open(archives[1]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
     wanted = committed("derive", "generated", "spragsym", "tests", "benchmarks", "docs")
-    wanted |= {"Makefile", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "CONTRIBUTING.md", "constraints.txt"}
+    wanted |= {
+        "Makefile",
+        "README.md",
+        "LICENSE",
+        "CITATION.cff",
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+        "constraints.txt",
+    }
     wanted |= {"pyproject.toml", ".ci/run", ".ci/compiled.py", ".pre-commit-config.yaml"}
     assert wanted - names == set()
     assert not any("__pycache__" in name for name in names)
@@ -140,9 +187,24 @@ def extensions(wheel: Path) -> list[str]:
 def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
     """What pip makes of the source distribution where ``CC`` is that compiler."""
     done = subprocess.run(
-        [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--no-index", "-w", out, sdist],
-        env=os.environ | {"CC": compiler}, capture_output=True, text=True, timeout=300,
-    )  # fmt: skip
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "wheel",
+            "--quiet",
+            "--no-deps",
+            "--no-build-isolation",
+            "--no-index",
+            "-w",
+            out,
+            sdist,
+        ],
+        env=os.environ | {"CC": compiler},
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
     assert done.returncode == 0, done.stderr
     (wheel,) = out.glob("*.whl")
     return wheel
@@ -157,7 +219,9 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
     hasty.chmod(0o755)
     wheel = wheel_by(str(hasty), archives[1], tmp_path)
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    assert sorted(extensions(wheel)) == [f"spragsym/{name}{suffix}" for name in ("kang_nam/quartic/_compiled", "motion/_carried")]
+    assert sorted(extensions(wheel)) == [
+        f"spragsym/{name}{suffix}" for name in ("kang_nam/quartic/_compiled", "motion/_carried")
+    ]
     assert not wheel.name.endswith("-none-any.whl")
 
 
@@ -170,7 +234,10 @@ def environment(home: Path, wheel: Path | None) -> Path:
         pytest.skip("needs links to what is installed")
     venv.create(home, with_pip=False, symlinks=True)
     interpreter = home / "bin/python"
-    here, there = Path(sysconfig.get_paths()["purelib"]), home / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}"
+    here, there = (
+        Path(sysconfig.get_paths()["purelib"]),
+        home / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}",
+    )
     for name in RUNTIME:
         for path in (*here.glob(name), *here.glob(f"{name.partition('.')[0]}-*.dist-info")):
             link = there / "site-packages" / path.name
@@ -194,7 +261,9 @@ def python(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Run it away from the tree, without a word of this environment."""
     command = [python, "-I", "-W", "error", *arguments]
-    return subprocess.run(command, cwd=python.parent, env=NO_ENVIRONMENT, capture_output=True, text=True, timeout=120)
+    return subprocess.run(
+        command, cwd=python.parent, env=NO_ENVIRONMENT, capture_output=True, text=True, timeout=120
+    )
 
 
 @pytest.mark.thorough
@@ -217,11 +286,27 @@ def test_runtime_without_extras(python: Path) -> None:
 
 @pytest.mark.thorough
 def test_commands_without_extras(python: Path) -> None:
-    assert call(python, "-m", "spragsym", "--version").stdout == f"spragsym, version {spragsym.__version__}\n"
+    assert (
+        call(python, "-m", "spragsym", "--version").stdout
+        == f"spragsym, version {spragsym.__version__}\n"
+    )
     done = call(python, "-m", "spragsym", "equilibria", "--theta0", "30", "--json")
     assert len(json.loads(done.stdout)["equilibria"]) == 4, done.stderr
-    for language in ("c", "javascript", "matlab"):  # put together from what was generated, without SymPy
-        done = call(python, "-m", "spragsym", "export", "--language", language, "--out", str(python.parent / language))
+    for language in (
+        "c",
+        "javascript",
+        "matlab",
+    ):  # put together from what was generated, without SymPy
+        done = call(
+            python,
+            "-m",
+            "spragsym",
+            "export",
+            "--language",
+            language,
+            "--out",
+            str(python.parent / language),
+        )
         assert done.returncode == 0, done.stderr
     for name in ("c/spragsym.c", "javascript/spragsym.mjs", "matlab/+spragsym/kernel.m"):
         assert (python.parent / name).is_file()
@@ -234,8 +319,14 @@ def test_commands_without_extras(python: Path) -> None:
         pytest.param(["bifurcation", "--plot", "a.pdf"], "plot", marks=pytest.mark.thorough),
         pytest.param(["figures", "--out", "figures"], "plot", marks=pytest.mark.thorough),
         (["simulate", "--theta0", "49", "--backend", "heyoka"], "fast"),
-        pytest.param(["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough),
-        pytest.param(["sweep", "--theta0", "49", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough),
+        pytest.param(
+            ["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"],
+            "sweep",
+            marks=pytest.mark.thorough,
+        ),
+        pytest.param(
+            ["sweep", "--theta0", "49", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough
+        ),
     ],
 )
 def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str) -> None:

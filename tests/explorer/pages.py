@@ -26,7 +26,9 @@ def chromium() -> Iterator[Any]:
         pytest.skip("no chromium on this machine")
     playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     with playwright.sync_playwright() as tool:
-        browser = tool.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--enable-unsafe-swiftshader"])
+        browser = tool.chromium.launch(
+            executable_path=CHROMIUM, args=["--no-sandbox", "--enable-unsafe-swiftshader"]
+        )
         yield browser
         browser.close()
 
@@ -47,7 +49,13 @@ class Explorer:
             ),
         )
         page.on("pageerror", lambda error: self.errors.append(str(error)))
-        page.on("request", lambda request: request.url.startswith(("file:", "blob:", "data:")) or self.errors.append(request.url))
+        page.on(
+            "request",
+            lambda request: (
+                request.url.startswith(("file:", "blob:", "data:"))
+                or self.errors.append(request.url)
+            ),
+        )
 
     def open(self, hash: str = "") -> None:
         if self.page.url.startswith("about:"):
@@ -59,7 +67,9 @@ class Explorer:
 
     def settle(self) -> None:
         """Wait for two pictures: what was dragged is taken up once for each."""
-        self.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.page.evaluate(
+            "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+        )
 
     def at(self, theta0: float, mu0: float) -> tuple[float, float]:
         """Where a point of the plane is on the screen."""

@@ -60,8 +60,14 @@ def test_a_cell_of_a_notebook_shows_it_at_the_point() -> None:
 def test_sliders_hold_allowed_values_on_both_sides_of_the_base() -> None:
     for model in map(ss.load, shipped()):
         for entry in described(model, [])["parameters"]:
-            low, high = (math.radians(entry[end]) if entry["angle"] else entry[end] for end in ("low", "high"))
-            allowed, base = model.Parameters.ranges[entry["name"]], model.base.get(entry["name"], high)
+            low, high = (
+                math.radians(entry[end]) if entry["angle"] else entry[end]
+                for end in ("low", "high")
+            )
+            allowed, base = (
+                model.Parameters.ranges[entry["name"]],
+                model.base.get(entry["name"], high),
+            )
             assert allowed.contains(low)
             assert allowed.contains(high)
             assert low <= base <= high
@@ -72,26 +78,55 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     """The dimensionless numbers by hand from those of the example file, and a model that the page can't compute refused."""
     pytest.importorskip("pint", reason="pint is not installed")
     data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
-    assert CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code == 0
+    assert (
+        CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code
+        == 0
+    )
     (text,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
     said = json.loads(text)
     force, second = 1500e3 * 0.038, math.sqrt(0.35 / 1500e3)
-    wanted = {"theta0": math.radians(52), "mu0": 0.45, "kappa": 420 / force, "alpha": 9 / 1500, "sigma": 180 / 1500, "beta": 0.0}
+    wanted = {
+        "theta0": math.radians(52),
+        "mu0": 0.45,
+        "kappa": 420 / force,
+        "alpha": 9 / 1500,
+        "sigma": 180 / 1500,
+        "beta": 0.0,
+    }
     wanted |= {"V": 1.2 * second / 0.038, "d": 10 * 0.038 / second}
     assert said["presets"][0]["point"] == pytest.approx(wanted, rel=1e-12)
     units = said["units"]
     assert [units["length"], units["time"], units["force"]] == [
-        [pytest.approx(38), "mm"], [pytest.approx(second), "s"], [pytest.approx(force), "N"],
-    ]  # fmt: skip
-    given = {"kappa": ["F_L", 420, "N"], "alpha": ["k_x", 9, "N/mm"], "sigma": ["k", 180, "N/mm"], "V": ["V", 1.2, "m/s"]}
+        [pytest.approx(38), "mm"],
+        [pytest.approx(second), "s"],
+        [pytest.approx(force), "N"],
+    ]
+    given = {
+        "kappa": ["F_L", 420, "N"],
+        "alpha": ["k_x", 9, "N/mm"],
+        "sigma": ["k", 180, "N/mm"],
+        "V": ["V", 1.2, "m/s"],
+    }
     for name, (quantity, value, unit) in given.items():
         assert units["parameters"][name] == [quantity, pytest.approx(value / wanted[name]), unit]
-    named = CliRunner().invoke(explore, ["--data", str(data), "--model", "trolley", "--out", str(out), "--no-open"]).exception
+    named = (
+        CliRunner()
+        .invoke(
+            explore, ["--data", str(data), "--model", "trolley", "--out", str(out), "--no-open"]
+        )
+        .exception
+    )
     assert isinstance(named, ss.ParameterError)
     assert "is about kang_nam" in str(named)
     other = tmp_path / "other.toml"
-    other.write_text(data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8")
-    problem = CliRunner().invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"]).exception
+    other.write_text(
+        data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8"
+    )
+    problem = (
+        CliRunner()
+        .invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"])
+        .exception
+    )
     assert isinstance(problem, ss.SpragsymError)
 
 
@@ -135,14 +170,22 @@ def python_states(point: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float6
 
 @pytest.mark.parametrize(
     "changes",
-    [{}, {"kappa": 0.02, "alpha": 0.5, "sigma": 2.0}, {"kappa": 0.5499, "alpha": 0.8771, "sigma": 0.022509, "beta": 4.455}],
+    [
+        {},
+        {"kappa": 0.02, "alpha": 0.5, "sigma": 2.0},
+        {"kappa": 0.5499, "alpha": 0.8771, "sigma": 0.022509, "beta": 4.455},
+    ],
 )
 def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) -> None:
     """A cusp, a point where the curve turns back, none; the marks are no more than a drawing of what is said."""
     explorer.open("".join(f"&{name}={value}" for name, value in changes.items())[1:])
     says = explorer.page.locator("#lowest")
     theirs = ss.critical_friction(BASE.replace(**changes))
-    words = {"cusp": ", a cusp.", "turn": ", where the curve of folds turns back.", "": "No fold ends"}[theirs.kind]
+    words = {
+        "cusp": ", a cusp.",
+        "turn": ", where the curve of folds turns back.",
+        "": "No fold ends",
+    }[theirs.kind]
     says.filter(has_text=words).wait_for()
     if theirs.kind:
         friction, angle = re.findall(r"= ([\d.]+)", says.inner_text())
@@ -180,7 +223,9 @@ def test_around_the_cusp_there_is_no_jump(explorer: Explorer) -> None:
     explorer.open()
     explorer.drag((30, 0.5), (60, 0.5))
     assert "jump" in explorer.says()
-    assert around == pytest.approx(explorer.theta(), abs=1.0)  # the same sheet; a pixel is half a degree
+    assert around == pytest.approx(
+        explorer.theta(), abs=1.0
+    )  # the same sheet; a pixel is half a degree
 
 
 @pytest.mark.thorough
@@ -201,7 +246,10 @@ def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
     page.fill("#theta0_deg", "49")
     page.fill("#pace", "60")
     page.click("#restart")
-    page.wait_for_function("document.querySelector('#motion_says').textContent.startsWith('off the belt')", timeout=10_000)
+    page.wait_for_function(
+        "document.querySelector('#motion_says').textContent.startsWith('off the belt')",
+        timeout=10_000,
+    )
     before = page.get_attribute("#mass", "x")
     explorer.settle()
     assert page.get_attribute("#mass", "x") != before
@@ -221,7 +269,9 @@ def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
     said = explorer.page.evaluate(
         "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent.trim()))"
     )
-    heads = explorer.page.evaluate("[...document.querySelectorAll('#states th')].map(c => c.textContent)")
+    heads = explorer.page.evaluate(
+        "[...document.querySelectorAll('#states th')].map(c => c.textContent)"
+    )
     column = {name: [row[place] for row in said] for place, name in enumerate(heads)}
     rows = 0
     for contact, name in ((True, "contact"), (False, "lift-off")):

@@ -20,7 +20,9 @@ def ax() -> Any:
 def drawn(lines: Any) -> tuple[np.ndarray, np.ndarray]:
     """All points of some lines of more than one point each."""
     data = [line.get_data() for line in lines if hasattr(line, "get_data")]
-    return tuple(np.concatenate([np.asarray(pair[axis], dtype=float) for pair in data]) for axis in (0, 1))  # type: ignore[return-value]
+    return tuple(
+        np.concatenate([np.asarray(pair[axis], dtype=float) for pair in data]) for axis in (0, 1)
+    )  # type: ignore[return-value]
 
 
 def test_a_path_and_the_states_of_a_turning_rod_share_an_axis(ax: Any) -> None:

@@ -25,5 +25,11 @@ def test_committed_drawings_are_those_of_the_pages(name: str, drawings: dict[str
 
 
 def test_words_of_a_page_begin_below_a_drawing_with_blank_lines() -> None:
-    about = {"drawing": "A block.\n\n::\n\n    top\n\n    middle\n\n    end\n\nIt slides:\n\n    F = 1"}
-    assert title_drawing_words(about) == ("A block.", "top\n\nmiddle\n\nend", ["It slides:", "    F = 1"])
+    about = {
+        "drawing": "A block.\n\n::\n\n    top\n\n    middle\n\n    end\n\nIt slides:\n\n    F = 1"
+    }
+    assert title_drawing_words(about) == (
+        "A block.",
+        "top\n\nmiddle\n\nend",
+        ["It slides:", "    F = 1"],
+    )

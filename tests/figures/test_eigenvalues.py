@@ -33,14 +33,18 @@ def test_the_picture_shows_what_the_matrices_say() -> None:
     p = ss.load("mode_coupling").Parameters()
     figure = eigenvalue_figure(p, "mu0", low=0.0, high=1.0, n=12)
     (meet,) = ss.flutter_onsets(p, "mu0", damping=False, between={"mu0": (0.0, 1.0)}).mu0
-    frequency, growth = ({name: np.asarray(column) for name, column in figure.tables[key].items()} for key in "ab")
+    frequency, growth = (
+        {name: np.asarray(column) for name, column in figure.tables[key].items()} for key in "ab"
+    )
     mu0, undamped = growth["mu0"], np.array([growth[f"undamped_{i}"] for i in range(1, 5)])
     assert (undamped[:, mu0 < meet] == 0).all()
     assert (undamped.max(axis=0)[mu0 > meet] > 0).all()
     for i in range(0, len(mu0), 7):
         eq = ss.equilibria(p.replace(mu0=mu0[i]))
         shown = [growth[f"damped_{k}"][i] + 1j * frequency[f"damped_{k}"][i] for k in range(1, 5)]
-        np.testing.assert_allclose(np.sort_complex(shown), np.sort_complex(eq.damped_eigenvalues[0]), atol=1e-12)
+        np.testing.assert_allclose(
+            np.sort_complex(shown), np.sort_complex(eq.damped_eigenvalues[0]), atol=1e-12
+        )
     for k in range(1, 5):  # each column is one curve: no mode jumps to another
         assert np.abs(np.diff(frequency[f"damped_{k}"])).max() < 0.1
     drawn = np.concatenate([line.get_ydata() for line in figure.axes[0].lines])
@@ -57,5 +61,8 @@ def test_the_command_draws_them_and_refuses_what_is_no_curve(tmp_path: Path) -> 
     assert (done.exit_code, "growth Re $\\lambda$ (units of" in target.read_text()) == (0, True)
     rows = [row for point in json.loads(done.stdout)["points"] for row in point["equilibria"]]
     assert all(row["growth"] == max(real for real, _ in row["damped_eigenvalues"]) for row in rows)
-    for more in (["mu0=0.3:0.4", "--alpha", "1,2", "--plot", "a.svg"], ["mu0=0.3:0.4", "--plot", "a.gif"]):
+    for more in (
+        ["mu0=0.3:0.4", "--alpha", "1,2", "--plot", "a.svg"],
+        ["mu0=0.3:0.4", "--plot", "a.gif"],
+    ):
         assert CliRunner().invoke(cli, [*COUPLED, *more]).exit_code != 0

@@ -18,21 +18,51 @@ from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib wa
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
 from spragsym.cli.article import figures as command  # noqa: E402  # after matplotlib was found
-from spragsym.figures import FIGURES, Sheet, bifurcation_sets, curves, fate_map_figure, figure_11, figure_12, style, write  # noqa: E402  # after matplotlib was found
+from spragsym.figures import (  # noqa: E402  # after matplotlib was found
+    FIGURES,
+    Sheet,
+    bifurcation_sets,
+    curves,
+    fate_map_figure,
+    figure_11,
+    figure_12,
+    style,
+    write,
+)
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
 
 #: Panels of each figure, and options that make it quick.
 PANELS = {
-    "3": 2, "4": 4, "5": 4, "6": 2, "7": 2, "8": 1, "9": 1, "10": 1, "11": 1, "12": 1, "13": 2, "14": 2,
-    "cusp-friction": 4, "cycles": 1, "cycles-plane": 1, "false-double-root": 2, "rms-map": 1, "sensitivity": 3,
-}  # fmt: skip
+    "3": 2,
+    "4": 4,
+    "5": 4,
+    "6": 2,
+    "7": 2,
+    "8": 1,
+    "9": 1,
+    "10": 1,
+    "11": 1,
+    "12": 1,
+    "13": 2,
+    "14": 2,
+    "cusp-friction": 4,
+    "cycles": 1,
+    "cycles-plane": 1,
+    "false-double-root": 2,
+    "rms-map": 1,
+    "sensitivity": 3,
+}
 QUICK: dict[str, dict[str, Any]] = {
-    "7": {"step_deg": 30.0}, "11": {"detail": 0.3}, "14": {"detail": 0.3}, "cusp-friction": {"n": 4},
+    "7": {"step_deg": 30.0},
+    "11": {"detail": 0.3},
+    "14": {"detail": 0.3},
+    "cusp-friction": {"n": 4},
     "cycles-plane": {"frictions": (), "curves": ()},
-    "rms-map": {"step_deg": 45.0, "step_mu0": 0.5, "levels": 1}, "sensitivity": {"step_deg": 10.0},
-}  # fmt: skip
+    "rms-map": {"step_deg": 45.0, "step_mu0": 0.5, "levels": 1},
+    "sensitivity": {"step_deg": 10.0},
+}
 
 
 #: The others take a second each.
@@ -68,7 +98,10 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     assert axes[0].get_ylabel()
     letters = {ax.get_title(loc="left") for ax in axes} | {text.get_text() for text in figure.texts}
     assert len(axes) == 1 or {f"({letter})" for letter in "abcd"[: len(axes)]} <= letters
-    assert sorted({panel[0] for panel in figure.tables}) == list("abcd"[: len(axes)])[: len(figure.tables)]
+    assert (
+        sorted({panel[0] for panel in figure.tables})
+        == list("abcd"[: len(axes)])[: len(figure.tables)]
+    )
     without = ("12", "cusp-friction", "false-double-root")
     assert "assumption" in figure.caption or "our choice" in figure.caption or name in without
     if name.isdigit():
@@ -85,21 +118,31 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
 
 def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> None:
     drawn = (getattr(ss.figures, name) for name in ss.figures.__all__)
-    asked = [(draw, *inspect.signature(draw).parameters) for draw in drawn if inspect.isfunction(draw)]
+    asked = [
+        (draw, *inspect.signature(draw).parameters) for draw in drawn if inspect.isfunction(draw)
+    ]
     of_parameters = [(draw, more) for draw, *more in asked if more[:1] == ["p"]]
     assert len(of_parameters) == 7
     for draw, more in of_parameters:
         needed = dict.fromkeys({"theta0", "mu0", "ends"} & {*more}, (0.0, 1.0))
-        with pytest.raises(ss.ParameterTypeError, match="p = 'stick_slip' is no set of parameters; make one"):
+        with pytest.raises(
+            ss.ParameterTypeError, match="p = 'stick_slip' is no set of parameters; make one"
+        ):
             draw("stick_slip", **needed)
-    for draw in (one for one, *more in asked if more[:1] in (["result"], ["found"], ["path"], ["motion"], ["turns"], ["branch"])):
+    for draw in (
+        one
+        for one, *more in asked
+        if more[:1] in (["result"], ["found"], ["path"], ["motion"], ["turns"], ["branch"])
+    ):
         with pytest.raises(ss.ParameterTypeError, match=r"= 'stick_slip' is no \w+; give "):
             draw("stick_slip")
 
 
 def test_branches_end_at_the_exact_folds() -> None:
     turns = ss.folds(P)
-    ends = [(end, branch.values[end], branch.x[end]) for branch in curves.branches(P) for end in (0, -1)]
+    ends = [
+        (end, branch.values[end], branch.x[end]) for branch in curves.branches(P) for end in (0, -1)
+    ]
     for theta0, x in zip(turns.theta0, turns.x, strict=True):
         assert sum((value, state) == (theta0, x) for _, value, state in ends) == 2
 
@@ -118,16 +161,22 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
     places = np.stack([rng.uniform(3, 177, 60), rng.uniform(0.03, 0.97, 60)], axis=-1)
     covered: list[list[tuple[int, float]]] = [[] for _ in places]
     for i, place in enumerate(places):
-        box = (place >= cells[..., :2].min(axis=1)).all(axis=-1) & (place <= cells[..., :2].max(axis=1)).all(axis=-1)
+        box = (place >= cells[..., :2].min(axis=1)).all(axis=-1) & (
+            place <= cells[..., :2].max(axis=1)
+        ).all(axis=-1)
         for cell, kind in zip(cells[box], kinds[box], strict=True):
             if Outline(cell[:, :2]).contains_point(place):
                 covered[i].append((int(kind), float(cell[:, 2].mean())))
     wrong = 0
     for place, states in zip(places, covered, strict=True):
         eq = ss.equilibria(p.replace(theta0=np.radians(place[0]), mu0=place[1]))
-        expected = sorted((int(code), float(x)) for code, x in zip(eq.stability, eq.x, strict=True) if code)
+        expected = sorted(
+            (int(code), float(x)) for code, x in zip(eq.stability, eq.x, strict=True) if code
+        )
         same = [code for code, _ in expected] == [code for code, _ in sorted(states)]
-        wrong += not (same and np.allclose([x for _, x in expected], [x for _, x in sorted(states)], atol=0.1))
+        wrong += not (
+            same and np.allclose([x for _, x in expected], [x for _, x in sorted(states)], atol=0.1)
+        )
     assert wrong <= 3  # within a cell of an edge
 
 
@@ -151,7 +200,9 @@ def test_the_false_double_root() -> None:
 def test_undecided_motions_that_are_irregular_stand_out() -> None:
     found = ss.fate_map(P.replace(theta0=[0.5, 0.6], mu0=[[0.4], [0.5]]), V=0.5, d=10.0, t_end=20.0)
     assert not found.kind.any()  # all are undecided so early
-    found = replace(found, exponent=np.array([[1.0, 0.0], [0.0, 0.0]]), exponent_error=np.full((2, 2), 0.5))
+    found = replace(
+        found, exponent=np.array([[1.0, 0.0], [0.0, 0.0]]), exponent_error=np.full((2, 2), 0.5)
+    )
     marks = {line.get_marker(): line.get_xydata() for line in fate_map_figure(found).axes[0].lines}
     assert marks["+"] == pytest.approx(np.array([[np.degrees(0.5), 0.4]]))
     assert len(marks["x"]) == 3
@@ -165,17 +216,24 @@ def test_undecided_motions_that_are_irregular_stand_out() -> None:
 def test_files_have_the_same_bytes_every_time(tmp_path: Path, kinds: tuple[str, ...]) -> None:
     for folder in ("one", "two"):
         paths = write(figure_11(detail=0.2), tmp_path / folder, "figure_11", kinds)
-        assert [path.name for path in paths[: len(kinds) + 1]] == [*(f"figure_11.{kind}" for kind in kinds), "figure_11.txt"]
+        assert [path.name for path in paths[: len(kinds) + 1]] == [
+            *(f"figure_11.{kind}" for kind in kinds),
+            "figure_11.txt",
+        ]
     for path in (tmp_path / "one").iterdir():
         assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes(), path.name
     for kind in kinds:
         content = (tmp_path / "one" / f"figure_11.{kind}").read_bytes()
-        assert not any(word in content for word in (b"CreationDate", b"dc:date", b"Software", b"Matplotlib"))
+        assert not any(
+            word in content for word in (b"CreationDate", b"dc:date", b"Software", b"Matplotlib")
+        )
 
 
 @pytest.mark.thorough
 def test_command(tmp_path: Path) -> None:
-    result = CliRunner().invoke(command, ["--only", "3,12", "13", "--out", str(tmp_path), "--format", "png,svg", "-j", "1"])
+    result = CliRunner().invoke(
+        command, ["--only", "3,12", "13", "--out", str(tmp_path), "--format", "png,svg", "-j", "1"]
+    )
     assert result.exit_code == 0, result.output
     written = [Path(line) for line in result.stdout.splitlines()]
     assert all(path.is_file() for path in written)
@@ -187,6 +245,8 @@ def test_command(tmp_path: Path) -> None:
 def test_a_notebook_shows_a_figure() -> None:
     assert figure_12()._repr_png_().startswith(b"\x89PNG")
     with style.house_style():
-        matplotlib.interactive(True)  # as the backend of a notebook does when pyplot is first imported
+        matplotlib.interactive(
+            True
+        )  # as the backend of a notebook does when pyplot is first imported
     assert matplotlib.is_interactive()
     matplotlib.interactive(False)

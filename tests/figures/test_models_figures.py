@@ -38,7 +38,16 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
     assert np.allclose(lines[-1].get_ydata(), found.cusps.mu0)
 
 
-@pytest.mark.by_hand("trolley", "pad_on_disc", "two_springs", "sprag_rod", "stribeck", "cubic_contact", "damped", "inclined_belt")
+@pytest.mark.by_hand(
+    "trolley",
+    "pad_on_disc",
+    "two_springs",
+    "sprag_rod",
+    "stribeck",
+    "cubic_contact",
+    "damped",
+    "inclined_belt",
+)
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(shipped(), "mode_coupling"))
 def test_curves_pass_through_all_equilibria(name, ax):
@@ -61,7 +70,13 @@ def test_curves_pass_through_all_equilibria(name, ax):
     turns = ss.folds(p, vary, between={vary: (float(low), float(high))})
     for value, state in zip(getattr(turns, vary), getattr(turns, first), strict=True):
         ends = [(one.values[end], one.states[first][end]) for one in found for end in (0, -1)]
-        assert sum(at == pytest.approx(value, abs=1e-9) and place == pytest.approx(state, abs=1e-6) for at, place in ends) == 2
+        assert (
+            sum(
+                at == pytest.approx(value, abs=1e-9) and place == pytest.approx(state, abs=1e-6)
+                for at, place in ends
+            )
+            == 2
+        )
     lines = figures.plot_equilibria(p, vary=vary, ax=ax, n=20)
     assert lines == ax.get_lines()
     assert ax.get_xlabel()
@@ -72,17 +87,39 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
     """Of the article's model and of one that turns: a row for each coordinate, with its plane and its spectrum."""
     seen = []
     drawn = figures.motion_figure
-    monkeypatch.setattr(figures, "motion_figure", lambda *args: seen.append(drawn(*args)) or seen[-1])
+    monkeypatch.setattr(
+        figures, "motion_figure", lambda *args: seen.append(drawn(*args)) or seen[-1]
+    )
     for name, more in (("kang_nam", ""), ("sprag_rod", "")):
         model = ss.load(name)
         rows = [f'model = "{name}"']
         units = {entry["name"]: entry["unit"] for entry in model.about["units"]}
         units |= {entry["quantity"]: entry["quantity_unit"] for entry in model.about["parameters"]}
-        size = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "rad": 0.7, "N": 420.0, "1": 0.3, "m/s": 1.2, "s/m": 10.0}
-        rows += [f'{key} = "{size.get(unit, 0.01)!r} {unit if unit != "1" else ""}"' for key, unit in units.items()]
+        size = {
+            "kg": 0.35,
+            "N/m": 1.5e6,
+            "m": 0.038,
+            "rad": 0.7,
+            "N": 420.0,
+            "1": 0.3,
+            "m/s": 1.2,
+            "s/m": 10.0,
+        }
+        rows += [
+            f'{key} = "{size.get(unit, 0.01)!r} {unit if unit != "1" else ""}"'
+            for key, unit in units.items()
+        ]
         file = tmp_path / f"{name}.toml"
         file.write_text("\n".join(["[brake]", *rows, more]), encoding="utf-8")
-        run("simulate", "--data", str(file), "--t-end", "60", "--plot", str(tmp_path / f"{name}.svg"))
+        run(
+            "simulate",
+            "--data",
+            str(file),
+            "--t-end",
+            "60",
+            "--plot",
+            str(tmp_path / f"{name}.svg"),
+        )
     article, rod = seen
     assert [ax.get_ylabel() for ax in article.axes[:2]] == ["$x$ (mm)", r"$\dot{x}$ (mm/s)"]
     assert len(article.axes) == 3 * 2

@@ -41,16 +41,35 @@ def test_a_user_s_files_beside_and_behind_a_link_stay(tmp_path: Path, run: Run) 
     victim = tmp_path / "victim"
     victim.write_text("mine")
     (tmp_path / "e.csv.new").symlink_to(victim)
-    grid = ("--theta0", "40,50", "--t-end", "20", "--transient", "10", "--backend", "scipy", "-q", "--force")
+    grid = (
+        "--theta0",
+        "40,50",
+        "--t-end",
+        "20",
+        "--transient",
+        "10",
+        "--backend",
+        "scipy",
+        "-q",
+        "--force",
+    )
     out.write_text("old")
     run("sweep", *grid, "-o", str(out))
     run("sweep", *grid, "-o", str(tmp_path / "e.csv"))
     assert out.read_text().startswith("theta0")
     assert [(tmp_path / name).read_text() for name in (*names, "victim")] == ["mine"] * 3
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["d.csv", *names, "e.csv", "e.csv.new", "victim"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "d.csv",
+        *names,
+        "e.csv",
+        "e.csv.new",
+        "victim",
+    ]
 
 
-def test_a_failed_write_leaves_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failed_write_leaves_what_was_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "page.html"
     storage.put(path, "before")
     path.chmod(0o640)
@@ -62,9 +81,14 @@ def test_a_failed_write_leaves_what_was_there(tmp_path: Path, monkeypatch: pytes
         disk.setattr(storage, "write_all", full)
         with pytest.raises(StoreError, match=r"page\.html cannot be written: No space left"):
             storage.put(path, "after")
-    assert (path.read_text(), [entry.name for entry in tmp_path.iterdir()]) == ("before", ["page.html"])
+    assert (path.read_text(), [entry.name for entry in tmp_path.iterdir()]) == (
+        "before",
+        ["page.html"],
+    )
     # What a killed process leaves is removed, what one that runs is at is not, and no name is taken that is there.
-    dead, alive = (tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (2**22 + 5, os.getpid()))
+    dead, alive = (
+        tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (2**22 + 5, os.getpid())
+    )
     dead.write_text("half")
     alive.write_text("half")
     storage.put(path, "after")
@@ -72,11 +96,17 @@ def test_a_failed_write_leaves_what_was_there(tmp_path: Path, monkeypatch: pytes
     assert (dead.exists(), alive.exists()) == (os.name != "posix", True)
 
 
-@pytest.mark.parametrize("words", [
-    ("explore", "--no-open", "--out", "{}/e.html"), ("report", "{}/b.toml", "--html", "/dev/null/r.html"),
-    ("bifurcation", "--plot", "{}/missing/p.svg"), ("figures", "--only", "4", "-q", "--out", "/dev/null/figures"),
-    ("export", "--out", "/proc/nowhere"), ("simulate", "--theta0", "49", "-o", "{}/missing/r.csv"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("explore", "--no-open", "--out", "{}/e.html"),
+        ("report", "{}/b.toml", "--html", "/dev/null/r.html"),
+        ("bifurcation", "--plot", "{}/missing/p.svg"),
+        ("figures", "--only", "4", "-q", "--out", "/dev/null/figures"),
+        ("export", "--out", "/proc/nowhere"),
+        ("simulate", "--theta0", "49", "-o", "{}/missing/r.csv"),
+    ],
+)
 def test_a_target_is_tried_before_the_work(
     words: tuple[str, ...], tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -94,7 +124,10 @@ def test_deriving_again_leaves_what_others_wrote(folder: Path, tmp_path: Path, r
     for name in ("notes.txt", "results.csv", "mypage.py"):
         (out / name).write_bytes(PAGE.read_bytes())
     run("derive", str(out / "mypage.py"), "--out", str(out), "--force")
-    assert all((out / name).read_bytes() == PAGE.read_bytes() for name in ("notes.txt", "results.csv", "mypage.py"))
+    assert all(
+        (out / name).read_bytes() == PAGE.read_bytes()
+        for name in ("notes.txt", "results.csv", "mypage.py")
+    )
     assert ss.load(out).name == "mypage"
     alien = tmp_path / "alien"
     alien.mkdir()
@@ -104,7 +137,10 @@ def test_deriving_again_leaves_what_others_wrote(folder: Path, tmp_path: Path, r
 
 
 def test_every_changed_byte_of_a_folder_is_refused(folder: Path, tmp_path: Path) -> None:
-    rng, wholes = np.random.default_rng(61), {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    rng, wholes = (
+        np.random.default_rng(61),
+        {path: path.read_bytes() for path in folder.iterdir() if path.is_file()},
+    )
     out = Path(shutil.copytree(folder, tmp_path / "model"))
     for _ in range(40):
         path = rng.choice(sorted(wholes))
@@ -130,8 +166,14 @@ def test_the_code_that_runs_is_what_was_verified(folder: Path, tmp_path: Path) -
 def test_a_data_file_runs_no_code_unasked(folder: Path, tmp_path: Path, run: Run) -> None:
     data = tmp_path / "b.toml"
     text_of = run("report", "--example", "--model", "stick_slip")
-    data.write_text(text_of.replace('model = "stick_slip"', f'model = "{folder.as_posix()}"'), encoding="utf-8")
-    for words in (("report", str(data)), ("equilibria", "--data", str(data)), ("explore", "--no-open", "--data", str(data))):
+    data.write_text(
+        text_of.replace('model = "stick_slip"', f'model = "{folder.as_posix()}"'), encoding="utf-8"
+    )
+    for words in (
+        ("report", str(data)),
+        ("equilibria", "--data", str(data)),
+        ("explore", "--no-open", "--data", str(data)),
+    ):
         assert "if you trust it" in run(*words, code=2)
     with pytest.raises(ParameterError, match="whose code runs"):
         ss.Study.from_file(data)
@@ -176,12 +218,22 @@ def test_a_job_in_the_background_ignores_ctrl_c() -> None:
     assert (done.returncode, "contact" in done.stdout) == (0, True)
 
 
-def test_who_works_on_a_journal_is_told_and_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin) -> None:
-    path, code = tmp_path / "rms.csv", "\n".join([
-        "import sys, time; from pathlib import Path; from spragsym.files.journal import journal",
-        "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)",
-    ])  # fmt: skip
-    with journal(path, "a", 2), pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"):
+def test_who_works_on_a_journal_is_told_and_a_killed_process_holds_nothing(
+    tmp_path: Path, begin: Begin
+) -> None:
+    path, code = (
+        tmp_path / "rms.csv",
+        "\n".join(
+            [
+                "import sys, time; from pathlib import Path; from spragsym.files.journal import journal",
+                "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)",
+            ]
+        ),
+    )
+    with (
+        journal(path, "a", 2),
+        pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"),
+    ):
         journal(path, "a", 2).__enter__()
     process = begin([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None

@@ -46,7 +46,11 @@ def _met(value: Any) -> int:
 @cache
 def _functions() -> dict[str, Any]:
     """The generated functions that the kernel calls and those beside them, from the derivation."""
-    return {function.name: function for part in (equilibrium, stability) for function in part.module().functions}
+    return {
+        function.name: function
+        for part in (equilibrium, stability)
+        for function in part.module().functions
+    }
 
 
 @cache
@@ -64,9 +68,12 @@ def _independent() -> dict[str, float]:
     eighth = Met(8)  # the uncertainty is at least eight roundings
     trace, _, flutter = kernel.invariants(eighth, eighth, eighth, *[exact] * 5)
     found = {
-        "COUNT_P": it.P, "COUNT_Q": it.Q, "COUNT_E1": kernel.t_quartic(*line)[1], "COUNT_F": kernel.f(*at, *line),
+        "COUNT_P": it.P,
+        "COUNT_Q": it.Q,
+        "COUNT_E1": kernel.t_quartic(*line)[1],
+        "COUNT_F": kernel.f(*at, *line),
         "COUNT_SLOPE": kernel.f_slope(*at, *line),
-    }  # fmt: skip
+    }
     counts = {name: value.count + 1.0 for name, value in found.items()}
     counts["COUNT_STATE"] = max(L.count, y.count, math.ceil(x.count / 2)) + 1.0
     counts["COUNT_K"] = math.ceil(max(trace.count, flutter.count) / 8) + 1.0
@@ -79,7 +86,9 @@ def test_derived_counts_are_the_committed_ones() -> None:
         assert getattr(emitted, name) == count
 
 
-@pytest.mark.parametrize("name", ["COUNT_P", "COUNT_Q", "COUNT_E1", "COUNT_F", "COUNT_SLOPE", "COUNT_STATE", "COUNT_K"])
+@pytest.mark.parametrize(
+    "name", ["COUNT_P", "COUNT_Q", "COUNT_E1", "COUNT_F", "COUNT_SLOPE", "COUNT_STATE", "COUNT_K"]
+)
 def test_no_count_is_below_the_independent_one_nor_far_above(name: str) -> None:
     """Sums are counted for any order of their terms, so that a count may be above what the printed order needs."""
     wanted = _independent()[name]

@@ -22,7 +22,10 @@ def test_multiple_roots_are_counted() -> None:
     elimination.__dict__["full"] = primitive(with_roots(third, third, third, half, half, other))
     for bits in (1, 90):
         roots = elimination.roots(bits)
-        assert all(root.low <= true <= root.high for root, true in zip(roots, (third, half, other), strict=True))
+        assert all(
+            root.low <= true <= root.high
+            for root, true in zip(roots, (third, half, other), strict=True)
+        )
         assert [elimination.multiplicity(root) for root in roots] == [3, 2, 1]
 
 
@@ -34,7 +37,9 @@ def test_directions_end_before_180_degrees() -> None:
     assert [(root.low, root.high) for root in elimination.roots(60)] == [(none, none), (half, half)]
 
 
-def test_a_boundary_is_touched_at_an_even_root_of_one_length(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_boundary_is_touched_at_an_even_root_of_one_length(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """Where the discriminant's slope may be 0: else nothing is said."""
     given = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0))
     assert {onset.side for onset in exact_onsets(*given)} == {1, -1}
@@ -60,10 +65,16 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
     rng, kinds = np.random.default_rng(77), set()
     for _ in range(40):
         p = random_fluttering(rng)
-        values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
+        values = [
+            Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
+        ]
         for onset in exact_onsets(*values):
-            states = adaptive_precision.equilibria(Fraction(middle_of(onset.parameters[0])), *values).states
-            nearest = int(np.argmin([abs(float(state.theta) - middle_of(onset.theta)) for state in states]))
+            states = adaptive_precision.equilibria(
+                Fraction(middle_of(onset.parameters[0])), *values
+            ).states
+            nearest = int(
+                np.argmin([abs(float(state.theta) - middle_of(onset.theta)) for state in states])
+            )
             assert (onset.branch, onset.count) == (nearest, len(states))
             assert balls.sign(onset.y) < 0
             kinds.add((onset.branch, onset.count))

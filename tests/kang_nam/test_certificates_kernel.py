@@ -36,9 +36,9 @@ def _random(rng: np.random.Generator, n: int) -> Array:
     rows = np.stack([10.0 ** rng.uniform(*ends, n) for ends in DECADES])
     rows[0] = rng.uniform(0.01, math.pi - 0.01, n)
     near = rng.random(n) < 0.3
-    rows[0, near] = rng.choice([0.0, math.pi / 2, math.pi], near.sum()) + 10.0 ** rng.uniform(-4, -1, near.sum()) * rng.choice(
-        [-1, 1], near.sum()
-    )
+    rows[0, near] = rng.choice([0.0, math.pi / 2, math.pi], near.sum()) + 10.0 ** rng.uniform(
+        -4, -1, near.sum()
+    ) * rng.choice([-1, 1], near.sum())
     rows[0] = np.clip(np.abs(rows[0]), 1e-4, math.pi - 1e-4)
     for index in (1, 3, 5):
         rows[index, rng.random(n) < 0.1] = 0.0
@@ -52,7 +52,9 @@ def _stored(rows: Array) -> Array:
 def _point(rows: Array, nbar: int, dtype: type = np.float32) -> Point:
     """cos θ₀, sin θ₀ and the others: as the type rounds them, exact for float64."""
     theta0, *others = rows
-    return Point(*(value.astype(dtype) for value in (np.cos(theta0), np.sin(theta0), *others)), dtype(nbar))
+    return Point(
+        *(value.astype(dtype) for value in (np.cos(theta0), np.sin(theta0), *others)), dtype(nbar)
+    )
 
 
 def _line(rows: Array, nbar: int) -> Balance:
@@ -111,7 +113,12 @@ def _sized(value: Any) -> Sized:
 
 
 def _sizes_of_the_cubic(line: Balance) -> tuple[Sized, Sized]:
-    a, b, d, m = Sized(line.a, line.a_size), Sized(line.b), Sized(line.d, line.d_size), Sized(line.m)
+    a, b, d, m = (
+        Sized(line.a, line.a_size),
+        Sized(line.b),
+        Sized(line.d, line.d_size),
+        Sized(line.m),
+    )
     r0, r1, r2 = generated.resolvent.__wrapped__(a, b, d, m)
     mean = r2 / 3
     return (r1 - r2 * mean) / 3, (r0 - mean * (r1 - 2 * mean * mean)) / 2
@@ -122,12 +129,16 @@ def test_the_discriminants_bound_has_every_term_and_nothing_else(u: float) -> No
     """P and Q off by all that their counts allow, then four roundings: at least that, and little more."""
     line = _true_line(_random(np.random.default_rng(30), 20000), 1)
     P, Q = _sizes_of_the_cubic(line)
-    off_P, off_Q = (count * u * part.size for count, part in ((kernel.COUNT_P, P), (kernel.COUNT_Q, Q)))
+    off_P, off_Q = (
+        count * u * part.size for count, part in ((kernel.COUNT_P, P), (kernel.COUNT_Q, Q))
+    )
     P_size, Q_size = np.abs(P.value) + off_P, np.abs(Q.value) + off_Q
     by_P = off_P * (3 * P.value**2 + 3 * np.abs(P.value) * off_P + off_P**2)
     by_Q = off_Q * (2 * np.abs(Q.value) + off_Q)
     needed = by_P + by_Q + 4 * u * (np.abs(P.value) ** 3 + Q.value**2)
-    enough = 3 * P_size**2 * off_P + 2 * Q_size * off_Q + 4 * u * (P_size**2 * P.size + Q_size * Q.size)
+    enough = (
+        3 * P_size**2 * off_P + 2 * Q_size * off_Q + 4 * u * (P_size**2 * P.size + Q_size * Q.size)
+    )
     value, error = kernel.discriminant(line, kernel.cubic(*line[:4]), u)
     np.testing.assert_allclose(value, P.value**3 + Q.value**2, atol=1e-13, rtol=1e-9)
     assert (error >= needed * (1 - 1e-9)).all()
@@ -148,7 +159,9 @@ def test_one_positive_is_said_only_where_the_sign_is_sure_and_wherever_it_is(nba
         at.append(a + d)
     zero = at[0] / (at[0] - at[1])
     near = (zero > 0) & (zero < 50) & (rng.random(40000) < 0.7)
-    rows[1, near] = zero[near] * (1 + rng.choice([-1, 1], near.sum()) * 10.0 ** rng.uniform(-8, -2, near.sum()))
+    rows[1, near] = zero[near] * (
+        1 + rng.choice([-1, 1], near.sum()) * 10.0 ** rng.uniform(-8, -2, near.sum())
+    )
     rows = _stored(rows)
     line, true = _line(rows, nbar), _true_line(rows, nbar)
     assert (np.abs([line.a, line.d]) <= np.array([line.a_size, line.d_size]) * (1 + 1e-5)).all()
@@ -166,24 +179,41 @@ def test_one_positive_is_said_only_where_the_sign_is_sure_and_wherever_it_is(nba
 def _true_root(theta: Array, line: Any) -> Array:
     """The root of f next to θ by Newton's method in float64."""
     for _ in range(8):
-        theta = theta - kernel.f(np.cos(theta), np.sin(theta), *line) / kernel.f_slope(np.cos(theta), np.sin(theta), *line)
+        theta = theta - kernel.f(np.cos(theta), np.sin(theta), *line) / kernel.f_slope(
+            np.cos(theta), np.sin(theta), *line
+        )
     return theta
 
 
-def _at_roots(rows: Array, nbar: int, rng: np.random.Generator, off: float) -> tuple[dict[str, Array], dict[str, Array]]:
+def _at_roots(
+    rows: Array, nbar: int, rng: np.random.Generator, off: float
+) -> tuple[dict[str, Array], dict[str, Array]]:
     """What the kernel says at a root that is a little off, and the truth; only where a root is proved."""
     line, true = _line(rows, nbar), _true_line(rows, nbar)
     halves = kernel.factors(kernel.quartic(*true[:4]), kernel.cubic(*true[:4]))
     first, second = kernel.root_pair(halves.p1, halves.q1), kernel.root_pair(halves.p2, halves.q2)
-    t = np.choose(rng.integers(0, 4, rows.shape[1]), [first.large, first.small, second.large, second.small])
+    t = np.choose(
+        rng.integers(0, 4, rows.shape[1]), [first.large, first.small, second.large, second.small]
+    )
     t32 = (t * (1 + off * rng.normal(0, 1, t.size))).astype(np.float32)
     got = kernel.at_root(t32, _point(rows, nbar), line, U)._asdict()
     proved = np.isfinite(got["radius"])
     got = {name: np.broadcast_to(value, proved.shape)[proved] for name, value in got.items()}
     got["theta"] = 2 * np.arctan(t32[proved].astype(float))
-    theta = _true_root(got["theta"], [np.broadcast_to(value, proved.shape)[proved] for value in true[:4]])
+    theta = _true_root(
+        got["theta"], [np.broadcast_to(value, proved.shape)[proved] for value in true[:4]]
+    )
     exact = _point(rows[:, proved], nbar, np.float64)
-    L, x, y = kernel.state(np.cos(theta), np.sin(theta), exact.cos0, exact.sin0, exact.kappa, exact.sigma, exact.beta, nbar)
+    L, x, y = kernel.state(
+        np.cos(theta),
+        np.sin(theta),
+        exact.cos0,
+        exact.sin0,
+        exact.kappa,
+        exact.sigma,
+        exact.beta,
+        nbar,
+    )
     return got, {"theta": theta, "L": L, "x": x, "y": y}
 
 
@@ -198,7 +228,10 @@ def test_radius_and_error_of_a_state_hold(nbar: int, off: float, least: float) -
         got, true = _at_roots(_random(rng, 40000), nbar, rng, off)
         assert got["theta"].size > 10000
         radius = np.abs(got["theta"] - true["theta"]) / got["radius"]
-        each = [np.abs(got[name] - true[name]) / np.maximum(1, np.abs(got[name])) / got["error"] for name in true]
+        each = [
+            np.abs(got[name] - true[name]) / np.maximum(1, np.abs(got[name])) / got["error"]
+            for name in true
+        ]
         assert np.nanmax(radius) <= 1
         radii.append(float(np.nanmax(radius)))
         shares += [float(np.nanmax(one)) for one in each]
@@ -224,9 +257,19 @@ def test_cosine_and_sine_to_a_unit_in_the_last_place() -> None:
     """At random, and next to 0, π/4, π/2, 3π/4 and π."""
     rng = np.random.default_rng(15)
     places = np.array([0.0, 0.25, 0.5, 0.75, 1.0]) * math.pi
-    around = [place + rng.choice([-1, 1], 120) * 10.0 ** rng.uniform(-16, -1, 120) for place in places]
+    around = [
+        place + rng.choice([-1, 1], 120) * 10.0 ** rng.uniform(-16, -1, 120) for place in places
+    ]
     x = np.concatenate([rng.uniform(0, math.pi, 400), *around])
-    x = np.concatenate([x, places[1:4], np.nextafter(places[1:4], 0), np.nextafter(places[1:4], 4), [5e-324, 1e-300]])
+    x = np.concatenate(
+        [
+            x,
+            places[1:4],
+            np.nextafter(places[1:4], 0),
+            np.nextafter(places[1:4], 4),
+            [5e-324, 1e-300],
+        ]
+    )
     x = x[(x > 0) & (x < math.pi)]
     cosine, sine = kernel.cosine_and_sine(x)
     with mpmath.workdps(50):
@@ -239,11 +282,20 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     """At random over decades, of both signs, and next to where its pieces meet."""
     rng = np.random.default_rng(16)
     places = np.array([0.4375, 0.5, 0.6875, 1.0, 1.1875, 1.5, 2.4375])
-    t = np.concatenate([10.0 ** rng.uniform(-300, 300, 400), rng.uniform(0, 3, 2500), places, np.nextafter(places, 0)])
+    t = np.concatenate(
+        [
+            10.0 ** rng.uniform(-300, 300, 400),
+            rng.uniform(0, 3, 2500),
+            places,
+            np.nextafter(places, 0),
+        ]
+    )
     t = np.concatenate([t, -t, [0.0]])
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):
-            assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
+            assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(
+                float(angle)
+            )
 
 
 # ------------------------------------------------------------------------------------------------------- ranges
@@ -256,7 +308,9 @@ def test_what_underflow_may_touch_is_not_sound() -> None:
     for name in ("sin0", "mu0", "kappa", "alpha", "sigma", "beta"):
         fine = FINE._replace(beta=0.0, nbar=0.0) if name == "kappa" else FINE
         for value in (0.0, 0.99e-250, 1e-250):
-            assert bool(kernel.sound(fine._replace(**{name: value}))) == (value == 0 and name in ("mu0", "alpha", "beta"))
+            assert bool(kernel.sound(fine._replace(**{name: value}))) == (
+                value == 0 and name in ("mu0", "alpha", "beta")
+            )
         assert kernel.sound(fine._replace(**{name: 1.01e-250}))
 
 
@@ -279,7 +333,10 @@ def _moved(theta: Any, radius: Any, point: Point) -> list[Any]:
     for part in (-1.0, -0.5, 0.5, 1.0):
         turned = theta + part * radius
         there = kernel.state(np.cos(turned), np.sin(turned), *rest)
-        change = [np.maximum(most, np.abs(new - old)) for most, new, old in zip(change, there, here, strict=True)]
+        change = [
+            np.maximum(most, np.abs(new - old))
+            for most, new, old in zip(change, there, here, strict=True)
+        ]
     return [(radius, 1.0), *zip(change, here, strict=True)]
 
 
@@ -311,12 +368,25 @@ def test_the_radius_moves_the_state_by_no_more_than_the_error(size: float) -> No
     x_off, x = _moved(theta, inside, point)[2]
     most = np.maximum(_needed(_moved(theta, inside, point)), x_off / np.maximum(1, dividing))
     assert tight.sum() > 400
-    for zone in (dividing < 0.6, (dividing > 1.2) & (root.L > 1.3 * np.abs(x)), (dividing > 1.2) & (np.abs(x) > 1.05 * root.L)):
+    for zone in (
+        dividing < 0.6,
+        (dividing > 1.2) & (root.L > 1.3 * np.abs(x)),
+        (dividing > 1.2) & (np.abs(x) > 1.05 * root.L),
+    ):
         assert (tight & zone).sum() > 10
         assert (root.error < 1.06 * most)[tight & zone].all()
 
 
-def _border(share: float, radius: float, u: float, bend: float, nbar: int, which: str, theta: float, sigma: float) -> Root:
+def _border(
+    share: float,
+    radius: float,
+    u: float,
+    bend: float,
+    nbar: int,
+    which: str,
+    theta: float,
+    sigma: float,
+) -> Root:
     """A root where L or y is ``share`` of what the radius and the roundings may change, by the choice of κ; f rises there."""
     beta, mu0, alpha = 0.7, 0.5, 0.3
     point = Point(math.cos(1.0), math.sin(1.0), mu0, 0.0, alpha, sigma, beta, float(nbar))
@@ -329,27 +399,42 @@ def _border(share: float, radius: float, u: float, bend: float, nbar: int, which
     point = point._replace(kappa=zero)
     index = ("L", "x", "y").index(which)
     moved = _moved(theta, 1.0001 * radius, point)[1 + index][0]
-    terms = (sigma * abs(s) + stiff * point.sin0 + zero) / (q * abs(s)), 0.0, (sigma * (point.sin0 + abs(s)) + zero) / q
-    moved *= 2 if which == "L" else 1  # the bound takes all of L for what moves, of which σ/q, half of it here, does not
+    terms = (
+        (sigma * abs(s) + stiff * point.sin0 + zero) / (q * abs(s)),
+        0.0,
+        (sigma * (point.sin0 + abs(s)) + zero) / q,
+    )
+    moved *= (
+        2 if which == "L" else 1
+    )  # the bound takes all of L for what moves, of which σ/q, half of it here, does not
     off = share * (moved + kernel.COUNT_STATE * u * terms[index])
     # dL/dκ = 1/(q s), dy/dκ = −1/q
     point = point._replace(kappa=zero + off * (q * s if which == "L" else -q))
     t, line = _forced(theta, radius / (1 + radius * bend))
     root = kernel.at_root(t, point, line._replace(d_size=bend), u)
-    assert getattr(root, which) == pytest.approx(off, rel=1e-5, abs=1e-14) or (which == "y" and root.y == 0 < off)
+    assert getattr(root, which) == pytest.approx(off, rel=1e-5, abs=1e-14) or (
+        which == "y" and root.y == 0 < off
+    )
     return root
 
 
-@pytest.mark.parametrize(("radius", "u", "bend"), [(1e-5, 0.0, 3e4), (1e-4, 0.0, 0.0), (0.0, 1e-4, 0.0)])
+@pytest.mark.parametrize(
+    ("radius", "u", "bend"), [(1e-5, 0.0, 3e4), (1e-4, 0.0, 0.0), (0.0, 1e-4, 0.0)]
+)
 @pytest.mark.parametrize(("nbar", "which"), [(0, "L"), (0, "y"), (1, "y")])
 def test_a_root_is_a_member_or_an_outsider_exactly_where_its_errors_leave_no_doubt(
     radius: float, u: float, bend: float, nbar: int, which: str
 ) -> None:
     # Where f is monotone up to the border y = 0, no doubt is left: f rises, so that the mass is in contact.
-    for sigma, theta in itertools.product((4.0, 30.0), (-0.7, -2.2, -1.4) if which == "L" else (0.3, 2.9, 0.6)):
+    for sigma, theta in itertools.product(
+        (4.0, 30.0), (-0.7, -2.2, -1.4) if which == "L" else (0.3, 2.9, 0.6)
+    ):
         side = 1 if which == "L" or not nbar else -1
         for share, sure in ((0.97, False), (1.05, True)):
-            good, bad = (_border(way * side * share, radius, u, bend, nbar, which, theta, sigma) for way in (1, -1))
+            good, bad = (
+                _border(way * side * share, radius, u, bend, nbar, which, theta, sigma)
+                for way in (1, -1)
+            )
             ordered = which == "y" and not bend and not sure
             assert bool(bad.outsider) == (sure or (ordered and nbar == 0))
             assert bool(bad.member) == (ordered and nbar == 1)
@@ -384,7 +469,12 @@ def test_the_error_has_the_roundings_of_every_part(nbar: int) -> None:
     L, _, y = kernel.state(c, Sized(s), point.cos0, point.sin0, kappa, sigma, beta, nbar)
     count = kernel.COUNT_STATE * u
     off_x = count * (2 * L.size * np.abs(c) + np.abs(point.cos0))
-    parts = [(kernel.COUNT_THETA * u, 1.0), (count * L.size, root.L), (off_x, root.x), (count * y.size, root.y)]
+    parts = [
+        (kernel.COUNT_THETA * u, 1.0),
+        (count * L.size, root.L),
+        (off_x, root.x),
+        (count * y.size, root.y),
+    ]
     inside = root.L > 0
     assert (root.error >= _needed(parts) * (1 - 1e-6))[inside].all()
     smaller = np.maximum(1, np.minimum(root.L, np.abs(root.x)))
@@ -408,7 +498,9 @@ def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
     root = kernel.at_root(t, FINE._replace(cos0=0.0, sin0=1.0, kappa=30.0), line, u)
     assert abs(root.L) > 8
     L_size = (1.0 + 2.0 * 1.0 + 30.0) / 3.0
-    assert told == [pytest.approx(max(radius, kernel.COUNT_STATE * u * L_size / abs(root.L)) + 8 * u, rel=2e-3)]
+    assert told == [
+        pytest.approx(max(radius, kernel.COUNT_STATE * u * L_size / abs(root.L)) + 8 * u, rel=2e-3)
+    ]
 
 
 # -------------------------------------------------------------------------------------------------- one or three
@@ -420,7 +512,9 @@ def test_roots_above_a_number_are_counted() -> None:
     rng, seen = np.random.default_rng(91), set()
     for _ in range(4000):
         positive, negative = np.sort(10.0 ** rng.uniform(-1, 1, 3)), -(10.0 ** rng.uniform(-1, 1))
-        coefficients = np.polynomial.polynomial.polyfromroots([*positive, negative]) * 10.0 ** rng.uniform(-1, 1)
+        coefficients = np.polynomial.polynomial.polyfromroots(
+            [*positive, negative]
+        ) * 10.0 ** rng.uniform(-1, 1)
         c = rng.choice([rng.uniform(0, positive[0]), rng.uniform(positive[1], positive[2])])
         found = kernel.above(*coefficients[1:], c, 0.0)
         assert (bool(found.all), bool(found.one)) == (c < positive[0], c > positive[0])
@@ -447,16 +541,24 @@ def test_one_or_three_is_the_number_wherever_it_is_said(seed: int) -> None:
 
 def test_no_root_lies_beyond_the_upper_end_of_contact() -> None:
     """|b| − a s > α q s for s < s* = sin θ₀ − κ/σ, as polynomials with positive coefficients; and what f is then."""
-    s, rise, excess, alpha, beta, sigma, mu0, cosine, cos0 = sp.symbols("s rise excess alpha beta sigma mu0 c c0", positive=True)
+    s, rise, excess, alpha, beta, sigma, mu0, cosine, cos0 = sp.symbols(
+        "s rise excess alpha beta sigma mu0 c c0", positive=True
+    )
     level, B = s + rise, beta + 1
-    a, b, d, m = kernel.f_coefficients(cos0, level + excess, mu0, sigma * excess, alpha, sigma, beta, 1)
-    surplus = sp.Poly(sp.expand(-b - a * s - alpha * (B + sigma) * s), s, rise, excess, alpha, beta, sigma)
+    a, b, d, m = kernel.f_coefficients(
+        cos0, level + excess, mu0, sigma * excess, alpha, sigma, beta, 1
+    )
+    surplus = sp.Poly(
+        sp.expand(-b - a * s - alpha * (B + sigma) * s), s, rise, excess, alpha, beta, sigma
+    )
     assert all(coefficient > 0 for coefficient in surplus.coeffs())
     f = kernel.f(-cosine, s, a, b, d, m)
     assert sp.expand(f - (cosine * (-b - a * s) + s * (m * rise + alpha * (B + sigma) * cos0))) == 0
 
 
-def _patched(monkeypatch: pytest.MonkeyPatch, line: Balance, e1: float, value: float, found: kernel.Above) -> list[Any]:
+def _patched(
+    monkeypatch: pytest.MonkeyPatch, line: Balance, e1: float, value: float, found: kernel.Above
+) -> list[Any]:
     """One point whose quartic, discriminant and roots in contact are as given; what is asked of the last."""
     asked: list[Any] = []
     monkeypatch.setattr(kernel, "balance", lambda _: line)
@@ -473,7 +575,10 @@ def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> N
     margin = 2.0**-16  # 512 √u (1 + 0.25 + 0.75)
     below = -2.0 * kernel.COUNT_E1 * u
     for value, e1, every, one in itertools.product(
-        (-1.5, -1.0, 0.0, 1.0, 1.5), (-1.0, 0.9 * below, 0.0, margin, 1.01 * margin), (False, True), (False, True)
+        (-1.5, -1.0, 0.0, 1.0, 1.5),
+        (-1.0, 0.9 * below, 0.0, margin, 1.01 * margin),
+        (False, True),
+        (False, True),
     ):
         asked = _patched(monkeypatch, line, e1, value, kernel.Above(every, one))
         three = value < -1 and e1 > margin
@@ -500,12 +605,21 @@ def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, Balance]:
     order = np.argsort(rng.random((4, n)), axis=0)
     columns = np.arange(n)
     one, other, *rest = order
-    left = [newton - sum(values[k, columns] * part for k, part in zip(rest, free, strict=True)),
-            1 - sum(slopes[k, columns] * part for k, part in zip(rest, free, strict=True))]  # fmt: skip
-    determinant = values[one, columns] * slopes[other, columns] - values[other, columns] * slopes[one, columns]
+    left = [
+        newton - sum(values[k, columns] * part for k, part in zip(rest, free, strict=True)),
+        1 - sum(slopes[k, columns] * part for k, part in zip(rest, free, strict=True)),
+    ]
+    determinant = (
+        values[one, columns] * slopes[other, columns]
+        - values[other, columns] * slopes[one, columns]
+    )
     line = np.empty((4, n))
-    line[one, columns] = (left[0] * slopes[other, columns] - left[1] * values[other, columns]) / determinant
-    line[other, columns] = (left[1] * values[one, columns] - left[0] * slopes[one, columns]) / determinant
+    line[one, columns] = (
+        left[0] * slopes[other, columns] - left[1] * values[other, columns]
+    ) / determinant
+    line[other, columns] = (
+        left[1] * values[one, columns] - left[0] * slopes[one, columns]
+    ) / determinant
     line[rest[0], columns], line[rest[1], columns] = free
     a, b, d, m = line
     return theta, newton, Balance(a, b, d, np.abs(m), np.abs(a), np.abs(d), 1.0)
@@ -518,7 +632,9 @@ def test_a_root_is_proved_where_kantorovichs_theorem_proves_it() -> None:
     t = np.tan(theta / 2)
     c, s = kernel.direction(t)
     value = np.abs(line.a * c * s + line.b * c + line.d * s - line.m * s * s)
-    slope = np.abs(line.a * np.cos(2 * theta) - line.b * s + line.d * c - line.m * np.sin(2 * theta))
+    slope = np.abs(
+        line.a * np.cos(2 * theta) - line.b * s + line.d * c - line.m * np.sin(2 * theta)
+    )
     bend = 2 * np.abs(line.a) + 2 * line.m + np.abs(line.b) + np.abs(line.d)  # f″, term by term
     newton, h = value / slope, value * bend / slope**2
     good = slope > 1e-6 * bend  # the rest cancels too much to be a reference
@@ -547,7 +663,9 @@ def test_the_radius_has_the_roundings_of_f_and_of_its_slope(u: float) -> None:
     t = np.tan(theta / 2)
     c, s = kernel.direction(t)
     a, b, d, m = rng.choice([-1, 1], (4, n)) * 10.0 ** rng.uniform(-3, 0, (4, n))
-    few = 10.0 ** rng.uniform(-9, 1, (2, n))  # sizes may be anything: they stand for terms that cancelled
+    few = 10.0 ** rng.uniform(
+        -9, 1, (2, n)
+    )  # sizes may be anything: they stand for terms that cancelled
     line = Balance(a, -np.abs(b), d, np.abs(m), few[0], few[1], 1.0)
     arguments = Sized(c), Sized(s), Sized(a, few[0]), Sized(line.b), Sized(d, few[1]), Sized(line.m)
     value, slope = kernel.f(*arguments), kernel.f_slope(*arguments)
@@ -570,23 +688,33 @@ def test_the_radius_has_the_roundings_of_f_and_of_its_slope(u: float) -> None:
 # -------------------------------------------------------------------------------------------- margins of stability
 
 STIFFNESSES = {
-    "mu0": (1e6, 1.0, 1.0, 1.0, 1.0), "alpha": (0.0, 1e3, 1e-3, 0.0, 1.0), "sigma": (0.0, 0.0, 1e3, 0.0, 1e3),
-    "beta": (0.0, 0.0, 1e-3, 1e3, 1.0), "pull": (0.0, 0.0, 1.0, 0.0, 1e-6), "nbar": (0.0, 0.0, 1e-6, 0.0, 1.0),
-    "pull and mu0": (1e6, 0.0, 1.0, 0.0, 1e-4), "all": (1.0, 1.0, 1.0, 1.0, 1.0),
+    "mu0": (1e6, 1.0, 1.0, 1.0, 1.0),
+    "alpha": (0.0, 1e3, 1e-3, 0.0, 1.0),
+    "sigma": (0.0, 0.0, 1e3, 0.0, 1e3),
+    "beta": (0.0, 0.0, 1e-3, 1e3, 1.0),
+    "pull": (0.0, 0.0, 1.0, 0.0, 1e-6),
+    "nbar": (0.0, 0.0, 1e-6, 0.0, 1.0),
+    "pull and mu0": (1e6, 0.0, 1.0, 0.0, 1e-4),
+    "all": (1.0, 1.0, 1.0, 1.0, 1.0),
     "trace alone": (0.0, 1.0, 1.0, 1.0, 0.5001),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", STIFFNESSES)
 def test_margins_cover_discriminant_and_trace(name: str) -> None:
     """cos θ and sin θ at 1, since their errors are not relative: the border is at the sizes of both, with COUNT_K."""
     for nbar in (0.0, 1.0):
-        _check_margins(Point(0.0, 1.0, *STIFFNESSES[name][:1], 1.0, *STIFFNESSES[name][1:4], nbar), STIFFNESSES[name][4])
+        _check_margins(
+            Point(0.0, 1.0, *STIFFNESSES[name][:1], 1.0, *STIFFNESSES[name][1:4], nbar),
+            STIFFNESSES[name][4],
+        )
 
 
 def _check_margins(point: Point, L: float) -> None:
     _, _, mu0, _, alpha, sigma, beta, nbar = point
-    (K11, K12), (K21, K22) = kernel.stiffness(Sized(1.0), Sized(1.0), Sized(L), Sized(mu0), alpha, sigma, beta, nbar)
+    (K11, K12), (K21, K22) = kernel.stiffness(
+        Sized(1.0), Sized(1.0), Sized(L), Sized(mu0), alpha, sigma, beta, nbar
+    )
     trace, _, flutter = kernel.invariants(K11, K12, K21, K22)
     if flutter.value:
         border = abs(flutter.value) / (kernel.COUNT_K * flutter.size)
@@ -603,7 +731,9 @@ def test_a_margin_covers_friction_where_flutter_alone_decides(ratio: float) -> N
     """The terms of the discriminant, where friction is this multiple of σ/L, and cos θ = −1, sin θ = 1 make it negative."""
     pull, alpha, sigma, beta, nbar = 1e4, 0.0, 1.0, 0.0, 1.0
     mu0 = ratio * pull
-    (K11, K12), (K21, K22) = kernel.stiffness(-1.0, 1.0, sigma / pull, mu0, alpha, sigma, beta, nbar)
+    (K11, K12), (K21, K22) = kernel.stiffness(
+        -1.0, 1.0, sigma / pull, mu0, alpha, sigma, beta, nbar
+    )
     _, _, flutter = kernel.invariants(K11, K12, K21, K22)
     assert flutter < 0
     terms = (alpha + beta + nbar + 2 * sigma + 2 * pull) ** 2 + 4 * pull * (mu0 * nbar + pull)

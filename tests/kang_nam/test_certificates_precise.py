@@ -16,21 +16,37 @@ from tests.oracles import reference
 
 def test_a_number_is_what_it_writes() -> None:
     for given, exact in (
-        (1, Fraction(1)), (0.5, Fraction(1, 2)), ("0.007", Fraction(7, 1000)), (" +7/1000 ", Fraction(7, 1000)),
-        (".5e-1", Fraction(1, 20)), ("1.", Fraction(1)), (Fraction(2, 3), Fraction(2, 3)), (mpmath.mpf("0.75"), Fraction(3, 4)),
-        (mpmath.mpf(6), Fraction(6)), ("7/1000", Fraction(7, 1000)), ("10/10", Fraction(1)),
-    ):  # fmt: skip
+        (1, Fraction(1)),
+        (0.5, Fraction(1, 2)),
+        ("0.007", Fraction(7, 1000)),
+        (" +7/1000 ", Fraction(7, 1000)),
+        (".5e-1", Fraction(1, 20)),
+        ("1.", Fraction(1)),
+        (Fraction(2, 3), Fraction(2, 3)),
+        (mpmath.mpf("0.75"), Fraction(3, 4)),
+        (mpmath.mpf(6), Fraction(6)),
+        ("7/1000", Fraction(7, 1000)),
+        ("10/10", Fraction(1)),
+    ):
         assert ss.precise.as_exact("kappa", given, RANGES["kappa"]) == exact
 
 
 def test_what_is_no_number_in_range_is_named() -> None:
     for name, given, error in (
-        ("kappa", True, ss.ParameterTypeError), ("kappa", None, ss.ParameterTypeError), ("kappa", "seven", ss.ParameterTypeError),
-        ("kappa", "1/0", ss.ParameterError), ("kappa", "1/00 ", ss.ParameterError), ("kappa", math.nan, ss.ParameterError),
-        ("kappa", mpmath.inf, ss.ParameterError), ("kappa", 0, ss.ParameterError), ("kappa", mpmath.mpf(-1), ss.ParameterError),
-        ("alpha", "-1/9", ss.ParameterError), ("theta0", math.pi, ss.ParameterError), ("theta0", 4, ss.ParameterError),
+        ("kappa", True, ss.ParameterTypeError),
+        ("kappa", None, ss.ParameterTypeError),
+        ("kappa", "seven", ss.ParameterTypeError),
+        ("kappa", "1/0", ss.ParameterError),
+        ("kappa", "1/00 ", ss.ParameterError),
+        ("kappa", math.nan, ss.ParameterError),
+        ("kappa", mpmath.inf, ss.ParameterError),
+        ("kappa", 0, ss.ParameterError),
+        ("kappa", mpmath.mpf(-1), ss.ParameterError),
+        ("alpha", "-1/9", ss.ParameterError),
+        ("theta0", math.pi, ss.ParameterError),
+        ("theta0", 4, ss.ParameterError),
         ("theta0", 0, ss.ParameterError),
-    ):  # fmt: skip
+    ):
         with pytest.raises(error, match=f"^{name} = "):
             ss.precise.as_exact(name, given, RANGES[name])
 
@@ -56,7 +72,9 @@ def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int
             given = cusp.theta0, cusp.mu0, kappa, alpha, sigma, beta
             small = mpmath.mpf(10) ** -digits * (1 + abs(cusp.mu0) + cusp.L)
             for order in range(3):
-                slope = mpmath.diff(lambda theta, given=given: reference.along(theta, *given), cusp.theta, order)
+                slope = mpmath.diff(
+                    lambda theta, given=given: reference.along(theta, *given), cusp.theta, order
+                )
                 assert abs(slope) < mpmath.mpf(10) ** (8 * order) * small
             state = cusp.theta, cusp.L, cusp.x, cusp.y
             assert reference.lack_of_a_state(state, cusp.theta0, kappa, sigma, beta) < small
@@ -77,9 +95,14 @@ def test_the_radius_of_a_cusp_holds_every_number(dps: int) -> None:
         with mpmath.workdps(dps + 40):
             for one in rough:
                 names = ("theta0", "mu0", "theta", "L", "x", "y")
-                gaps = [max(abs(getattr(one, name) - getattr(two, name)) for name in names) for two in exact]
+                gaps = [
+                    max(abs(getattr(one, name) - getattr(two, name)) for name in names)
+                    for two in exact
+                ]
                 size = max(1, *(abs(getattr(one, name)) for name in names))
-                spare = 2 if values[1] == "1.5" else 4  # roots of intervals are found to half of the bits
+                spare = (
+                    2 if values[1] == "1.5" else 4
+                )  # roots of intervals are found to half of the bits
                 assert min(gaps) <= one.radius <= mpmath.mpf(10) ** -(dps + spare) * size * 1.01
         assert rough.count == exact.count
         if values[1] == "1.5":  # α = 1 + β

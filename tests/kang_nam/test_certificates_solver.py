@@ -25,7 +25,10 @@ def _numpy() -> Iterator[None]:
 
 def _points(n: int) -> ss.Parameters:
     """Some of every family in one array, which sends points down every way through the solver."""
-    parts = [family(np.random.default_rng([51, k]), n).broadcast(*NAMES) for k, family in enumerate(FAMILIES.values())]
+    parts = [
+        family(np.random.default_rng([51, k]), n).broadcast(*NAMES)
+        for k, family in enumerate(FAMILIES.values())
+    ]
     return ss.Parameters(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
@@ -34,17 +37,29 @@ def test_the_certificates_settle_most_points() -> None:
     shares = {}
     for number, name in enumerate(("random", "right angle", "alpha = 1 + beta", "beta = 0")):
         p = FAMILIES[name](np.random.default_rng([53, number]), 4000)
-        shares[name] = [float(ss.equilibria(p, contact=contact).escalated.mean()) for contact in (True, False)]
+        shares[name] = [
+            float(ss.equilibria(p, contact=contact).escalated.mean()) for contact in (True, False)
+        ]
     assert all(share < 0.004 for contact in shares.values() for share in contact)
 
 
 def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     """Double-double arithmetic, which is asked first, and intervals."""
-    p, plain, calls = FAMILIES["near folds"](np.random.default_rng(54), 60), adaptive_precision.equilibria, list[int]()
-    monkeypatch.setattr(adaptive_precision, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
+    p, plain, calls = (
+        FAMILIES["near folds"](np.random.default_rng(54), 60),
+        adaptive_precision.equilibria,
+        list[int](),
+    )
+    monkeypatch.setattr(
+        adaptive_precision,
+        "equilibria",
+        lambda *given, **named: (calls.append(1), plain(*given, **named))[1],
+    )
     found = [ss.equilibria(p)]
     assert not calls
-    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
+    monkeypatch.setattr(
+        solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size)
+    )
     found.append(ss.equilibria(p))
     assert found[0].escalated.sum() == len(calls) > 0
     assert (found[0].escalated == found[1].escalated).all()
@@ -56,20 +71,31 @@ def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
 
 #: tan(θ/2) of three roots of one point, and what is there: all are equilibria.
 T = (0.5, 1.0, 2.0)
-GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsider=False, known=True)
+GOOD = dict(
+    L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsider=False, known=True
+)
 
 
 def _settled(
-    monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
+    monkeypatch: pytest.MonkeyPatch,
+    changes: dict[str, Any],
+    contact: bool = True,
+    t: tuple[float, ...] = T,
 ) -> tuple[bool, block.Slots]:
     """The result of a block for three roots of which the middle one has changed, at the second of two points."""
-    columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
-    given = {name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()}
+    columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {
+        "code": [1.0, 2.0, 1.0]
+    }
+    given = {
+        name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()
+    }
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
     out = block.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
     times = np.repeat(np.array(t)[:, None], 2, axis=1)
-    settled = block._some(times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53))
+    settled = block._some(
+        times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53)
+    )
     assert settled[0] == settled[1]
     return bool(settled[1]), out
 
@@ -78,25 +104,37 @@ def _settled(
     "changes",
     [
         {"member": False},  # neither equilibrium nor certainly none
-        {"known": False}, {"error": 1.1e-12}, {"error": np.nan}, {"radius": np.inf}, {"radius": 0.7},
+        {"known": False},
+        {"error": 1.1e-12},
+        {"error": np.nan},
+        {"radius": np.inf},
+        {"radius": 0.7},
         {"radius": 0.45},  # reaches the third root, not the first
         {"member": False, "outsider": True},  # two equilibria in contact can't be
     ],
     ids=str,
-)  # fmt: skip
-def test_one_missing_certificate_settles_nothing(monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any]) -> None:
+)
+def test_one_missing_certificate_settles_nothing(
+    monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any]
+) -> None:
     settled, out = _settled(monkeypatch, changes)
     assert not settled
     assert out.count.tolist() == [0, 0, 0]
 
 
-@pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, 2.0, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
-def test_roots_that_may_be_one_or_lie_below_0_settle_nothing_in_contact(monkeypatch: pytest.MonkeyPatch, t: Any) -> None:
+@pytest.mark.parametrize(
+    "t", [(0.5, 0.5, 2.0), (0.5, 2.0, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)]
+)
+def test_roots_that_may_be_one_or_lie_below_0_settle_nothing_in_contact(
+    monkeypatch: pytest.MonkeyPatch, t: Any
+) -> None:
     assert not _settled(monkeypatch, {}, t=t)[0]
     assert _settled(monkeypatch, {}, contact=False, t=t)[0] == (t[0] <= 0)
 
 
-def test_points_without_an_answer_are_marked_with_their_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_points_without_an_answer_are_marked_with_their_reason(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     p = ss.Parameters(1.0, [0.5, 1e200, 0.7], [0.3, 1e200, 0.3], 1.0, 1.0, 1.0)
     eq = ss.equilibria(p)
     assert eq.decided.tolist() == [True, False, True]
@@ -130,23 +168,37 @@ SHORT = (0.311, 0.661, 0.143, 1.791, 2.269, 0.0)
 
 def test_eigenvalues_are_those_of_the_stiffness() -> None:
     for contact in (True, False):
-        columns = [np.append(column, value) for column, value in zip(_points(6).broadcast(*NAMES), SHORT, strict=True)]
+        columns = [
+            np.append(column, value)
+            for column, value in zip(_points(6).broadcast(*NAMES), SHORT, strict=True)
+        ]
         p = ss.Parameters(*columns)
         eq = ss.equilibria(p, contact=contact)
         _, mu0, _, alpha, sigma, beta = p.broadcast(*NAMES)
         traces = []
-        for row, slot in zip(*np.nonzero(np.arange(eq.theta.shape[1]) < eq.count[:, None]), strict=True):
+        for row, slot in zip(
+            *np.nonzero(np.arange(eq.theta.shape[1]) < eq.count[:, None]), strict=True
+        ):
             s, c, L = np.sin(eq.theta[row, slot]), np.cos(eq.theta[row, slot]), eq.L[row, slot]
-            K = np.array([
-                [sigma[row] * (1 - s * s / L) + alpha[row], sigma[row] / L * s * c + mu0[row] * contact],
-                [sigma[row] / L * s * c, sigma[row] * (1 - c * c / L) + beta[row] + contact],
-            ])  # fmt: skip
+            K = np.array(
+                [
+                    [
+                        sigma[row] * (1 - s * s / L) + alpha[row],
+                        sigma[row] / L * s * c + mu0[row] * contact,
+                    ],
+                    [sigma[row] / L * s * c, sigma[row] * (1 - c * c / L) + beta[row] + contact],
+                ]
+            )
             found, size = eq.eigenvalues[row, slot], np.abs(K).max()
             np.testing.assert_allclose(found[2:], -found[:2])
             traces.append(np.trace(K))
-            assert abs(found[0]) >= abs(found[1]) * (1 - 1e-9)  # the larger first: it loses no digits
+            assert abs(found[0]) >= abs(found[1]) * (
+                1 - 1e-9
+            )  # the larger first: it loses no digits
             wanted = np.poly(-np.linalg.eigvals(K).astype(complex))
-            np.testing.assert_allclose(np.poly(found[:2] ** 2), wanted, atol=1e-9 * max(size, 1) ** 2)
+            np.testing.assert_allclose(
+                np.poly(found[:2] ** 2), wanted, atol=1e-9 * max(size, 1) ** 2
+            )
         assert (min(traces) < 0) != contact
         assert any(0 < trace < 1 for trace in traces)
         assert np.isnan(eq.eigenvalues[np.arange(eq.theta.shape[1]) >= eq.count[:, None]]).all()
@@ -165,7 +217,9 @@ def test_the_logarithm_of_a_length_beyond_float64_is_said(backend: str, size: fl
         pytest.skip("the compiled solver was not built: no C compiler")
     ss.set_backend(backend)
     given = dict(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0)
-    with pytest.raises(ss.ConvergenceError, match=r"theta0=1\.0, mu0=.* is beyond float64") as failure:
+    with pytest.raises(
+        ss.ConvergenceError, match=r"theta0=1\.0, mu0=.* is beyond float64"
+    ) as failure:
         ss.equilibria(ss.Parameters(**given))
     (state,) = ss.precise.equilibria(**given, dps=20)
     said = float(str(failure.value).split("log10 L = ")[1].split(" ")[0])

@@ -12,10 +12,19 @@ from spragsym.generated.equilibrium import f_coefficients, f_slope
 @pytest.mark.parametrize("theta0", [0.4, 2.0])
 def test_a_spring_that_the_preload_shrinks_to_nothing_holds_no_mass(theta0: float) -> None:
     # Off the belt without other springs: θ = ±90°, L = 1 ± κ/σ, y = sin θ₀ − L sin θ > 0.
-    for kappa, sigma in ((8.0, 8.0), (0.3, 0.3), (np.nextafter(8.0, 0.0), 8.0), (np.nextafter(8.0, 9.0), 8.0)):
+    for kappa, sigma in (
+        (8.0, 8.0),
+        (0.3, 0.3),
+        (np.nextafter(8.0, 0.0), 8.0),
+        (np.nextafter(8.0, 9.0), 8.0),
+    ):
         p = ss.Parameters(theta0=theta0, mu0=4.0, kappa=kappa, sigma=sigma, alpha=0.0, beta=0.0)
         lengths = [1 + sign * Fraction(kappa) / Fraction(sigma) for sign in (-1, 1)]
-        there = [float(L) for L, sine in zip(lengths, (-1, 1), strict=True) if L > 0 and np.sin(theta0) - float(L) * sine > 0]
+        there = [
+            float(L)
+            for L, sine in zip(lengths, (-1, 1), strict=True)
+            if L > 0 and np.sin(theta0) - float(L) * sine > 0
+        ]
         eq = ss.equilibria(p, contact=False)
         assert eq.count == len(there)
         assert eq.L[: len(there)].tolist() == pytest.approx(there, rel=1e-12, abs=0)
@@ -24,8 +33,17 @@ def test_a_spring_that_the_preload_shrinks_to_nothing_holds_no_mass(theta0: floa
 def test_a_tiny_preload_is_told_in_floats() -> None:
     # As κ → 0 one state goes to θ₀, where y → 0: the derivative of y by κ says from which side, and f differs between the two.
     rng = np.random.default_rng(5)
-    theta0, mu0, alpha, sigma, beta = rng.uniform([[0.1], [0], [0], [0.1], [0.1]], [[3], [2], [2], [2], [1]], (5, 2000))
-    p = ss.Parameters(theta0=theta0, mu0=mu0, kappa=10 ** rng.uniform(-300, -9, 2000), alpha=alpha, sigma=sigma, beta=beta)
+    theta0, mu0, alpha, sigma, beta = rng.uniform(
+        [[0.1], [0], [0], [0.1], [0.1]], [[3], [2], [2], [2], [1]], (5, 2000)
+    )
+    p = ss.Parameters(
+        theta0=theta0,
+        mu0=mu0,
+        kappa=10 ** rng.uniform(-300, -9, 2000),
+        alpha=alpha,
+        sigma=sigma,
+        beta=beta,
+    )
     c, s = np.cos(theta0), np.sin(theta0)
     for nbar, backend in ((1, "numpy"), (0, "numpy"), (1, "auto"), (0, "auto")):
         ss.set_backend(backend)

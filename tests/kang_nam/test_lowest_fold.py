@@ -13,7 +13,9 @@ from tests.oracles.families import random_fixed
 
 BASE = ss.Parameters.article(theta0=None, mu0=None)
 #: Found by a scan of random sets: the cusp lies 3.7 % above the lowest fold.
-BELOW_THE_CUSP = ss.Parameters(kappa=1.0358981051019952e-4, alpha=0.24472716045424348, sigma=5.3945973456418015, beta=0.0)
+BELOW_THE_CUSP = ss.Parameters(
+    kappa=1.0358981051019952e-4, alpha=0.24472716045424348, sigma=5.3945973456418015, beta=0.0
+)
 
 
 @pytest.mark.thorough
@@ -40,7 +42,9 @@ def test_it_may_lie_below_the_cusp() -> None:
     between = 0.5 * (float(found) + float(ss.cusp_friction(BELOW_THE_CUSP)))
     angles = np.linspace(0.8, float(found.theta0), 3)
     assert ss.quasi_static_path(BELOW_THE_CUSP.replace(mu0=between), "theta0", angles).jumps
-    assert float(ss.jump_value(BELOW_THE_CUSP.replace(theta0=found.theta0))) == pytest.approx(float(found), rel=1e-12)
+    assert float(ss.jump_value(BELOW_THE_CUSP.replace(theta0=found.theta0))) == pytest.approx(
+        float(found), rel=1e-12
+    )
 
 
 @pytest.mark.thorough
@@ -63,7 +67,9 @@ def test_fifty_digits_by_another_way() -> None:
         p = random_fixed(rng)
         found = ss.critical_friction(p)
         if found.kind:
-            for right, told in zip(lowest_fold.in_digits(p), (found.theta0, found.mu0), strict=True):
+            for right, told in zip(
+                lowest_fold.in_digits(p), (found.theta0, found.mu0), strict=True
+            ):
                 assert abs(right - told) <= found.error * max(1, abs(right))
             kinds.append(found.kind)
 
@@ -95,10 +101,19 @@ def test_without_a_spring_along_the_belt() -> None:
 
 @pytest.mark.by_hand("changes0")
 @pytest.mark.thorough
-@pytest.mark.parametrize("changes", [
-    {"kappa": 1e-12}, {"kappa": 1e-9, "sigma": 3.0, "alpha": 0.2}, {"beta": 1e4}, {"alpha": 1.0}, {"alpha": 3.0, "beta": 2.0},
-    {"alpha": 50.0, "sigma": 7.0}, {"kappa": 0.1, "sigma": 0.1}, {"kappa": 1.0, "sigma": 2.0},
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"kappa": 1e-12},
+        {"kappa": 1e-9, "sigma": 3.0, "alpha": 0.2},
+        {"beta": 1e4},
+        {"alpha": 1.0},
+        {"alpha": 3.0, "beta": 2.0},
+        {"alpha": 50.0, "sigma": 7.0},
+        {"kappa": 0.1, "sigma": 0.1},
+        {"kappa": 1.0, "sigma": 2.0},
+    ],
+)
 def test_borders_against_a_scan(changes: dict[str, float]) -> None:
     assert lowest_fold.verdict(BASE.replace(**changes))[1] == "right"
 

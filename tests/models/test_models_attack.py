@@ -14,15 +14,33 @@ from tests.oracles.forces_by_hand import DRAWN
 #: Springs as stiff as these left errors up to 7e-8 on states that were proved.
 STIFF = {
     "cubic_contact": {
-        "theta0": 5e-324, "mu0": 149698.0, "kappa": 0.00011, "alpha": 4.3e-5, "sigma": 0.004,
-        "beta": 0.0002, "gamma": 6.4,
+        "theta0": 5e-324,
+        "mu0": 149698.0,
+        "kappa": 0.00011,
+        "alpha": 4.3e-5,
+        "sigma": 0.004,
+        "beta": 0.0002,
+        "gamma": 6.4,
     },
-    "damped": {"theta0": np.pi / 2, "mu0": 661074.0, "kappa": 0.278, "alpha": 0.0021, "sigma": 775083.0},
+    "damped": {
+        "theta0": np.pi / 2,
+        "mu0": 661074.0,
+        "kappa": 0.278,
+        "alpha": 0.0021,
+        "sigma": 775083.0,
+    },
     "two_springs": {
-        "theta0": 0.35697, "mu0": 85.89, "kappa": 2.58476, "alpha": 0.0047653, "sigma": 8.228e-5, "beta": 2558.934,
-        "theta0_2": 1.78451, "sigma_2": 202940.26, "lambda_2": 43.80468,
+        "theta0": 0.35697,
+        "mu0": 85.89,
+        "kappa": 2.58476,
+        "alpha": 0.0047653,
+        "sigma": 8.228e-5,
+        "beta": 2558.934,
+        "theta0_2": 1.78451,
+        "sigma_2": 202940.26,
+        "lambda_2": 43.80468,
     },
-}  # fmt: skip
+}
 
 
 @pytest.mark.thorough
@@ -47,9 +65,15 @@ def penalty(tmp_path_factory: pytest.TempPathFactory) -> Any:
 
 #: N = k_c l (e^(δ/l) − 1) with an l so small that e^(1/l) is no number.
 SHALLOW = {
-    "theta0": 0.12052879740527103, "mu0": 1.61e-5, "kappa": 2.63e-06, "alpha": 0.0, "sigma": 284164.3, "depth_e": 1.44e-05,
-    "V": 0.96439, "d": 344.5567,
-}  # fmt: skip
+    "theta0": 0.12052879740527103,
+    "mu0": 1.61e-5,
+    "kappa": 2.63e-06,
+    "alpha": 0.0,
+    "sigma": 284164.3,
+    "depth_e": 1.44e-05,
+    "V": 0.96439,
+    "d": 344.5567,
+}
 
 
 @pytest.mark.thorough
@@ -62,7 +86,14 @@ def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend:
 
     start, t_end = [0.0, 0.0, SHALLOW["V"], 0.0], 0.01
     tr = ss.simulate(penalty.Parameters(**SHALLOW), start=start, t_end=t_end, backend=backend)
-    known = solve_ivp(field(DRAWN["penalty"], SHALLOW), (0.0, t_end), start, method="LSODA", rtol=1e-11, atol=1e-13)
+    known = solve_ivp(
+        field(DRAWN["penalty"], SHALLOW),
+        (0.0, t_end),
+        start,
+        method="LSODA",
+        rtol=1e-11,
+        atol=1e-13,
+    )
     np.testing.assert_allclose(tr.state[:, -1], known.y[:, -1], rtol=0, atol=2e-7)
     assert len(tr.events.t) == 2
     energy = tr.energy()

@@ -15,7 +15,16 @@ FOLDER = ROOT / "generated/models"
 NAMES = sorted(path.parent.name for path in FOLDER.glob("*/model.json"))
 
 mp.mp.dps = 15  # tests raise it where they need more
-XP: Any = SimpleNamespace(sqrt=mp.sqrt, exp=mp.exp, sign=mp.sign, cos=mp.cos, sin=mp.sin, atan2=mp.atan2, pi=mp.pi, log=mp.log)
+XP: Any = SimpleNamespace(
+    sqrt=mp.sqrt,
+    exp=mp.exp,
+    sign=mp.sign,
+    cos=mp.cos,
+    sin=mp.sin,
+    atan2=mp.atan2,
+    pi=mp.pi,
+    log=mp.log,
+)
 
 
 class Generated:
@@ -34,7 +43,10 @@ class Generated:
         names = [entry["name"] for entry in self.about["coordinates"]]
         if "y" in names:
             q[names.index("y")] *= -1
-        return q, {name: mp.mpf(round(value, 3)) for name, value in zip(self.parameters, rng.uniform(0.2, 1.2, 99), strict=False)}
+        return q, {
+            name: mp.mpf(round(value, 3))
+            for name, value in zip(self.parameters, rng.uniform(0.2, 1.2, 99), strict=False)
+        }
 
     def arguments(self, kind: str, p: dict[str, Any]) -> list[Any]:
         values = dict(p)
@@ -51,10 +63,15 @@ class Generated:
             directions += [dx / length, dy / length, length]
         turned = []
         if self.about["torsions"]:
-            turned = [mp.atan2(sine, cosine) for cosine, sine in self.algebra.turnings(*q, *directions, *taken, xp=XP)]
+            turned = [
+                mp.atan2(sine, cosine)
+                for cosine, sine in self.algebra.turnings(*q, *directions, *taken, xp=XP)
+            ]
         return [*q, *directions, *turned, *taken]
 
-    def forces(self, q: list[Any], p: dict[str, Any], mu: Any, pushing: int, name: str = "forces") -> Any:
+    def forces(
+        self, q: list[Any], p: dict[str, Any], mu: Any, pushing: int, name: str = "forces"
+    ) -> Any:
         return getattr(self.algebra, name)(*self.state(q, p), mu, pushing, xp=XP)
 
 
@@ -90,14 +107,22 @@ def test_derivatives_are_those_of_the_forces(model: Generated, pushing: int) -> 
                 if name == "mu":
                     want = slope(lambda value, i=i: model.forces(q, p, value, pushing)[i], mu)
                 else:
-                    want = slope(lambda value, i=i, name=name: model.forces(q, {**p, name: value}, mu, pushing)[i], p[name])
+                    want = slope(
+                        lambda value, i=i, name=name: model.forces(
+                            q, {**p, name: value}, mu, pushing
+                        )[i],
+                        p[name],
+                    )
                 assert abs(by_parameters[i][column] - want) < 1e-25, (i, name)
 
 
 def moving(model: Generated, seed: int) -> tuple[list[Any], dict[str, Any]]:
     """Coordinates and rates, the mass slower than the belt, and parameters."""
     q, p = model.point(seed)
-    rates = [mp.mpf(round(value, 3)) / 10 for value in np.random.default_rng(seed + 50).uniform(-1.0, 1.0, model.n)]
+    rates = [
+        mp.mpf(round(value, 3)) / 10
+        for value in np.random.default_rng(seed + 50).uniform(-1.0, 1.0, model.n)
+    ]
     return [*q, *rates], p
 
 
@@ -110,15 +135,23 @@ def test_derivatives_are_those_of_the_motion(model: Generated, pushing: int, sid
         felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
 
         def accelerations(z: list[Any], p: dict[str, Any], name: str = "regime_rhs") -> Any:
-            return getattr(model.algebra, name)(*z, *model.arguments("motion", p), pushing, side, *felt, xp=XP)
+            return getattr(model.algebra, name)(
+                *z, *model.arguments("motion", p), pushing, side, *felt, xp=XP
+            )
 
-        jacobian, by_parameters = (accelerations(z, p, name) for name in ("regime_jacobian", "regime_by_parameters"))
+        jacobian, by_parameters = (
+            accelerations(z, p, name) for name in ("regime_jacobian", "regime_by_parameters")
+        )
         for i in range(model.n):
             for j in range(2 * model.n):
-                want = slope(lambda value, i=i, j=j: accelerations([*z[:j], value, *z[j + 1 :]], p)[i], z[j])
+                want = slope(
+                    lambda value, i=i, j=j: accelerations([*z[:j], value, *z[j + 1 :]], p)[i], z[j]
+                )
                 assert abs(jacobian[i][j] - want) < 1e-25, (i, j)
             for column, name in enumerate(model.parameters):
-                want = slope(lambda value, i=i, name=name: accelerations(z, {**p, name: value})[i], p[name])
+                want = slope(
+                    lambda value, i=i, name=name: accelerations(z, {**p, name: value})[i], p[name]
+                )
                 assert abs(by_parameters[i][column] - want) < 1e-25, (i, name)
 
 
@@ -147,7 +180,9 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         p["V"] = mp.mpf("0.7")
         taken, felt = model.arguments("motion", p), [1] * model.about["layers"]
         q, v = z[: model.n], z[model.n :]
-        a = model.algebra.regime_rhs(*z, *taken, 1, 1, *felt, *[1] * len(model.about["torsions"]), xp=XP)
+        a = model.algebra.regime_rhs(
+            *z, *taken, 1, 1, *felt, *[1] * len(model.about["torsions"]), xp=XP
+        )
 
         def energy(time: Any) -> Any:
             state = [x + time * speed for x, speed in zip(q, v, strict=True)]

@@ -48,7 +48,9 @@ CASES = {
         "k_c * L_0 * (depth / L_0) ** (4 / 3)",
         "mu0 * v / (v**2 + 1 / d**2) ** 0.5 * (1 + d * Abs(v)) ** (-1 / 5)",
         lambda depth: depth ** mpmath.mpf("4/3") if depth else mpmath.mpf(0),
-        lambda v: v / mpmath.sqrt(v**2 + mpmath.mpf("0.01")) * (1 + 10 * abs(v)) ** -mpmath.mpf("0.2") / 2,
+        lambda v: (
+            v / mpmath.sqrt(v**2 + mpmath.mpf("0.01")) * (1 + 10 * abs(v)) ** -mpmath.mpf("0.2") / 2
+        ),
     ),
     "atan": Case(
         "k_c * L_0 * (atan(depth / L_0) + depth / (2 * L_0) * (1 + depth / L_0) ** 1.5)",
@@ -65,7 +67,10 @@ THETA0, KAPPA, ALPHA, SIGMA = 0.8, 0.007, 0.007, 0.1
 def model(request: pytest.FixtureRequest) -> Any:
     name = request.param
     case = CASES[name]
-    laws = ("k_c * depth)", f"{case.contact})"), ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", case.friction)
+    laws = (
+        ("k_c * depth)", f"{case.contact})"),
+        ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", case.friction),
+    )
     text = shipped_page("kang_nam", ("import Abs, Page, cos, exp, sgn, sin", OFFERED), *laws)
     return case, model_of(text, f"{name}_page")
 
@@ -92,7 +97,9 @@ def test_states_are_those_of_the_equations(model: Any) -> None:
         for x, y, error in zip(*np.broadcast_arrays(found.x, found.y, found.error), strict=True):
             if np.isnan(x):
                 continue
-            truth = mpmath.findroot(lambda *q: forces(case, *q, mu), (mpmath.mpf(x), mpmath.mpf(y)), tol=1e-60)
+            truth = mpmath.findroot(
+                lambda *q: forces(case, *q, mu), (mpmath.mpf(x), mpmath.mpf(y)), tol=1e-60
+            )
             assert error < 1e-12
             assert max(abs(truth[0] - x), abs(truth[1] - y)) <= error * max(1, abs(x), abs(y))
 
@@ -112,7 +119,9 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
                 return -forces(case, a, b, mpmath.mpf(mu))[i]
 
             for j, way in enumerate(((1, 0), (0, 1))):
-                assert float(K[i][j]) == pytest.approx(float(mpmath.diff(row, (x, y), way)), rel=1e-12, abs=1e-14)
+                assert float(K[i][j]) == pytest.approx(
+                    float(mpmath.diff(row, (x, y), way)), rel=1e-12, abs=1e-14
+                )
 
 
 @pytest.mark.thorough
@@ -120,10 +129,16 @@ def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     """Over a box of parameters the laws are asked for in affine arithmetic."""
     _, it = model
     middle = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA, mu0=0.1)
-    low, high = (middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side)) for side in (-0.02, 0.02))
+    low, high = (
+        middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side))
+        for side in (-0.02, 0.02)
+    )
     assert ss.certify(low, high, "no jump", max_boxes=200).outcome == "proved"
     rng = np.random.default_rng(1)
-    values = {name: rng.uniform(float(getattr(low, name)), float(getattr(high, name)), 50) for name in ("sigma", "d", "mu0")}
+    values = {
+        name: rng.uniform(float(getattr(low, name)), float(getattr(high, name)), 50)
+        for name in ("sigma", "d", "mu0")
+    }
     assert not (np.asarray(ss.jump_value(middle.replace(**values))) <= values["mu0"]).any()
 
 
@@ -142,8 +157,14 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     def field(_: float, state: Any) -> list[float]:
         x, y, vx, vy = map(mpmath.mpf, state.tolist())
         with mpmath.workdps(17):
-            return [float(vx), float(vy), *map(float, forces(case, x, y, case.mu(mpmath.mpf("0.5") - vx)))]
+            return [
+                float(vx),
+                float(vy),
+                *map(float, forces(case, x, y, case.mu(mpmath.mpf("0.5") - vx))),
+            ]
 
-    want = solve_ivp(field, (0, t_end), start, method="DOP853", rtol=1e-8, atol=1e-10, max_step=0.25)
+    want = solve_ivp(
+        field, (0, t_end), start, method="DOP853", rtol=1e-8, atol=1e-10, max_step=0.25
+    )
     ends = [float(getattr(found, name)[-1]) for name in ("x", "y", "vx", "vy")]
     assert ends == pytest.approx(want.y[:, -1], abs=2e-7)

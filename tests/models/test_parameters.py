@@ -9,13 +9,26 @@ import pytest
 
 import spragsym as ss
 
-BRAKE = ss.PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=0.8, mu0=0.5, V=20)
+BRAKE = ss.PhysicalParameters(
+    m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=0.8, mu0=0.5, V=20
+)
 
 #: What functions need beside the parameters, so that nothing else is wrong with a call.
 OTHERS: dict[str, Any] = {
-    "vary": "kappa", "values": [0.1, 0.2], "bracket": (0.1, 1.0), "theta": 1.0, "theta0": 1.0, "V": 0.5, "d": 10.0,
-    "x": [0.0], "vx": [0.0], "to": (0.3, 0.6), "mu0": (0.3, 0.6), "ends": (0.3, 0.6), "claim": "no jump",
-}  # fmt: skip
+    "vary": "kappa",
+    "values": [0.1, 0.2],
+    "bracket": (0.1, 1.0),
+    "theta": 1.0,
+    "theta0": 1.0,
+    "V": 0.5,
+    "d": 10.0,
+    "x": [0.0],
+    "vx": [0.0],
+    "to": (0.3, 0.6),
+    "mu0": (0.3, 0.6),
+    "ends": (0.3, 0.6),
+    "claim": "no jump",
+}
 
 
 def test_physical_parameters_are_told_what_to_do() -> None:
@@ -30,11 +43,17 @@ def test_physical_parameters_are_told_what_to_do() -> None:
             except ImportError:  # of an extra that is not installed
                 continue
             sets = ("Parameters", "ParameterSet")
-            if not inspect.isfunction(function) or not set(sets) & {str(v) for v in inspect.get_annotations(function).values()}:
+            if not inspect.isfunction(function) or not set(sets) & {
+                str(v) for v in inspect.get_annotations(function).values()
+            }:
                 continue
             taken = inspect.signature(function).parameters.values()
-            needed = [one for one in taken if one.default is one.empty and one.kind != one.VAR_KEYWORD]
-            arguments = {one.name: BRAKE if one.annotation in sets else OTHERS[one.name] for one in needed}
+            needed = [
+                one for one in taken if one.default is one.empty and one.kind != one.VAR_KEYWORD
+            ]
+            arguments = {
+                one.name: BRAKE if one.annotation in sets else OTHERS[one.name] for one in needed
+            }
             with pytest.raises(ss.ParameterTypeError, match=r"\.dimensionless\(\)"):
                 function(**arguments)
             asked += 1

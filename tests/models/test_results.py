@@ -49,7 +49,9 @@ def _doubling() -> ss.CycleEvent:
 
 
 def _fate() -> ss.FateBoundary:
-    return ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **SPEED)
+    return ss.fate_boundary(
+        ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **SPEED
+    )
 
 
 MODEL = ss.load("kang_nam").search
@@ -84,8 +86,12 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "Onsets in closed form": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7), damping=False),
     "StickingStates": lambda: ss.sticking_states(ss.load("coulomb_stick_slip").Parameters(V=0.0)),
     "LinearSprag": lambda: ss.linear_sprag(P),
-    "Path": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))),
-    "Jump": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", [0.5, 1.0]).jumps[0],
+    "Path": lambda: ss.quasi_static_path(
+        ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))
+    ),
+    "Jump": lambda: ss.quasi_static_path(
+        ss.Parameters.article(mu0=0.7), "theta0", [0.5, 1.0]
+    ).jumps[0],
     "Trajectory": lambda: ss.simulate(ONE, t_end=20.0, events=False, **BELT),
     "Outcome": lambda: ss.simulate(ONE, t_end=20.0, **BELT).outcome(),
     "Events": lambda: ss.simulate(ONE.replace(theta0=0.9), t_end=40.0, **BELT).events,
@@ -103,23 +109,35 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "EventCurve": lambda: ss.cycle_events(_doubling(), vary=("theta0", "mu0"), points=1),
     "Fate": lambda: ss.fate(SLIDING, **SPEED),
     "FateBoundary": _fate,
-    "FateMap": lambda: ss.fate_map(ss.Parameters.article(theta0=np.radians([[30.0], [35.0]]), mu0=[0.5, 0.6]), **SPEED),
-    "BasinBoundary": lambda: ss.basin_boundary(ss.Parameters.article(theta0=np.radians(40.0)), **SPEED, step=0.05, points=1),
-    "Lyapunov": lambda: ss.lyapunov(SLIDING, **SPEED, start=_cycle().state, t_end=2 * _cycle().period),
+    "FateMap": lambda: ss.fate_map(
+        ss.Parameters.article(theta0=np.radians([[30.0], [35.0]]), mu0=[0.5, 0.6]), **SPEED
+    ),
+    "BasinBoundary": lambda: ss.basin_boundary(
+        ss.Parameters.article(theta0=np.radians(40.0)), **SPEED, step=0.05, points=1
+    ),
+    "Lyapunov": lambda: ss.lyapunov(
+        SLIDING, **SPEED, start=_cycle().state, t_end=2 * _cycle().period
+    ),
     "Report": _report,
     "Points of a search": lambda: ss.folds(MODEL.Parameters(), vary="theta0"),
     "Onsets": lambda: ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V"),
     "Path of a search": lambda: ss.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
     "Diagram": _diagram,
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
-    "Path of a rod": lambda: ss.quasi_static_path(ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", [0.0, 0.2]),
-    "OnsetCurves": lambda: ss.onset_curves(ss.load("mode_coupling").Parameters(), ("mu0", "beta"), n=3),
+    "Path of a rod": lambda: ss.quasi_static_path(
+        ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", [0.0, 0.2]
+    ),
+    "OnsetCurves": lambda: ss.onset_curves(
+        ss.load("mode_coupling").Parameters(), ("mu0", "beta"), n=3
+    ),
     "Undecided": lambda: Undecided((), (0.0, 0.0), (1.0, 1.0), "two equilibria, or none"),
     "Ended": lambda: ss.folds(ss.Parameters.article())._what_ends,
     "Branch": lambda: ss.figures.branches(ONE)[0],
     "Spectrum": lambda: MAKERS["Trajectory"]().spectrum(),
     "ModelEnd": lambda: first_end(ss.load("stribeck").Parameters(theta0=0.5), "theta0", (0.3, 1.5)),
-    "FrictionFit": lambda: fit_friction(np.array([0.05, 0.1, 0.3, 1.0]), np.array([0.2, 0.3, 0.39, 0.4])),
+    "FrictionFit": lambda: fit_friction(
+        np.array([0.05, 0.1, 0.3, 1.0]), np.array([0.2, 0.3, 0.39, 0.4])
+    ),
     "CycleProof": lambda: ss.precise.prove_cycle(_cycle()),
     "EquilibriumBranch": lambda: _diagram().equilibria[0],
     "Label": lambda: _diagram().labels[0],
@@ -131,10 +149,21 @@ MAKERS: dict[str, Callable[[], Any]] = {
 
 #: Those that take long motions.
 LONG_MOTIONS = (
-    "Cycle", "CycleBranch", "CycleEvent", "CycleProof", "Diagram", "EquilibriumBranch", "EventCurve", "Fate",
-    "FateMap", "FateBoundary", "BasinBoundary",
-    "Label", "Lyapunov", "Phases",
-)  # fmt: skip
+    "Cycle",
+    "CycleBranch",
+    "CycleEvent",
+    "CycleProof",
+    "Diagram",
+    "EquilibriumBranch",
+    "EventCurve",
+    "Fate",
+    "FateMap",
+    "FateBoundary",
+    "BasinBoundary",
+    "Label",
+    "Lyapunov",
+    "Phases",
+)
 
 
 def test_every_class_of_results_is_here() -> None:
@@ -147,8 +176,20 @@ def test_every_class_of_results_is_here() -> None:
 
 #: Those that take minutes, and those that a quick run looks at.
 SLOW = ("BasinBoundary", "CycleProof", "FateBoundary")
-QUICK = ("Equilibria", "Points", "BifurcationSet", "Jump", "Trajectory", "Sweep", "JumpProbability", "Path of a rod")
-KINDS = [pytest.param(name, id=name, marks=pytest.mark.validate if name in SLOW else ()) for name in MAKERS]
+QUICK = (
+    "Equilibria",
+    "Points",
+    "BifurcationSet",
+    "Jump",
+    "Trajectory",
+    "Sweep",
+    "JumpProbability",
+    "Path of a rod",
+)
+KINDS = [
+    pytest.param(name, id=name, marks=pytest.mark.validate if name in SLOW else ())
+    for name in MAKERS
+]
 
 
 @pytest.fixture(scope="module", params=few(KINDS, *QUICK))
@@ -169,7 +210,10 @@ def test_a_notebook_gets_a_table(shown: Any) -> None:
     result = shown
     text = result._repr_html_()
     assert text == copy.deepcopy(result)._repr_html_()  # of equal results
-    rows = [["".join(cell.itertext()) for cell in row] for row in ET.fromstring(f"<p>{text}</p>").iter("tr")]
+    rows = [
+        ["".join(cell.itertext()) for cell in row]
+        for row in ET.fromstring(f"<p>{text}</p>").iter("tr")
+    ]
     assert 2 <= len(rows) < 100
     assert all(cell for cell in rows[0][1:])
     assert "array(" not in text
@@ -177,7 +221,12 @@ def test_a_notebook_gets_a_table(shown: Any) -> None:
     if type(result).__str__ is Result.__str__:
         assert all(cell in str(result) for row in rows for cell in row)
         # Radians stand under no heading: every angle is in degrees, and says so.
-        headings = [cell for row in rows for cell in row if cell.split(" ")[0].startswith(("theta", "poles"))]
+        headings = [
+            cell
+            for row in rows
+            for cell in row
+            if cell.split(" ")[0].startswith(("theta", "poles"))
+        ]
         assert all(heading.split(" ")[0].endswith("_deg") for heading in headings)
     assert repr(result).startswith(f"{type(result).__name__}(")
 
@@ -211,19 +260,30 @@ def test_a_saved_result_is_read_back(result: Any, tmp_path: Path) -> None:
     [
         ("{}", "holds no result"),
         ('{"spragsym":"0.0.1","result":null}', "was written by spragsym 0.0.1"),
-        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["os","system",{"dict":[]}]}}', "is no class of results"),
+        (
+            '{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["os","system",{"dict":[]}]}}',
+            "is no class of results",
+        ),
         (
             '{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["spragsym.article.__main__","Path",{"dict":[]}]}}',
             "is no class",
         ),
-        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"model":["elsewhere",false]}}', "no shipped model"),
-        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"array":["<f8",[2]]}}', "other parts than now"),
+        (
+            '{"spragsym":"VERSION","sha256":"DIGEST","result":{"model":["elsewhere",false]}}',
+            "no shipped model",
+        ),
+        (
+            '{"spragsym":"VERSION","sha256":"DIGEST","result":{"array":["<f8",[2]]}}',
+            "other parts than now",
+        ),
         ('{"spragsym":"VERSION","sha256":"0","result":null}', "not as it was written"),
     ],
 )
 def test_a_file_runs_no_code(text: str, what: str, tmp_path: Path) -> None:
     digest = hashlib.sha256(text.partition('"result":')[2][:-1].encode()).hexdigest()
-    (tmp_path / "a.json").write_text(text.replace("VERSION", ss.__version__).replace("DIGEST", digest))
+    (tmp_path / "a.json").write_text(
+        text.replace("VERSION", ss.__version__).replace("DIGEST", digest)
+    )
     with pytest.raises(ss.ParameterError, match=what):
         ss.open(tmp_path / "a.json")
 
@@ -254,9 +314,13 @@ def test_frame_and_dataset_hold_the_columns(result: Any) -> None:
     columns = result.data()
     dataset = result.to_xarray()
     assert list(dataset.data_vars) == list(columns)
-    assert "error" not in columns or isinstance(result, ss.Trajectory) or not dataset.error.attrs  # a bound, of no motion
+    assert (
+        "error" not in columns or isinstance(result, ss.Trajectory) or not dataset.error.attrs
+    )  # a bound, of no motion
     for name, column in columns.items():
-        assert np.array_equal(dataset[name].values.astype(column.dtype), column, equal_nan=column.dtype.kind == "f")
+        assert np.array_equal(
+            dataset[name].values.astype(column.dtype), column, equal_nan=column.dtype.kind == "f"
+        )
     pytest.importorskip("pandas")
     assert list(result.to_dataframe().columns) == list(columns)
 

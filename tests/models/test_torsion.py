@@ -28,7 +28,9 @@ def turning(x: Any, y: Any, theta0: Any, xp: Any = mpmath) -> Any:
     return off + 2 * xp.pi if off <= -xp.pi else off - 2 * xp.pi if off > xp.pi else off
 
 
-def forces(x: Any, y: Any, p: dict[str, Any], mu: Any, pushing: bool, xp: Any = mpmath) -> tuple[Any, Any]:
+def forces(
+    x: Any, y: Any, p: dict[str, Any], mu: Any, pushing: bool, xp: Any = mpmath
+) -> tuple[Any, Any]:
     """Both components of the force on the mass, from the drawing."""
     dx, dy = xp.cos(p["theta0"]) - x, xp.sin(p["theta0"]) - y
     square = dx * dx + dy * dy
@@ -44,19 +46,27 @@ def forces(x: Any, y: Any, p: dict[str, Any], mu: Any, pushing: bool, xp: Any = 
 def behind(p: Any, off: float, speed: float) -> list[float]:
     """A start near the ray φ = ±π, turned by ``off`` from it, and moving along the circle around the anchor."""
     theta0 = float(p.scalars("theta0")[0])
-    ray, along = np.array([np.cos(theta0), np.sin(theta0)]), np.array([-np.sin(theta0), np.cos(theta0)])
+    ray, along = (
+        np.array([np.cos(theta0), np.sin(theta0)]),
+        np.array([-np.sin(theta0), np.cos(theta0)]),
+    )
     return [*(2.2 * ray + off * along), *(speed * along)]
 
 
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])
-def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, backend: str) -> None:
+def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(
+    model: Any, backend: str
+) -> None:
     """Against SciPy with a right-hand side of our own, stopped where the torque jumps; the energy changes by the powers alone."""
     from scipy.integrate import solve_ivp
 
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     p = model.Parameters(tau=0.02, mu0=0.3)
-    start, given = behind(p, -0.1, 0.5), dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+    start, given = (
+        behind(p, -0.1, 0.5),
+        dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True)),
+    )
     tr = ss.simulate(p, start=start, t_end=3.0, backend=backend, rtol=1e-12)
 
     def rates(_: float, state: Any) -> list[float]:
@@ -66,7 +76,9 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
         return [vx, vy, *forces(x, y, given, mu, y < 0, math)]
 
     def jump(_: float, state: Any) -> float:
-        return float(np.sin(0.8) * (state[0] - np.cos(0.8)) - np.cos(0.8) * (state[1] - np.sin(0.8)))
+        return float(
+            np.sin(0.8) * (state[0] - np.cos(0.8)) - np.cos(0.8) * (state[1] - np.sin(0.8))
+        )
 
     jump.terminal = True  # type: ignore[attr-defined]  # as solve_ivp asks for it
     options = {"rtol": 1e-12, "atol": 1e-13, "method": "DOP853"}
@@ -109,11 +121,27 @@ def test_angles_of_rectangles_hold_all_and_jump_nowhere() -> None:
     shares = np.array([0.0, 0.3, 0.5, 1.0])
     with mpmath.workdps(40):
         for i in range(len(meets)):
-            for x in np.clip(cosine.low[i] + shares * (cosine.high[i] - cosine.low[i]), cosine.low[i], cosine.high[i]).tolist():
-                for y in np.clip(sine.low[i] + shares * (sine.high[i] - sine.low[i]), sine.low[i], sine.high[i]).tolist():
+            for x in np.clip(
+                cosine.low[i] + shares * (cosine.high[i] - cosine.low[i]),
+                cosine.low[i],
+                cosine.high[i],
+            ).tolist():
+                for y in np.clip(
+                    sine.low[i] + shares * (sine.high[i] - sine.low[i]), sine.low[i], sine.high[i]
+                ).tolist():
                     phi = mpmath.atan2(y, x)
-                    bounds = (plain,) if not meets[i] else (every, above if y >= 0 else below) if y else (every,)
+                    bounds = (
+                        (plain,)
+                        if not meets[i]
+                        else (every, above if y >= 0 else below)
+                        if y
+                        else (every,)
+                    )
                     assert all(bound.low[i] <= phi <= bound.high[i] for bound in bounds)
             if not meets[i]:
-                corners = [mpmath.atan2(y, x) for x in (cosine.low[i], cosine.high[i]) for y in (sine.low[i], sine.high[i])]
+                corners = [
+                    mpmath.atan2(y, x)
+                    for x in (cosine.low[i], cosine.high[i])
+                    for y in (sine.low[i], sine.high[i])
+                ]
                 assert plain.width[i] <= max(corners) - min(corners) + 2e-14

@@ -19,20 +19,26 @@ def test_coming_to_rest_is_no_reversal(backend: str) -> None:
     block = model_of(page, "block").Parameters(V=0.0, zeta=0.0, s=0.0)
     assert len(ss.simulate(block, start=(0.0, 1.0), t_end=100.0, backend=backend).events) == 0
     # A swing that dies out turns back once for each half of a period, however small it is.
-    swing = ss.simulate(block.replace(s=1.0, mu_s=0.02), start=(0.0, 1.0), t_end=30.0, backend=backend)
+    swing = ss.simulate(
+        block.replace(s=1.0, mu_s=0.02), start=(0.0, 1.0), t_end=30.0, backend=backend
+    )
     assert len(swing.events) == 10
     # A sweep counts the same, and leaves out what its transient leaves out.
     starts = {"x0": [0.0, 0.0], "vx0": [1.0, 0.9], "t_end": 100.0, "backend": backend}
     assert rms_sweep(block, transient=0.0, **starts).slip_reversed.tolist() == [0, 0]
     assert rms_sweep(block, transient=50.0, **starts).slip_reversed.tolist() == [0, 0]
-    swung = rms_sweep(block.replace(s=1.0, mu_s=0.02), vx0=1.0, t_end=30.0, transient=0.0, backend=backend)
+    swung = rms_sweep(
+        block.replace(s=1.0, mu_s=0.02), vx0=1.0, t_end=30.0, transient=0.0, backend=backend
+    )
     assert swung.slip_reversed == 10
 
 
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])
 def test_a_motion_that_grows_beyond_all_bounds_is_told_so(backend: str) -> None:
     pytest.importorskip(backend)
-    page = shipped_page("stick_slip", ("page.spring(k, along=x)", "page.force(k**3 * x**3 / N_0**2, along=x)"))
+    page = shipped_page(
+        "stick_slip", ("page.spring(k, along=x)", "page.force(k**3 * x**3 / N_0**2, along=x)")
+    )
     p = model_of(page, "runaway").Parameters(mu_s=0.0, zeta=0.0)
     with pytest.raises(ss.ConvergenceError, match="grows beyond all bounds"):
         ss.simulate(p, start=(2.0, 0.0), t_end=50.0, backend=backend)

@@ -20,7 +20,12 @@ BRAKE = ss.load("coulomb_stick_slip")
         pytest.param(name, seeds, marks=mark)
         for mark, *rows in (
             (pytest.mark.thorough, ("coulomb", range(5)), ("leine", range(5)), ("tip", range(2))),
-            (pytest.mark.validate, ("coulomb", range(5, 105)), ("leine", range(5, 105)), ("tip", range(5, 105))),
+            (
+                pytest.mark.validate,
+                ("coulomb", range(5, 105)),
+                ("leine", range(5, 105)),
+                ("tip", range(5, 105)),
+            ),
         )
         for name, seeds in rows
     ],
@@ -31,7 +36,13 @@ def test_random_motions_are_those_of_another_driver(name: str, seeds: range) -> 
     for seed in seeds:
         values, start = dry_friction.drawn(name, seed)
         p = dry_friction.model(name).Parameters(**values)
-        tr = ss.simulate(p, start=start, t_end=30.0, rtol=1e-12, backend="scipy" if seed % 2 or len(seeds) < 9 else None)
+        tr = ss.simulate(
+            p,
+            start=start,
+            t_end=30.0,
+            rtol=1e-12,
+            backend="scipy" if seed % 2 or len(seeds) < 9 else None,
+        )
         ours = [ss.Event(kind).name for kind in tr.events.which]
         for longest in (0.2, 0.01):
             driver = dry_friction.Driver(name, values, longest)
@@ -40,15 +51,22 @@ def test_random_motions_are_those_of_another_driver(name: str, seeds: range) -> 
             if ours == theirs:
                 break
         assert ours == theirs, seed
-        for t, state, (_, at, there) in zip(tr.events.t, tr.events.state, driver.events, strict=True):
-            assert t == pytest.approx(at, abs=1e-6), seed  # the root of the driver's margin, where x' = V is all but touched
+        for t, state, (_, at, there) in zip(
+            tr.events.t, tr.events.state, driver.events, strict=True
+        ):
+            assert t == pytest.approx(at, abs=1e-6), (
+                seed
+            )  # the root of the driver's margin, where x' = V is all but touched
             assert state == pytest.approx(there, abs=1e-6), seed
         assert tr.state[:, -1] == pytest.approx(end, abs=1e-7), seed
         kinds |= {*theirs}
     assert {"STICK", "SLIP"} <= kinds
 
 
-@pytest.mark.parametrize("digits", [pytest.param(22, marks=pytest.mark.thorough), pytest.param(30, marks=pytest.mark.validate)])
+@pytest.mark.parametrize(
+    "digits",
+    [pytest.param(22, marks=pytest.mark.thorough), pytest.param(30, marks=pytest.mark.validate)],
+)
 def test_leines_oscillator_in_many_digits(digits: int) -> None:
     """R. Leine, D. van Campen, A. de Kraker, L. van den Steen, 1998: F_s = 1, delta = 3, belt 0.2.
 
@@ -73,18 +91,23 @@ def test_leines_smoothed_oscillator_is_his() -> None:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize(
-    ("degrees", "V", "start", "times"), [(60, 0.5, START, (24, 26)), (42, 0.2, (0, -0.02, 0.2, 0), (5, 8, 12))]
+    ("degrees", "V", "start", "times"),
+    [(60, 0.5, START, (24, 26)), (42, 0.2, (0, -0.02, 0.2, 0), (5, 8, 12))],
 )
 def test_steep_laws_come_to_dry_friction_as_their_theory_says(
     degrees: float, V: float, start: tuple[float, ...], times: tuple[int, ...]
 ) -> None:
     """As (A ln d + B)/d: where the force comes to its limit it creeps at speeds of ln d/d."""
     theta0 = math.radians(degrees)
-    limit = ss.simulate(ss.load("coulomb").Parameters(theta0=theta0, V=V), start=start, t_end=26.0, rtol=1e-12)
+    limit = ss.simulate(
+        ss.load("coulomb").Parameters(theta0=theta0, V=V), start=start, t_end=26.0, rtol=1e-12
+    )
     assert ss.Event.STICK in limit.events.which
     far = []
     for d in (1e2, 1e3, 1e4, 1e5):
-        steep = ss.simulate(ss.Parameters.article(theta0=theta0), V=V, d=d, start=start, t_end=26.0, rtol=1e-12)
+        steep = ss.simulate(
+            ss.Parameters.article(theta0=theta0), V=V, d=d, start=start, t_end=26.0, rtol=1e-12
+        )
         far.append(d * np.abs(steep(times) - limit(times)).max(axis=0))
     assert np.all(np.array(far) < 1.6 * np.log([[1e2], [1e3], [1e4], [1e5]]))
     _, one, other = np.diff(far, axis=0)
@@ -102,14 +125,18 @@ def test_steep_laws_come_to_dry_friction_as_their_theory_says(
         pytest.param("tip", range(30), 20, marks=pytest.mark.validate),
     ],
 )
-def test_derivatives_of_cycles_that_stick_are_differences_of_motions(name: str, seeds: Sequence[int], least: int) -> None:
+def test_derivatives_of_cycles_that_stick_are_differences_of_motions(
+    name: str, seeds: Sequence[int], least: int
+) -> None:
     """Their multipliers, and those of the return by the belt's speed and the friction, by the other driver."""
     pytest.importorskip("heyoka")
     stuck, model = 0, dry_friction.model(name)
     for seed in seeds:
         values, start = dry_friction.drawn(name, seed)
         try:
-            cycle = ss.cycle(model.Parameters(**values), V=max(values["V"], 0.05), near=start, patient=False)
+            cycle = ss.cycle(
+                model.Parameters(**values), V=max(values["V"], 0.05), near=start, patient=False
+            )
         except ss.ConvergenceError:
             continue
         if stuck == least or 0 not in cycle.phases.side or cycle.period > 60:
@@ -117,13 +144,19 @@ def test_derivatives_of_cycles_that_stick_are_differences_of_motions(name: str, 
         stuck += 1
         varied = "V", "mu0"
         theirs = dry_friction.derivatives(name, cycle, varied)
-        directions = np.eye(len(model.parameters))[[model.parameters.index(each) for each in varied]]
-        passage = Flow.of(cycle.field, None).fly(cycle.state, cycle.loop.constants, cycle.period, directions)
+        directions = np.eye(len(model.parameters))[
+            [model.parameters.index(each) for each in varied]
+        ]
+        passage = Flow.of(cycle.field, None).fly(
+            cycle.state, cycle.loop.constants, cycle.period, directions
+        )
         assert cycle.residual < 1e-11, seed
         scale, by_state = max(1.0, np.abs(theirs).max()), theirs[:, : len(cycle.state)]
         ours = np.hstack([passage.by_state, passage.by_parameters])
         assert ours == pytest.approx(theirs, abs=3e-5 * scale), seed
-        assert np.poly(cycle.multipliers) == pytest.approx(np.poly(by_state), abs=3e-5 * scale**2), seed
+        assert np.poly(cycle.multipliers) == pytest.approx(
+            np.poly(by_state), abs=3e-5 * scale**2
+        ), seed
     assert stuck == least
 
 
@@ -132,20 +165,30 @@ def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
     """Where the belt stands: at any place at which the force is within its limit, of which statics knows one."""
     pytest.importorskip(backend)
     for start, end in ((1.0, -0.2), (0.55, 0.55), (0.4, 0.4)):
-        tr = ss.simulate(BRAKE.Parameters(V=0.0, mu_s=0.6, mu_k=0.4), x0=start, t_end=40.0, backend=backend)
+        tr = ss.simulate(
+            BRAKE.Parameters(V=0.0, mu_s=0.6, mu_k=0.4), x0=start, t_end=40.0, backend=backend
+        )
         found = tr.outcome()
         assert found.regime == ss.Regime.EQUILIBRIUM
         assert found.rest[0] == pytest.approx(end, abs=1e-9)
         assert tr.after(30.0).sticking == 1.0
-        assert ss.simulate(tr.p, x0=start, t_end=40.0, backend=backend, events=False).outcome().rest == found.rest
+        assert (
+            ss.simulate(tr.p, x0=start, t_end=40.0, backend=backend, events=False).outcome().rest
+            == found.rest
+        )
     with pytest.raises(ss.ConvergenceError, match="it comes to rest, and friction holds it there"):
         ss.cycle(tr.p, near=(1.0, 0.0), backend=backend)
-    assert ss.lyapunov(tr.p, start=(1.0, 0.0), t_end=60.0, backend=backend).exponents == pytest.approx([0.0, -math.inf])
+    assert ss.lyapunov(
+        tr.p, start=(1.0, 0.0), t_end=60.0, backend=backend
+    ).exponents == pytest.approx([0.0, -math.inf])
     if backend == "heyoka":  # SciPy takes a minute
         bounces = ss.fate(ss.load("coulomb").Parameters(theta0=0.7, V=0.0), t_end=500.0)
         assert bounces.why.startswith("x sticks while y moves")
     free = BRAKE.Parameters(V=0.0, mu_s=0.0, mu_k=0.0)
-    assert ss.simulate(free, x0=1.0, t_end=40.0, backend=backend).outcome().regime == ss.Regime.UNSETTLED
+    assert (
+        ss.simulate(free, x0=1.0, t_end=40.0, backend=backend).outcome().regime
+        == ss.Regime.UNSETTLED
+    )
 
 
 @pytest.mark.thorough
@@ -153,7 +196,10 @@ def test_contact_is_lost_while_it_sticks() -> None:
     """Upright, nothing pulls along a belt that stands: it bounces in place, and sticks whenever it is back."""
     p = ss.load("coulomb").Parameters(theta0=math.pi / 2, V=0.0)
     tr = ss.simulate(p, y0=-0.1, t_end=60.0, backend="scipy")
-    lost, back, stuck = (tr.events.of(kind) for kind in (ss.Event.CONTACT_LOST, ss.Event.CONTACT_REGAINED, ss.Event.STICK))
+    lost, back, stuck = (
+        tr.events.of(kind)
+        for kind in (ss.Event.CONTACT_LOST, ss.Event.CONTACT_REGAINED, ss.Event.STICK)
+    )
     assert len(lost) == 6
     assert len(tr.events) < 20
     assert stuck.t[:5] == pytest.approx(back.t[:5], abs=1e-3)
@@ -165,7 +211,10 @@ def test_sweeps_count_what_motions_tell_and_nothing_chatters() -> None:
     p, start = ss.load("coulomb").Parameters(theta0=math.radians(42), V=0.2), {"x0": 0.3, "y0": 0.1}
     for workers in (1, 2):
         sweep = ss.rms_sweep(p, **start, t_end=300.0, transient=100.0, workers=workers)
-        told = [len(ss.simulate(p, **start, t_end=300.0).after(100.0).events.of(kind)) for kind in ss.Event]
+        told = [
+            len(ss.simulate(p, **start, t_end=300.0).after(100.0).events.of(kind))
+            for kind in ss.Event
+        ]
         assert (sweep.contact_lost, sweep.slip_reversed) == (told[0], sum(told[2:4]))
     long = ss.simulate(p, **start, t_end=1e4).events
     assert len(long) < 3000
@@ -179,7 +228,13 @@ def test_what_stays_on_a_curved_border_is_kept_there() -> None:
     for backend in ("heyoka", "scipy"):
         pytest.importorskip(backend)
         values, start = dry_friction.drawn("tip", 0)
-        tr = ss.simulate(dry_friction.model("tip").Parameters(**values), start=start, t_end=30.0, rtol=1e-6, backend=backend)
+        tr = ss.simulate(
+            dry_friction.model("tip").Parameters(**values),
+            start=start,
+            t_end=30.0,
+            rtol=1e-6,
+            backend=backend,
+        )
         begin, end = (tr.events.of(kind).t for kind in ("stick", ss.Event.SLIP))
         held = sum(min(end[end > t], default=30.0) - t for t in begin)
         assert tr.sticking == pytest.approx(held / 30.0, abs=1e-9)

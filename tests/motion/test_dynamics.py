@@ -16,7 +16,12 @@ from tests.support import few
 
 BACKENDS = [
     "scipy",
-    pytest.param("compiled", marks=pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")),
+    pytest.param(
+        "compiled",
+        marks=pytest.mark.skipif(
+            not with_compiled.available(), reason="no C compiler on installation"
+        ),
+    ),
     pytest.param("heyoka", marks=pytest.mark.skipif(not find_spec("heyoka"), reason="no heyoka")),
 ]
 BASE = ss.Parameters.article(theta0=np.radians(49))
@@ -24,28 +29,40 @@ BELT = {"V": 0.5, "d": 10.0}
 
 
 def _installed() -> list[str]:
-    return [name for name in integrators.BACKENDS if (with_compiled.available() if name == "compiled" else find_spec(name))]
+    return [
+        name
+        for name in integrators.BACKENDS
+        if (with_compiled.available() if name == "compiled" else find_spec(name))
+    ]
 
 
 @pytest.fixture(scope="module")
 def base() -> dict[str, Trajectory]:
     """A quarter of the article's Figure 7a at the tightest tolerance, by each backend."""
-    return {name: simulate(BASE, **BELT, rtol=1e-13, t_end=500.0, backend=name) for name in _installed()}
+    return {
+        name: simulate(BASE, **BELT, rtol=1e-13, t_end=500.0, backend=name) for name in _installed()
+    }
 
 
 @pytest.mark.thorough
 @pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
 def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
     """The same steps and events, since C has the page's algebra; digits part slowly, as a compiler sums in another order."""
-    problem = prepare(BASE.model, BASE.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=40.0, rtol=1e-9)
-    compiled, scipy = (integrators.integrate(problem, name).samples for name in ("compiled", "scipy"))
+    problem = prepare(
+        BASE.model, BASE.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=40.0, rtol=1e-9
+    )
+    compiled, scipy = (
+        integrators.integrate(problem, name).samples for name in ("compiled", "scipy")
+    )
     assert compiled.t.size == scipy.t.size
     np.testing.assert_allclose(compiled.t, scipy.t, atol=1e-7)
     np.testing.assert_allclose(compiled.states, scipy.states, atol=1e-8)
     assert base["compiled"].rms() == pytest.approx(base["scipy"].rms(), rel=1e-8)
 
 
-@pytest.mark.parametrize("backend", [pytest.param("scipy", marks=pytest.mark.thorough), *BACKENDS[1:]])
+@pytest.mark.parametrize(
+    "backend", [pytest.param("scipy", marks=pytest.mark.thorough), *BACKENDS[1:]]
+)
 def test_crossings_of_the_base_case(backend: str) -> None:
     # Counted by other integrators, that step over the kinks, as sign changes of dense output: 155 and 104.
     tr = simulate(BASE, **BELT, rtol=1e-13, backend=backend)
@@ -66,21 +83,33 @@ def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> N
 
 
 @pytest.mark.parametrize(
-    ("backend", "rtol", "t_end"), [pytest.param("scipy", 1e-12, 4e2, marks=pytest.mark.thorough), ("heyoka", 1e-13, 1e4)]
+    ("backend", "rtol", "t_end"),
+    [pytest.param("scipy", 1e-12, 4e2, marks=pytest.mark.thorough), ("heyoka", 1e-13, 1e4)],
 )
 def test_energy_is_kept_without_friction(backend: str, rtol: float, t_end: float) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
-    tr = simulate(BASE.replace(mu0=0.0), **BELT, x0=0.3, y0=0.2, t_end=t_end, rtol=rtol, backend=backend)
+    tr = simulate(
+        BASE.replace(mu0=0.0), **BELT, x0=0.3, y0=0.2, t_end=t_end, rtol=rtol, backend=backend
+    )
     energy = tr.energy()
     assert len(tr.events) > 0.1 * t_end  # many passages through contact and lift-off
     assert np.abs(energy - energy[0]).max() < 1e-3 * rtol * t_end
 
 
-@pytest.mark.parametrize(("theta0_deg", "slot", "mode", "d"), [
-    (30.0, 0, 0, 4.0), (30.0, 2, 1, 40.0), (49.0, 0, 1, 4.0), (49.0, 0, 0, 40.0), (170.0, 2, 0, 4.0),
-])  # fmt: skip
-def test_small_oscillations_follow_the_linearization(theta0_deg: float, slot: int, mode: int, d: float) -> None:
+@pytest.mark.parametrize(
+    ("theta0_deg", "slot", "mode", "d"),
+    [
+        (30.0, 0, 0, 4.0),
+        (30.0, 2, 1, 40.0),
+        (49.0, 0, 1, 4.0),
+        (49.0, 0, 0, 40.0),
+        (170.0, 2, 0, 4.0),
+    ],
+)
+def test_small_oscillations_follow_the_linearization(
+    theta0_deg: float, slot: int, mode: int, d: float
+) -> None:
     V, size, t_end = 0.5, 1e-7, 1000.0
     p = ss.Parameters.article(theta0=np.radians(theta0_deg))
     mu = 0.5 * (1 - np.exp(-d * V))
@@ -99,7 +128,14 @@ def test_small_oscillations_follow_the_linearization(theta0_deg: float, slot: in
         frequencies = np.sort(np.abs(eq.eigenvalues[slot].imag))
         assert value.imag == pytest.approx(frequencies[2 * mode], rel=1e-7)
     start = np.array([x, y, 0, 0]) + size * vector.real
-    tr = simulate(p, V=V, d=d, **dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True)), t_end=t_end, rtol=1e-13)
+    tr = simulate(
+        p,
+        V=V,
+        d=d,
+        **dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True)),
+        t_end=t_end,
+        rtol=1e-13,
+    )
     linear = size * (vector[:, None] * np.exp(value * tr.t)).real
     deviation = tr.state - np.array([x, y, 0, 0])[:, None] - linear
     assert tr.decay_rate() == pytest.approx(-value.real, rel=1e-3, abs=1e-8)
@@ -127,10 +163,19 @@ def test_the_last_event_is_told_at_the_tightest_tolerance() -> None:
 def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)
     for _ in range(8):
-        p = ss.Parameters.article(theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5))
-        start = dict(zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True))
+        p = ss.Parameters.article(
+            theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5)
+        )
+        start = dict(
+            zip(
+                ("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True
+            )
+        )
         belt = {"V": rng.uniform(0.02, 0.5), "d": rng.uniform(1, 30)}
-        one, *others = (simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name) for name in _installed())
+        one, *others = (
+            simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name)
+            for name in _installed()
+        )
         if not others:
             pytest.skip("one integrator only: nothing to compare with")
         for other in others:
@@ -154,9 +199,13 @@ def through_a_thin_layer() -> np.ndarray:
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("rtol", few([1e-7, 1e-9, 1e-11, 1e-13], 1e-9))
-def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, through_a_thin_layer: np.ndarray) -> None:
+def test_a_thin_layer_of_creep_is_seen_from_far_away(
+    rtol: float, backend: str, through_a_thin_layer: np.ndarray
+) -> None:
     if (backend, rtol) != ("scipy", 1e-13):  # that is the reference
-        assert np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
+        assert (
+            np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
+        )
 
 
 @pytest.mark.usefixtures("ctrl_c")

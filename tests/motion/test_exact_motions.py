@@ -74,12 +74,19 @@ def test_a_small_cycle_beside_rest_is_no_rest(scaled: Any, unit: float) -> None:
 @pytest.mark.thorough
 @needs_a_quick_integrator
 @pytest.mark.parametrize("unit", [1e-3, pytest.param(1e-6, marks=pytest.mark.thorough)])
-def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(scaled: Any, unit: float) -> None:
+def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(
+    scaled: Any, unit: float
+) -> None:
     own = ss.load("stick_slip")
     large, small = ss.cycle(own.Parameters(V=0.2)), ss.cycle(in_length(scaled, unit, 0.2))
     assert small.period == pytest.approx(large.period, rel=1e-9)
-    one, other = ss.cycle_branch(large, "V", (0.05, 2.0)), ss.cycle_branch(small, "V", (0.05 * unit, 2.0 * unit))
-    assert [(event.kind, event.how) for event in one.events] == [(event.kind, event.how) for event in other.events]
+    one, other = (
+        ss.cycle_branch(large, "V", (0.05, 2.0)),
+        ss.cycle_branch(small, "V", (0.05 * unit, 2.0 * unit)),
+    )
+    assert [(event.kind, event.how) for event in one.events] == [
+        (event.kind, event.how) for event in other.events
+    ]
     onset = ss.flutter_onsets(own.Parameters(), vary="V").V[0]
     ends = [one.events[0], other.events[0]]
     for end, width in zip(ends, (1.0, unit), strict=True):
@@ -92,10 +99,14 @@ def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() ->
     """It ended after two points: rounding of the test function kept the closed orbit open."""
     p = ss.load("stick_slip").Parameters(V=2.9)
     (fold,) = ss.cycle_branch(ss.cycle(p, near=(3.2, 0.0)), "V", (2.8, 3.3)).of("fold")
-    curve = ss.cycle_events(fold, ("V", "zeta"), to={"V": (1.0, 9.0), "zeta": (0.03, 0.07)}, points=3)
+    curve = ss.cycle_events(
+        fold, ("V", "zeta"), to={"V": (1.0, 9.0), "zeta": (0.03, 0.07)}, points=3
+    )
     assert curve.how == ("3 points were followed", "3 points were followed")
     V, zeta = curve.values[-1]
-    beside = ss.cycle(p.replace(V=V - 0.05, zeta=zeta), near=curve.cycles[-1].state + np.array([0.05, 0.0]))
+    beside = ss.cycle(
+        p.replace(V=V - 0.05, zeta=zeta), near=curve.cycles[-1].state + np.array([0.05, 0.0])
+    )
     (other,) = ss.cycle_branch(beside, "V", (V - 0.2, V + 0.1)).of("fold")
     assert other.value == pytest.approx(V, abs=1e-8)
 
@@ -112,7 +123,9 @@ def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float]) 
 @pytest.mark.parametrize("epsilon", [2.0, 5.0])
 def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
     """Liouville: they add up to the mean divergence, −ε(⟨x²⟩ − 1). A multiplier of 1e-37 is lost in rounding."""
-    found = ss.fate(model_of(VAN_DER_POL, "van_der_pol").Parameters(epsilon=epsilon), start=(0.1, 0.0))
+    found = ss.fate(
+        model_of(VAN_DER_POL, "van_der_pol").Parameters(epsilon=epsilon), start=(0.1, 0.0)
+    )
     assert found.kind == "cycle"
     divergence = -epsilon * (found.outcome.cycle_rms**2 - 1)
     assert abs(found.exponents.sum() - divergence) <= found.error.sum()

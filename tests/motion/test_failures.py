@@ -36,7 +36,10 @@ def recorded() -> attack.Recorded:
 
 def points_of(path: Path) -> list[list[Any]]:
     """Points in a journal."""
-    lines = [json.loads(line.partition(" ")[2]) for line in path_of(path).read_text(encoding="utf-8").splitlines()]
+    lines = [
+        json.loads(line.partition(" ")[2])
+        for line in path_of(path).read_text(encoding="utf-8").splitlines()
+    ]
     return [line for line in lines if isinstance(line, list)]
 
 
@@ -61,14 +64,23 @@ def raising(error: BaseException) -> Callable[[], object]:
 
 
 @pytest.mark.parametrize("workers", [1, map])
-@pytest.mark.parametrize("error", [MemoryError(), ImportError("no heyoka"), OSError(12, "no memory"), RuntimeError("a mistake")])
+@pytest.mark.parametrize(
+    "error",
+    [MemoryError(), ImportError("no heyoka"), OSError(12, "no memory"), RuntimeError("a mistake")],
+)
 def test_failures_of_the_machine_stop_the_run(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception, workers: Any, recorded: attack.Recorded
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    error: Exception,
+    workers: Any,
+    recorded: attack.Recorded,
 ) -> None:
     path = tmp_path / "rms.csv"
     with monkeypatch.context() as patch:
         failing_at(patch, 3, raising(error))
-        with pytest.raises(SweepError, match=f"theta0 = .*{type(error).__name__}.*3 of 12 points are kept in "):
+        with pytest.raises(
+            SweepError, match=f"theta0 = .*{type(error).__name__}.*3 of 12 points are kept in "
+        ):
             rms_sweep(P, **SHORT, store=path, workers=workers)
     assert not path.exists()
     assert [(point[0], point[2]) for point in points_of(path)] == [(0, ""), (1, ""), (2, "")]
@@ -81,7 +93,11 @@ def test_a_failure_of_the_motion_is_a_result(monkeypatch: pytest.MonkeyPatch) ->
 
     def stops(*arguments: Any) -> Any:
         found = measure(*arguments)
-        return [ss.ConvergenceError("it cannot be followed"), *found[1:]] if next(called) == 3 else found
+        return (
+            [ss.ConvergenceError("it cannot be followed"), *found[1:]]
+            if next(called) == 3
+            else found
+        )
 
     monkeypatch.setattr(integrators, "measure", stops)
     found = rms_sweep(P, **SHORT)
@@ -96,10 +112,20 @@ def test_a_failure_of_the_motion_is_a_result(monkeypatch: pytest.MonkeyPatch) ->
 @pytest.mark.parametrize(
     ("heyoka", "message"),
     [
-        ("raise ImportError('it is not on this machine')", "ImportError: it is not on this machine"),
+        (
+            "raise ImportError('it is not on this machine')",
+            "ImportError: it is not on this machine",
+        ),
         ("raise MemoryError", "MemoryError"),
-        pytest.param("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "ended by SIGKILL", marks=needs_posix),
-        ("import os; print('LLVM ERROR: out of memory', flush=True); os._exit(3)", "exit code 3.*LLVM ERROR"),
+        pytest.param(
+            "import os, signal; os.kill(os.getpid(), signal.SIGKILL)",
+            "ended by SIGKILL",
+            marks=needs_posix,
+        ),
+        (
+            "import os; print('LLVM ERROR: out of memory', flush=True); os._exit(3)",
+            "exit code 3.*LLVM ERROR",
+        ),
     ],
 )
 def test_a_worker_that_fails_is_one_error_at_once(
@@ -133,10 +159,15 @@ integrators.measure = killed
 
 @pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="lists processes as Linux does")
-def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     pytest.importorskip("heyoka")
     p, path = P.replace(theta0=np.radians(np.linspace(30.0, 60.0, 20))), tmp_path / "rms.csv"
-    options, others = {**SHORT, "backend": "heyoka"}, attack.children(os.getpid())  # those of tests before
+    options, others = (
+        {**SHORT, "backend": "heyoka"},
+        attack.children(os.getpid()),
+    )  # those of tests before
     (tmp_path / "heyoka.py").write_text(KILLED, encoding="utf-8")
     with monkeypatch.context() as patch:
         patch.syspath_prepend(tmp_path)  # for the workers: this process has the other one
@@ -154,7 +185,20 @@ def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path
 @pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="lists processes as Linux does")
 def test_workers_end_with_their_parent(tmp_path: Path, begin: Begin) -> None:
-    call = [sys.executable, "-m", "spragsym", "sweep", "--theta0", "49,50", "--t-end", "1e6", "--backend", "scipy", "-j", "2"]
+    call = [
+        sys.executable,
+        "-m",
+        "spragsym",
+        "sweep",
+        "--theta0",
+        "49,50",
+        "--t-end",
+        "1e6",
+        "--backend",
+        "scipy",
+        "-j",
+        "2",
+    ]
     process = begin([*call, "-q", "-o", str(tmp_path / "rms.csv")])
     wait_for(lambda: len(attack.children(process.pid)) == 2)
     workers = attack.children(process.pid)
@@ -166,7 +210,10 @@ def test_workers_end_with_their_parent(tmp_path: Path, begin: Begin) -> None:
 
 def _runs(pid: int) -> bool:
     try:
-        return Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0] != "Z"
+        return (
+            Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
+            != "Z"
+        )
     except FileNotFoundError:
         return False
 
@@ -200,7 +247,9 @@ def test_damaged_results_are_refused(tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize(("limit", "ending"), [(1500, "csv"), (4500, "nc")])
-def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str) -> None:
+def test_a_full_disk_keeps_what_is_good(
+    tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str
+) -> None:
     """No file may be longer than the limit: the journal breaks off, or the result does."""
     pytest.importorskip("resource")
     path, whole = tmp_path / f"rms.{ending}", tmp_path / f"whole.{ending}"

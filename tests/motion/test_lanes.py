@@ -18,13 +18,17 @@ BELT = {"V": 0.5, "d": 10.0}
 RNG = np.random.default_rng(15)
 
 
-def problems(count: int, t_end: float = 60.0, t_record: float = 20.0, **options: int) -> list[Problem]:
+def problems(
+    count: int, t_end: float = 60.0, t_record: float = 20.0, **options: int
+) -> list[Problem]:
     """Of different kinds and lengths in steps: some lift off, some stick, some slide."""
     found = []
     low, high = [0.1, 0.1, *[-0.3] * 4], [3.0, 1.0, *[0.3] * 4]
     for theta0, mu0, *start in RNG.uniform(low, high, (count, 6)).tolist():
         p = ss.Parameters.article(theta0=theta0, mu0=mu0)
-        problem = prepare(p.model, p.replace(**BELT), start=tuple(start), t_end=t_end, rtol=1e-10, **options)
+        problem = prepare(
+            p.model, p.replace(**BELT), start=tuple(start), t_end=t_end, rtol=1e-10, **options
+        )
         found.append(replace(problem, t_record=t_record))
     return found
 
@@ -47,8 +51,12 @@ def assert_same(left: Any, right: Any) -> None:
 
 
 @pytest.mark.parametrize("burst", [5, with_heyoka.BURST])
-def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
-    monkeypatch.setattr(with_heyoka, "BURST", burst)  # the shorter it is, the more often some have ended while others go on
+def test_a_motion_is_the_same_alone_and_among_others(
+    monkeypatch: pytest.MonkeyPatch, burst: int
+) -> None:
+    monkeypatch.setattr(
+        with_heyoka, "BURST", burst
+    )  # the shorter it is, the more often some have ended while others go on
     some = problems(21)  # more than two fillings, and a rest
     together = watched(some)
     order = RNG.permutation(len(some)).tolist()
@@ -60,10 +68,14 @@ def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyP
 
 
 @pytest.mark.parametrize("burst", [5, with_heyoka.BURST])
-def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
+def test_motions_that_break_off_cost_themselves_alone(
+    monkeypatch: pytest.MonkeyPatch, burst: int
+) -> None:
     monkeypatch.setattr(with_heyoka, "BURST", burst)
     good = problems(19)
-    enough = max(simulate_steps(problem) for problem in good) + 5  # steps before a new beginning do not count
+    enough = (
+        max(simulate_steps(problem) for problem in good) + 5
+    )  # steps before a new beginning do not count
     good = [replace(problem, max_steps=enough) for problem in good]
     some = good.copy()
     for place in (0, 3, 4, 12, len(some)):
@@ -103,9 +115,13 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
     found = watched(some)
     for course, problem in zip(found, some, strict=True):
-        p = ss.Parameters.article(theta0=np.arctan2(problem.constants[1], problem.constants[0]), mu0=problem.constants[2])
+        p = ss.Parameters.article(
+            theta0=np.arctan2(problem.constants[1], problem.constants[0]), mu0=problem.constants[2]
+        )
         x0, y0, vx0, vy0 = problem.start
-        tr = simulate(p, **BELT, x0=x0, y0=y0, vx0=vx0, vy0=vy0, t_end=40.0, rtol=1e-12, backend="scipy").after(10.0)
+        tr = simulate(
+            p, **BELT, x0=x0, y0=y0, vx0=vx0, vy0=vy0, t_end=40.0, rtol=1e-12, backend="scipy"
+        ).after(10.0)
         np.testing.assert_allclose(course.last, tr.state[:, -1], atol=1e-7)
         assert course.means == pytest.approx([tr.mean(0.0), tr.mean(0.0, of="y")], abs=1e-8)
         assert max(map(abs, course.reach)) == pytest.approx(tr.largest(0.0), abs=1e-8)
@@ -121,5 +137,8 @@ def test_a_failure_of_the_machine_names_the_task(monkeypatch: pytest.MonkeyPatch
 
     monkeypatch.setattr(integrators, "measure", fails)
     p = ss.Parameters.article(theta0=np.linspace(0.5, 1.0, 7))
-    with pytest.raises(SweepError, match=r"stopped at one of 5 points, of which the first is theta0 = 0\.5, .*: MemoryError"):
+    with pytest.raises(
+        SweepError,
+        match=r"stopped at one of 5 points, of which the first is theta0 = 0\.5, .*: MemoryError",
+    ):
         rms_sweep(p, **BELT, t_end=10.0)

@@ -49,7 +49,9 @@ page.force(T, along=phi)
 
 
 def test_one_cycle_is_one_attractor_in_one_coordinate_and_a_turn_is_no_other_state() -> None:
-    found = basin(ss.load("stick_slip").Parameters(V=0.2), x=[0.0, 0.3, 0.6], vx=[0.0, 0.1], t_end=400.0)
+    found = basin(
+        ss.load("stick_slip").Parameters(V=0.2), x=[0.0, 0.3, 0.6], vx=[0.0, 0.1], t_end=400.0
+    )
     assert [one[0] for one in found.attractors] == [Regime.LIMIT_CYCLE]
     rod = ss.load("sprag_rod").Parameters(theta0=np.radians(40), zeta=0.2)
     sweep = ss.rms_sweep(rod, vphi0=[0.0, 2.0, 3.0, 5.0], t_end=400.0)  # the last two after a turn
@@ -63,7 +65,11 @@ def test_states_of_three_coordinates_are_told_apart_by_all_of_them() -> None:
     p, start = model.Parameters(V=2.0), np.array([[0.9, 0.9, -0.9, -0.9], [0.9, -0.9, 0.9, -0.9]])
     sweep, known = ss.rms_sweep(p, y0=start[0], z0=start[1], t_end=400.0), ss.equilibria(p)
     assert known.count == 9
-    for name, wanted in (("y", np.sign(start[0])), ("z", np.sign(start[1])), ("x", np.full(4, 0.2 / 4.01))):
+    for name, wanted in (
+        ("y", np.sign(start[0])),
+        ("z", np.sign(start[1])),
+        ("x", np.full(4, 0.2 / 4.01)),
+    ):
         assert getattr(sweep, f"rest_{name}") == pytest.approx(wanted, abs=1e-9)
         assert getattr(known, name)[sweep.equilibrium] == pytest.approx(wanted, abs=1e-9)
     cycles = basin(model.Parameters(), x=[0.3, 0.5], z=[0.9, -0.9], y0=0.8, t_end=400.0)
@@ -76,14 +82,18 @@ def test_the_edge_between_two_cycles_that_differ_in_the_last_coordinate() -> Non
     p = model_of(WELLS, "wells").Parameters()
     found = ss.fate_boundary(p, vary="c", bracket=(0.2, 0.4), start=(0.3, 1.0, 2.0, 0.0, 0.0, 0.0))
     assert found.below.cycle_z * found.above.cycle_z == pytest.approx(-1.0)
-    assert found.growth == pytest.approx((np.hypot(found.value, 2**0.5) - found.value) / 2)  # of the hill at z = 0
+    assert found.growth == pytest.approx(
+        (np.hypot(found.value, 2**0.5) - found.value) / 2
+    )  # of the hill at z = 0
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("order", [("x", "phi"), ("phi", "x")])
 def test_a_rotation_is_a_cycle_modulo_a_turn(order: tuple[str, str]) -> None:
     model = model_of(SHAKER.replace("ORDER", repr(order)), "_".join(order))
-    sweep = ss.rms_sweep(model.Parameters(), vphi0=[0.0, 3.0, 5.0], phi0=[0.0, 0.3, 7.0], t_end=400.0)
+    sweep = ss.rms_sweep(
+        model.Parameters(), vphi0=[0.0, 3.0, 5.0], phi0=[0.0, 0.3, 7.0], t_end=400.0
+    )
     assert sweep.regime.tolist() == [Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE, Regime.LIMIT_CYCLE]
 
     def field(_: float, state: np.ndarray) -> list[float]:
@@ -96,7 +106,15 @@ def test_a_rotation_is_a_cycle_modulo_a_turn(order: tuple[str, str]) -> None:
     end = solve_ivp(field, (0.0, float(sweep.period[1])), start, rtol=1e-11, atol=1e-12).y[:, -1]
     assert end == pytest.approx(np.add(start, [0.0, 2 * np.pi, 0.0, 0.0]), abs=1e-7)
     assert sweep.outcome(1).limit == sweep.outcome(2).limit
-    assert [one[0] for one in basin(model.Parameters(), phi=[0.3, 7.0], vphi=[3.0, 5.0], t_end=400.0).attractors] == [2]
-    fate = ss.fate(model.Parameters(), start=[{"vphi": 3.0}.get(name, 0.0) for name in (*model.coordinates, *model.rates)])
+    assert [
+        one[0]
+        for one in basin(
+            model.Parameters(), phi=[0.3, 7.0], vphi=[3.0, 5.0], t_end=400.0
+        ).attractors
+    ] == [2]
+    fate = ss.fate(
+        model.Parameters(),
+        start=[{"vphi": 3.0}.get(name, 0.0) for name in (*model.coordinates, *model.rates)],
+    )
     assert (fate.kind, fate.exponents.size) == ("cycle", 4)
     assert fate.exponents[1] == pytest.approx(-float(sweep.rate[1]), rel=1e-5)

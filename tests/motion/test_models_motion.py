@@ -29,14 +29,20 @@ def parameters(model: Any, **changes: Any) -> Any:
 def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
     model = ss.load(name).search
-    tr = ss.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend) if "y" in model.coordinates else None
+    tr = (
+        ss.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend)
+        if "y" in model.coordinates
+        else None
+    )
     tr = tr or ss.simulate(parameters(model), t_end=40.0, backend=backend)
     energy = tr.energy()
     scale = np.abs(energy).max() + tr.integral(np.abs(tr.power()))
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 3e-9 * scale
     if model.about["contact"]["unilateral"]:
         assert len(tr.events.of(Event.CONTACT_REGAINED)) >= 1
-        gap = model.algebra.borders(*tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED).state.T, *tr._arguments())[0]
+        gap = model.algebra.borders(
+            *tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED).state.T, *tr._arguments()
+        )[0]
         assert np.abs(gap).max() < 1e-11
 
 
@@ -55,7 +61,9 @@ def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> Non
 
     start = np.zeros(2 * n)
     run = solve_ivp(field, (0.0, 8.0), start, method="Radau", rtol=1e-9, atol=1e-11, max_step=0.02)
-    np.testing.assert_allclose(ss.simulate(p, t_end=8.0).state[:, -1], run.y[:, -1], rtol=0, atol=1e-6)
+    np.testing.assert_allclose(
+        ss.simulate(p, t_end=8.0).state[:, -1], run.y[:, -1], rtol=0, atol=1e-6
+    )
 
 
 def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
@@ -94,10 +102,17 @@ def test_a_state_that_oscillates_does_not_pass_for_stable(run: Run) -> None:
 def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():
     model = ss.load("damped")
     more = {"mu0": 0.7, "zeta_x": 0.5, "zeta_y": 0.5}
-    sweep = ss.rms_sweep(model.Parameters(theta0=np.radians([30.0, 60.0]), **more), x0=[[0.0], [1.5]], t_end=200.0, rtol=1e-8)
+    sweep = ss.rms_sweep(
+        model.Parameters(theta0=np.radians([30.0, 60.0]), **more),
+        x0=[[0.0], [1.5]],
+        t_end=200.0,
+        rtol=1e-8,
+    )
     # At the friction μ(V), which the motion feels.
     friction = 0.7 * (1 - np.exp(-model.base["V"] * model.base["d"]))
-    eq = ss.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction}))
+    eq = ss.equilibria(
+        model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction})
+    )
     rest = np.isin(sweep.regime, (ss.Regime.EQUILIBRIUM, ss.Regime.APPROACHES_EQUILIBRIUM))
     assert rest.any()
     assert ((sweep.equilibrium >= 0) == rest).all()

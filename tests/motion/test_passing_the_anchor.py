@@ -23,7 +23,11 @@ def height(t: float) -> float:
     """The spring pulls down above its anchor as if its end were at y = 2, and below it as if at y = 0."""
     above, below = 2 - KAPPA / SIGMA, -KAPPA / SIGMA
     passed = brentq(lambda t: arc(t, 1.5, -0.6, above)[0] - 1, 0, 2, xtol=1e-15)
-    return arc(t, 1.5, -0.6, above)[0] if t < passed else arc(t - passed, *arc(passed, 1.5, -0.6, above), below)[0]
+    return (
+        arc(t, 1.5, -0.6, above)[0]
+        if t < passed
+        else arc(t - passed, *arc(passed, 1.5, -0.6, above), below)[0]
+    )
 
 
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])

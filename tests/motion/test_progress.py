@@ -32,10 +32,21 @@ def said_by(ask: Callable[[], Any]) -> list[str]:
             "whether the state ends at the cusp at mu0 = 0.207376",
             marks=pytest.mark.thorough,
         ),
-        (lambda: ss.certify(P.replace(mu0=0.0), P.replace(mu0=0.01, theta0=1.01), "no jump"), "parts of the box looked at"),
-        pytest.param(lambda: ss.bifurcation_set(P, n=3), "3 lines along mu0", marks=pytest.mark.thorough),
-        (lambda: ss.jump_margin(ss.Parameters.article(theta0=0.7), {"mu0": 0.05}), "tolerances away"),
-        (lambda: claims.run([one for one in claims.STATEMENTS if one.id == "claim-mu-cr"]), "claim-mu-cr"),
+        (
+            lambda: ss.certify(P.replace(mu0=0.0), P.replace(mu0=0.01, theta0=1.01), "no jump"),
+            "parts of the box looked at",
+        ),
+        pytest.param(
+            lambda: ss.bifurcation_set(P, n=3), "3 lines along mu0", marks=pytest.mark.thorough
+        ),
+        (
+            lambda: ss.jump_margin(ss.Parameters.article(theta0=0.7), {"mu0": 0.05}),
+            "tolerances away",
+        ),
+        (
+            lambda: claims.run([one for one in claims.STATEMENTS if one.id == "claim-mu-cr"]),
+            "claim-mu-cr",
+        ),
         (lambda: ss.rms_sweep(P, V=[0.4, 0.5], t_end=20.0, transient=10.0), "2 of 2 points"),
     ],
 )
@@ -43,7 +54,9 @@ def test_what_takes_long_says_what_it_is_at(ask: Callable[[], Any], expected: st
     assert any(expected in text for text in said_by(ask))
 
 
-def test_what_takes_long_says_again_how_long(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_takes_long_says_again_how_long(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setattr(progress, "LONG", 0.01)
     with ss.show_progress("work"):
         time.sleep(0.3)

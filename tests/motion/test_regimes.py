@@ -15,11 +15,15 @@ from tests.oracles import article_motion
 BELT = {"V": 0.5, "d": 10.0}
 SLOW = ss.Parameters.article(theta0=np.radians(42))
 
-needs_heyoka = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="long motions take SciPy minutes")
+needs_heyoka = pytest.mark.skipif(
+    not importlib.util.find_spec("heyoka"), reason="long motions take SciPy minutes"
+)
 
 
 #: Another integrator, which does not stop at kinks.
-plain = partial(article_motion.integrated, method="DOP853", rtol=1e-10, atol=1e-13, dense_output=True)
+plain = partial(
+    article_motion.integrated, method="DOP853", rtol=1e-10, atol=1e-13, dense_output=True
+)
 
 
 # ---------------------------------------------------------------------------------------------------- cycles
@@ -27,7 +31,9 @@ plain = partial(article_motion.integrated, method="DOP853", rtol=1e-10, atol=1e-
 
 @needs_heyoka
 def test_a_cycle_is_told_with_its_own_period_while_the_motion_winds_onto_it() -> None:
-    early, late = (rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500) for end in (2500.0, 8000.0))
+    early, late = (
+        rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500) for end in (2500.0, 8000.0)
+    )
     for found in (early, late):
         assert found.regime == Regime.APPROACHES_CYCLE
         start = [float(found.cycle_x), float(found.cycle_y), 0.0, float(found.cycle_vy)]
@@ -50,14 +56,18 @@ def test_a_cycle_is_told_with_its_own_period_while_the_motion_winds_onto_it() ->
 @pytest.mark.skipif(not with_compiled.available(), reason="the compiled integrator was not built")
 def test_a_cycle_by_derivatives_and_by_differences_is_one() -> None:
     found = [
-        rms_sweep(SLOW, **BELT, x0=2.54, y0=3.36, vy0=0.36, t_end=400.0, transient=100.0, backend=backend)
+        rms_sweep(
+            SLOW, **BELT, x0=2.54, y0=3.36, vy0=0.36, t_end=400.0, transient=100.0, backend=backend
+        )
         for backend in ("heyoka", "compiled")
     ]
     assert [one.regime for one in found] == [Regime.APPROACHES_CYCLE] * 2
     known = ss.cycle(SLOW, **BELT, near=(2.54, 3.36, 0.0, 0.36))
     for one, off in zip(found, (1e-10, 1e-6), strict=True):
         assert one.period == pytest.approx(known.period, rel=off)
-        assert one.rate == pytest.approx(-np.log(known.multipliers[1].real) / known.period, rel=1e-4)
+        assert one.rate == pytest.approx(
+            -np.log(known.multipliers[1].real) / known.period, rel=1e-4
+        )
         assert one.cycle_rms == pytest.approx(known.rms, rel=1e-7)
 
 
@@ -65,7 +75,9 @@ def test_a_cycle_by_derivatives_and_by_differences_is_one() -> None:
 @needs_heyoka
 def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
     # Some of these wander irregularly first, for how long depends on the last bits: rtol 3e-11 instead of 1e-10 takes past 8000.
-    found = basin(SLOW, **BELT, x=[0.0, 0.6, 0.9], vx=[0.0, 0.3], t_end=20_000.0, transient=19_500.0)
+    found = basin(
+        SLOW, **BELT, x=[0.0, 0.6, 0.9], vx=[0.0, 0.3], t_end=20_000.0, transient=19_500.0
+    )
     assert (found.attractor == 0).all()
     ((regime, _, mean, spread),) = found.attractors
     assert regime == Regime.LIMIT_CYCLE
@@ -82,14 +94,22 @@ def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) ->
     That it attracts is seen: from 2000 to 20000 what is left of the motion falls from 6e-3 to 1e-10.
     """
     p = ss.Parameters(
-        theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.018390029572304515, alpha=0.007602201771049415,
-        sigma=0.26780681780715265, beta=0.0,
-    )  # fmt: skip
+        theta0=2.7812867375530876,
+        mu0=0.4634621203921272,
+        kappa=0.018390029572304515,
+        alpha=0.007602201771049415,
+        sigma=0.26780681780715265,
+        beta=0.0,
+    )
     start = {"x0": 0.1009949493101665, "vx0": 0.1636269484446078, "vy0": 0.01329781021160948}
-    found = rms_sweep(p, 0.15216712083347134, 5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0)
+    found = rms_sweep(
+        p, 0.15216712083347134, 5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0
+    )
     assert found.regime == Regime.LIMIT_CYCLE
     assert found.period == pytest.approx(20.673374, abs=1e-5)
-    assert found.rate == pytest.approx(np.log(3.15e-4 / 4.52e-8) / 8000, rel=0.01)  # what is left at 4000, and at 12000
+    assert found.rate == pytest.approx(
+        np.log(3.15e-4 / 4.52e-8) / 8000, rel=0.01
+    )  # what is left at 4000, and at 12000
 
 
 # ------------------------------------------------------------------------------------------------------- rest

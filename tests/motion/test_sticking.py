@@ -22,7 +22,9 @@ def exact(mu_s: float, mu_k: float, V: float) -> tuple[float, float, float]:
 
 
 @pytest.mark.parametrize(("backend", "trials"), [("heyoka", 200), ("scipy", 3)])
-def test_stick_slip_has_the_period_the_range_and_the_share_of_its_closed_forms(backend: str, trials: int) -> None:
+def test_stick_slip_has_the_period_the_range_and_the_share_of_its_closed_forms(
+    backend: str, trials: int
+) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     rng = np.random.default_rng(60)
@@ -43,7 +45,13 @@ def test_stick_slip_has_the_period_the_range_and_the_share_of_its_closed_forms(b
 
 def test_the_energy_changes_by_the_work_of_friction() -> None:
     """Over jumps of the force: sticking, slipping, overtaking and lift-off."""
-    tr = ss.simulate(ss.load("coulomb").Parameters(theta0=math.radians(42)), x0=0.3, y0=0.1, t_end=300.0, rtol=1e-12)
+    tr = ss.simulate(
+        ss.load("coulomb").Parameters(theta0=math.radians(42)),
+        x0=0.3,
+        y0=0.1,
+        t_end=300.0,
+        rtol=1e-12,
+    )
     energy, power = tr.energy(), tr.friction_power()
     assert tr.sticking > 0
     assert {ss.Event(kind).name for kind in tr.events.which} == {kind.name for kind in ss.Event}
@@ -68,12 +76,19 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
     """Along closed forms, by no needless steps; in a family of cycles at every value there is no fold, and no branch."""
     pytest.importorskip("heyoka")
     for mu_k, vary, to, hows in (
-        (0.4, "mu_k", (0.05, 0.9), ("the range ends", "x' = V", FAMILIES)),  # it sticks no more where both coefficients are one
+        (
+            0.4,
+            "mu_k",
+            (0.05, 0.9),
+            ("the range ends", "x' = V", FAMILIES),
+        ),  # it sticks no more where both coefficients are one
         (0.4, "V", (0.05, 0.9), ("the range ends", "the range ends")),
         (0.7, "mu_k", (0.5, 0.8), (FAMILIES, FAMILIES)),
     ):
         given = {"mu_s": 0.6, "mu_k": mu_k, "V": 0.3}
-        branch = ss.cycle_branch(ss.cycle(STICK_SLIP.Parameters(**given), near=(mu_k, 0.3)), vary, to)
+        branch = ss.cycle_branch(
+            ss.cycle(STICK_SLIP.Parameters(**given), near=(mu_k, 0.3)), vary, to
+        )
         periods = [exact(**(given | {vary: value}))[0] for value in branch.values.tolist()]
         assert branch.periods == pytest.approx(periods, abs=1e-11)
         assert tuple(event.how for event in branch.events) == hows
@@ -86,18 +101,41 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
     [
         ({"V": 0.0}, (0.55, 0.0), [], (0.55, 0.0)),  # it stays where the belt stands
         ({"V": 0.0}, (0.6, 0.0), [], (0.6, 0.0)),  # the force at its limit is within it
-        ({"V": 0.0}, (1.0, 0.0), ["STICK"], (-0.2, 0.0)),  # half a turn about μ_k = 0.4, then |x| < μ_s
+        (
+            {"V": 0.0},
+            (1.0, 0.0),
+            ["STICK"],
+            (-0.2, 0.0),
+        ),  # half a turn about μ_k = 0.4, then |x| < μ_s
         ({"V": 0.0, "mu_s": 0.0, "mu_k": 0.0}, (1.0, 0.0), None, None),  # nothing holds it
-        ({"V": 0.3, "mu_s": 0.4}, (0.4, 0.3), None, None),  # μ_s = μ_k: it touches x' = V in every round
-        ({"V": 0.3, "mu_s": 0.0, "mu_k": 0.4}, (0.0, 0.3), ["SLIP"], None),  # held up to μ_k, as slip has there
+        (
+            {"V": 0.3, "mu_s": 0.4},
+            (0.4, 0.3),
+            None,
+            None,
+        ),  # μ_s = μ_k: it touches x' = V in every round
+        (
+            {"V": 0.3, "mu_s": 0.0, "mu_k": 0.4},
+            (0.0, 0.3),
+            ["SLIP"],
+            None,
+        ),  # held up to μ_k, as slip has there
         ({"V": 0.3}, (0.2, 0.3), ["SLIP"], None),  # it starts sticking
         ({"V": 0.3}, (0.7, 0.3), [], None),  # on the border, and the force beyond its limit
-        ({"V": 0.3}, (-0.7, 0.3), ["STICK"], None),  # likewise against the belt: it comes back to x' = V
+        (
+            {"V": 0.3},
+            (-0.7, 0.3),
+            ["STICK"],
+            None,
+        ),  # likewise against the belt: it comes back to x' = V
         ({"V": 0.3}, (0.2, 0.3 + 1e-13), ["SLIP"], None),  # within rounding of the border
     ],
 )
 def test_starts_at_which_a_rule_decides(
-    values: dict[str, float], start: tuple[float, float], kinds: list[str] | None, end: tuple[float, float] | None
+    values: dict[str, float],
+    start: tuple[float, float],
+    kinds: list[str] | None,
+    end: tuple[float, float] | None,
 ) -> None:
     p = STICK_SLIP.Parameters(**({"mu_s": 0.6, "mu_k": 0.4} | values))
     tr = ss.simulate(p, start=start, t_end=6.0, rtol=1e-12)
@@ -125,8 +163,12 @@ def test_derivatives_while_it_sticks_against_differences(name: str) -> None:
     z, h = np.array([0.11, -0.07, 0.13, 0.05, *p.scalars(*model.parameters)]), 1e-6
     numeric = np.array([(at(z + h * way) - at(z - h * way)) / (2 * h) for way in np.eye(len(z))]).T
     state, taken = z[: 2 * n].tolist(), field.constants(z[2 * n :].tolist())
-    ours = np.hstack([function(state, taken, (1, 0), np) for function in (field.jacobian, field.by_parameters)])
-    assert np.vstack([ours, algebra.grip_slopes(*state, *taken, 1, 0)]) == pytest.approx(numeric, abs=1e-8)
+    ours = np.hstack(
+        [function(state, taken, (1, 0), np) for function in (field.jacobian, field.by_parameters)]
+    )
+    assert np.vstack([ours, algebra.grip_slopes(*state, *taken, 1, 0)]) == pytest.approx(
+        numeric, abs=1e-8
+    )
     held = field.acceleration(state, taken, (1, 0), np)
     assert algebra.border_rates(*state, *held, *taken)[1] == pytest.approx(0.0, abs=1e-15)
 
@@ -134,7 +176,10 @@ def test_derivatives_while_it_sticks_against_differences(name: str) -> None:
 def test_a_standing_belt_holds_while_the_normal_force_swings() -> None:
     """The normal force of the bouncing mass passes through 0, and both integrators hold it as long."""
     p = ss.load("coulomb").Parameters(theta0=0.7, V=0.0)
-    shares = [ss.simulate(p, x0=0.3, y0=0.1, t_end=200.0, rtol=1e-12, backend=backend).sticking for backend in BACKENDS]
+    shares = [
+        ss.simulate(p, x0=0.3, y0=0.1, t_end=200.0, rtol=1e-12, backend=backend).sticking
+        for backend in BACKENDS
+    ]
     assert shares[0] == pytest.approx(shares[1], abs=1e-7)
     assert shares[0] > 0.05
 
@@ -145,12 +190,16 @@ def test_the_field_everywhere_is_that_of_the_mode_where_nothing_slides_too(name:
     model, rng = ss.load(name), np.random.default_rng(60)
     n, sides = len(model.coordinates), set()
     for trial in range(200):
-        given = {one: rng.uniform(0.1, 1.0) for one in model.parameters} | {"V": 0.0 if trial % 2 else rng.uniform(0.1, 1.0)}
+        given = {one: rng.uniform(0.1, 1.0) for one in model.parameters} | {
+            "V": 0.0 if trial % 2 else rng.uniform(0.1, 1.0)
+        }
         constants = model.field.constants([given[one] for one in model.field.parameters])
         place = rng.uniform(-1.0, 1.0, n) if trial else np.zeros(n)
         state = [*place.tolist(), given["V"], *[0.0] * (n - 1)]
         mode = model.field.initial_mode(state, constants)
         sides.add(mode[:2])
         held = model.field.acceleration(state, constants, mode, FLOATS)
-        assert [float(value) for value in model.algebra.rhs(*state, *constants)] == pytest.approx(held, abs=1e-14)
+        assert [float(value) for value in model.algebra.rhs(*state, *constants)] == pytest.approx(
+            held, abs=1e-14
+        )
     assert len(sides) == (3 if n == 1 else 5)

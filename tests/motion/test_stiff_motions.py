@@ -51,15 +51,26 @@ def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
     found = solve_ivp(rates, (0, 3.0), [0.5, 0.5, 0.0, 0.0], method="BDF", rtol=1e-9, atol=1e-12)
     assert motion.state[:, -1] == pytest.approx(found.y[:, -1], abs=1e-6)
     assert motion.implicit
-    assert not ss.simulate(p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0).implicit
+    assert not ss.simulate(
+        p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0
+    ).implicit
 
 
 @pytest.mark.by_hand("spragsym.motion.with_heyoka")
 @pytest.mark.thorough
 @pytest.mark.parametrize("integrator", [with_compiled, with_heyoka])
-def test_what_is_compiled_and_a_cycle_go_over_as_well(integrator: types.ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_compiled_and_a_cycle_go_over_as_well(
+    integrator: types.ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Where few steps are too many: a motion that the explicit method carries too, and a cycle that is a circle."""
-    follow = partial(ss.simulate, ss.Parameters.article(theta0=0.85, kappa=1.0), V=0.5, d=1e4, t_end=5.0, backend="compiled")
+    follow = partial(
+        ss.simulate,
+        ss.Parameters.article(theta0=0.85, kappa=1.0),
+        V=0.5,
+        d=1e4,
+        t_end=5.0,
+        backend="compiled",
+    )
     explicit = follow() if integrator is with_compiled else None
     monkeypatch.setattr(integrator, "check_stiffness", partial(check_stiffness, most=10.0))
     monkeypatch.setattr(integrator, "CHUNK", 20)
@@ -70,12 +81,18 @@ def test_what_is_compiled_and_a_cycle_go_over_as_well(integrator: types.ModuleTy
         assert (explicit.implicit, follow().implicit) == (False, True)
         assert follow().state[:, -1] == pytest.approx(explicit.state[:, -1], abs=1e-6)
         monkeypatch.setattr(with_scipy, "MAX_STEPS", 20)
-        with pytest.raises(ss.ConvergenceError, match="than 1e-12,"):  # by which it is integrated, as tight as Radau goes
+        with pytest.raises(
+            ss.ConvergenceError, match="than 1e-12,"
+        ):  # by which it is integrated, as tight as Radau goes
             follow(rtol=1e-13)
 
 
 @pytest.mark.parametrize(
-    "backend", [pytest.param("heyoka", marks=pytest.mark.thorough), pytest.param("scipy", marks=pytest.mark.validate)]
+    "backend",
+    [
+        pytest.param("heyoka", marks=pytest.mark.thorough),
+        pytest.param("scipy", marks=pytest.mark.validate),
+    ],
 )
 def test_sweeps_and_flows_go_over_too(backend: str) -> None:
     pytest.importorskip(backend)
@@ -94,11 +111,19 @@ def test_sweeps_and_flows_go_over_too(backend: str) -> None:
 @pytest.mark.parametrize("d", [30.0, 300.0, 5000.0])
 def test_a_steep_force_of_the_place_is_not_passed_unseen(d: float) -> None:
     page = shipped_page(
-        "stick_slip", ("import Page", "import Page, tanh"), ("page.damper(c, along=x)", "page.force(-F * tanh(x / L), along=x)"),
-        ('c = page.parameter("c", "N s/m", "damper beside the spring", ">= 0", 0.05, becomes="zeta")',
-         'F = page.parameter("F", "N", "force", "> 0", 0.3)\nL = page.parameter("L", "m", "width", "> 0", 0.01)'),
-    )  # fmt: skip
+        "stick_slip",
+        ("import Page", "import Page, tanh"),
+        ("page.damper(c, along=x)", "page.force(-F * tanh(x / L), along=x)"),
+        (
+            'c = page.parameter("c", "N s/m", "damper beside the spring", ">= 0", 0.05, becomes="zeta")',
+            'F = page.parameter("F", "N", "force", "> 0", 0.3)\nL = page.parameter("L", "m", "width", "> 0", 0.01)',
+        ),
+    )
     p = model_of(page, "steep_force").Parameters(mu_s=0.0, F=0.3, L=1 / d)
     motion = ss.simulate(p, start=(1.0, 0.0), t_end=20.0)
-    energy = motion.vx**2 / 2 + motion.x**2 / 2 + 0.3 / d * (np.logaddexp(d * motion.x, -d * motion.x) - np.log(2))
+    energy = (
+        motion.vx**2 / 2
+        + motion.x**2 / 2
+        + 0.3 / d * (np.logaddexp(d * motion.x, -d * motion.x) - np.log(2))
+    )
     assert energy == pytest.approx(energy[0], abs=1e-8)

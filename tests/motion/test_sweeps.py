@@ -36,7 +36,9 @@ def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
     p = P.replace(theta0=P.theta0[::2])
     found = rms_sweep(p, **SHORT, rtol=1e-13, backend=backend)
     for i, theta0 in enumerate(p.theta0):
-        tr = simulate(p.replace(theta0=theta0), V=0.5, d=10.0, t_end=60.0, rtol=1e-13, backend=backend).after(20.0)
+        tr = simulate(
+            p.replace(theta0=theta0), V=0.5, d=10.0, t_end=60.0, rtol=1e-13, backend=backend
+        ).after(20.0)
         assert found.rms[i] == pytest.approx(tr.rms(0.0), rel=1e-10)
         assert found.spread[i] == pytest.approx(tr.rms(0.0, about="mean"), rel=1e-10)
         assert found.largest[i] == pytest.approx(tr.largest(0.0), rel=1e-10)
@@ -58,7 +60,14 @@ def test_the_same_bits_from_any_map() -> None:
     with ThreadPoolExecutor(3) as pool:
         assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
         # Futures, as an engine's own map gives them.
-        assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
+        assert_same(
+            one,
+            rms_sweep(
+                P,
+                **SHORT,
+                workers=lambda function, points: [pool.submit(function, p) for p in points],
+            ),
+        )
 
 
 # -------------------------------------------------------------------------------------------------- the store
@@ -71,7 +80,9 @@ def interrupted(path: Path, points: int) -> Path:
 
     def some(function: Callable[[object], object], tasks: list[object]) -> Iterator[object]:
         for task in tasks[:points]:
-            written.append(partial.read_bytes().count(b"\n"))  # each point is in the file before the next is asked for
+            written.append(
+                partial.read_bytes().count(b"\n")
+            )  # each point is in the file before the next is asked for
             yield function(task)
         raise KeyboardInterrupt
 
@@ -86,7 +97,10 @@ def interrupted(path: Path, points: int) -> Path:
     [
         (0, "csv"),
         (7, "csv"),
-        *(pytest.param(*one, marks=pytest.mark.thorough) for one in ((0, "nc"), (1, "csv"), (1, "nc"), (7, "nc"))),
+        *(
+            pytest.param(*one, marks=pytest.mark.thorough)
+            for one in ((0, "nc"), (1, "csv"), (1, "nc"), (7, "nc"))
+        ),
     ],
 )
 def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int) -> None:
@@ -111,7 +125,9 @@ def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int)
 
 
 @pytest.mark.thorough
-def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_store_made_by_other_code_is_another(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Be it a journal or a result."""
     path = tmp_path / "rms.nc"
     interrupted(path, 2)
@@ -124,10 +140,20 @@ def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pyte
 
 
 #: Modules that decide no result.
-UNDECIDING = ("display.py", "errors.py", "progress.py", "remarks.py", "_version.py", "assumed.py", "interrupts.py")
+UNDECIDING = (
+    "display.py",
+    "errors.py",
+    "progress.py",
+    "remarks.py",
+    "_version.py",
+    "assumed.py",
+    "interrupts.py",
+)
 
 
-def test_every_module_that_decides_a_record_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_module_that_decides_a_record_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A change in any of them changes the digest; line ends and other modules don't."""
     package = Path(ss.__file__).parent
     read = _imported(package, "motion/sweeps/many.py")
@@ -136,7 +162,9 @@ def test_every_module_that_decides_a_record_counts(tmp_path: Path, monkeypatch: 
         (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / file).write_bytes((package / file).read_bytes())
     monkeypatch.setattr(many, "PACKAGE", tmp_path)
-    monkeypatch.setattr(many, "DECIDING", [place for place in many.DECIDING if (tmp_path / place).exists()])
+    monkeypatch.setattr(
+        many, "DECIDING", [place for place in many.DECIDING if (tmp_path / place).exists()]
+    )
     digest = many.digest.__wrapped__
     before = digest()
     for file in tmp_path.rglob("*.py"):
@@ -170,9 +198,23 @@ def _imported(package: Path, start: str) -> set[str]:
 
 @pytest.mark.thorough
 @needs_posix
-def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
+def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(
+    tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]
+) -> None:
     partial = tmp_path / "rms.nc.partial"
-    motions = ["--theta0", "1:179:61", "--t-end", "60", "--transient", "45", "--backend", "scipy", "-j", "2", "-q"]
+    motions = [
+        "--theta0",
+        "1:179:61",
+        "--t-end",
+        "60",
+        "--transient",
+        "45",
+        "--backend",
+        "scipy",
+        "-j",
+        "2",
+        "-q",
+    ]
     call = [sys.executable, "-m", "spragsym", "sweep", *motions, "-o", str(tmp_path / "rms.nc")]
     process = begin(call, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 60
@@ -181,10 +223,15 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callab
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does
     _, stderr = process.communicate(timeout=30)
     assert process.returncode == 130
-    points = [json.loads(line.partition(" ")[2]) for line in partial.read_text(encoding="utf-8").splitlines()]
+    points = [
+        json.loads(line.partition(" ")[2])
+        for line in partial.read_text(encoding="utf-8").splitlines()
+    ]
     numbers = [point[0] for point in points if isinstance(point, list)]
     assert len(set(numbers)) == len(numbers) > 0
-    kept = f"{len(numbers)} of 61 points are kept in {partial}, and the same call goes on from there"
+    kept = (
+        f"{len(numbers)} of 61 points are kept in {partial}, and the same call goes on from there"
+    )
     assert stderr == f"spragsym: interrupted; {kept}\n"
 
 
@@ -192,7 +239,9 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callab
 def test_the_page_on_clusters_runs(capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("distributed")
     page = (ROOT / "docs" / "howto_cluster.md").read_text(encoding="utf-8")
-    cells = re.findall(r"^```\{code-cell\} python\n(.*?)^```$", page, flags=re.DOTALL | re.MULTILINE)
+    cells = re.findall(
+        r"^```\{code-cell\} python\n(.*?)^```$", page, flags=re.DOTALL | re.MULTILINE
+    )
     names: dict[str, object] = {"__name__": "page"}
     for cell in cells:
         exec(cell, names)

@@ -16,7 +16,9 @@ NONE = np.zeros((0, 1))
 
 def solved(problem, region=None, low=NONE, high=None, budget=boxes.BUDGET):
     region = problem.ends if region is None else region
-    return certified_roots.search(problem, region, low, low if high is None else high, budget=budget)
+    return certified_roots.search(
+        problem, region, low, low if high is None else high, budget=budget
+    )
 
 
 @pytest.mark.parametrize("problem", PROBLEMS, ids=lambda one: one.title)
@@ -55,7 +57,9 @@ def root_of(square):
 def test_many_points_at_once():
     rng = np.random.default_rng(1)
     p, q = rng.uniform(-2, 2, (2, 3000))
-    q[:1000] = 0.25 * p[:1000] ** 2 * (1 + rng.choice([1, -1], 1000) * 10.0 ** rng.uniform(-9, -2, 1000))
+    q[:1000] = (
+        0.25 * p[:1000] ** 2 * (1 + rng.choice([1, -1], 1000) * 10.0 ** rng.uniform(-9, -2, 1000))
+    )
     found = solved(Quadratic(), WIDE, np.stack([p, q]))
     square = p**2 - 4 * q
     counts = np.bincount(found.point, minlength=3000)
@@ -82,7 +86,12 @@ def test_each_point_is_searched_in_its_own_region():
 
     region = np.array([[30.0, 2.0], [30.0, 30.0]])
     found = solved(Watched(), np.stack([region, region]), np.array([[-1.0, 1.0], [0.0, 0.0]]))
-    assert sorted(zip(found.point.tolist(), found.middle[0].round(9).tolist(), strict=True)) == [(0, 0), (0, 1), (1, -1), (1, 0)]
+    assert sorted(zip(found.point.tolist(), found.middle[0].round(9).tolist(), strict=True)) == [
+        (0, 0),
+        (0, 1),
+        (1, -1),
+        (1, 0),
+    ]
     assert max(seen) <= 2
 
 
@@ -102,14 +111,21 @@ def test_a_line_of_roots_costs_no_more_than_the_budget():
     assert outcome.looks < 20000
     for x in np.linspace(-0.99, 0.99, 41):
         both = [outcome.undecided.ends, outcome.unique.ends]
-        assert any(((-ends[0].T <= [x, -x]) & (ends[1].T >= [x, -x])).all(axis=1).any() for ends in both)
+        assert any(
+            ((-ends[0].T <= [x, -x]) & (ends[1].T >= [x, -x])).all(axis=1).any() for ends in both
+        )
 
 
 @pytest.mark.parametrize("corner", [(0.0, 0.0), (0.0, 1.0), (-0.15625, 0.4)])
 def test_roots_on_borders_are_found_once(corner):
     a, b = corner
     # Four roots, in the middle of the region, where it is cut, or on a cut of its halves.
-    product = Problem("grid", lambda x: ((x[0] - a) * (x[0] - 5), (x[1] - b) * (x[1] + 5)), ((-10, 10), (-10, 10)), 4)
+    product = Problem(
+        "grid",
+        lambda x: ((x[0] - a) * (x[0] - 5), (x[1] - b) * (x[1] + 5)),
+        ((-10, 10), (-10, 10)),
+        4,
+    )
     found = solved(product)
     assert found.point.size == 4
     assert found.left_point.size == 0

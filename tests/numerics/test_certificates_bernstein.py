@@ -30,14 +30,19 @@ def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
     truth, polynomials = [], []
     for k in range(150):
         size = Fraction(10) ** int(rng.choice([-3, 0, 0, 0, 3]))
-        roots = [Fraction(int(value), 997) * size for value in rng.choice(np.arange(-4000, 9000), degree, replace=False)]
+        roots = [
+            Fraction(int(value), 997) * size
+            for value in rng.choice(np.arange(-4000, 9000), degree, replace=False)
+        ]
         if k % 10 == 0:
             roots[0] = Fraction(bernstein.SCALE)
         polynomial = with_roots(*roots, lead=(-1) ** k)
         if k % 5 == 1 and degree > 1:  # two of them are complex: times 5 − 2 t + t²
             roots = roots[2:]
             padded = (0, 0, *with_roots(*roots), 0, 0)
-            polynomial = tuple(5 * a - 2 * b + c for c, b, a in zip(padded, padded[1:], padded[2:], strict=False))
+            polynomial = tuple(
+                5 * a - 2 * b + c for c, b, a in zip(padded, padded[1:], padded[2:], strict=False)
+            )
         truth.append(sorted(root for root in roots if root > 0))
         polynomials.append(polynomial)
     found = bernstein.positive_roots(rows(polynomials), len(polynomials))
@@ -48,7 +53,9 @@ def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
         mine = mine[np.argsort(found.t.value[mine])]
         assert mine.size == len(truth[i]), i
         for place, root in zip(mine, truth[i], strict=True):
-            assert abs(Fraction(float(found.t.value[place])) - root) <= Fraction(float(found.t.error[place])), i
+            assert abs(Fraction(float(found.t.value[place])) - root) <= Fraction(
+                float(found.t.error[place])
+            ), i
             slope = sum(k * value * root ** (k - 1) for k, value in enumerate(polynomials[i]) if k)
             assert found.rising[place] == (1 if slope > 0 else -1)
     assert not set(found.row) & set(np.flatnonzero(found.undecided))
@@ -60,8 +67,15 @@ def test_whatever_the_coefficients_are_the_number_is_right() -> None:
     size, error = 400, 1e-3
     gap = 10.0 ** rng.uniform(-4, -0.3, size)
     one = rng.uniform(0.5, 2, size)
-    values = np.array([np.polynomial.polynomial.polyfromroots([a, a + b, -1.0, 4.0]) for a, b in zip(one, gap, strict=True)]).T
-    found = bernstein.positive_roots([Rounded(value, np.full(size, error)) for value in values], size)
+    values = np.array(
+        [
+            np.polynomial.polynomial.polyfromroots([a, a + b, -1.0, 4.0])
+            for a, b in zip(one, gap, strict=True)
+        ]
+    ).T
+    found = bernstein.positive_roots(
+        [Rounded(value, np.full(size, error)) for value in values], size
+    )
     count = np.bincount(found.row, minlength=size)
     assert 0.2 < found.undecided.mean() < 0.9
     for i in np.flatnonzero(~found.undecided):
@@ -79,7 +93,9 @@ def test_what_is_not_finite_is_undecided() -> None:
     bad = [np.nan, np.inf, 1.0, 1.0]
     errors = [0.0, 0.0, np.inf, 0.0]
     with np.errstate(all="ignore"):
-        found = bernstein.positive_roots([Rounded(np.array(bad), np.array(errors)), Rounded(np.full(4, -1.0), np.zeros(4))], 4)
+        found = bernstein.positive_roots(
+            [Rounded(np.array(bad), np.array(errors)), Rounded(np.full(4, -1.0), np.zeros(4))], 4
+        )
     assert found.undecided.tolist() == [True, True, True, False]
     assert found.row.tolist() == [3]
     assert abs(found.t.value[0] - 1) < 1e-14
@@ -108,12 +124,32 @@ def parts(values: Any, errors: Any) -> Parts:
 def test_signs_tell_no_root_or_one() -> None:
     """An open sign, 0, may be either: between two that differ it changes nothing, elsewhere nothing is told."""
     for signs, none, one in (
-        ("++++", True, False), ("----", True, False), ("+---", False, True), ("--++", False, True), ("+-++", False, False),
-        ("+0++", False, False), ("+0--", False, True), ("-0+", False, True), ("0+++", False, False), ("+++0", False, False),
-        ("0---", False, False), ("++-0", False, False), ("0+--", False, False), ("+00-", False, False), ("+0-0", False, False),
-        ("+-+-", False, False), ("+0-+", False, False), ("00", False, False), ("+-", False, True), ("++", True, False),
-        ("0-", False, False), ("+0", False, False), ("-0-+", False, False), ("-+0+", False, False), ("+-0-", False, False),
-    ):  # fmt: skip
+        ("++++", True, False),
+        ("----", True, False),
+        ("+---", False, True),
+        ("--++", False, True),
+        ("+-++", False, False),
+        ("+0++", False, False),
+        ("+0--", False, True),
+        ("-0+", False, True),
+        ("0+++", False, False),
+        ("+++0", False, False),
+        ("0---", False, False),
+        ("++-0", False, False),
+        ("0+--", False, False),
+        ("+00-", False, False),
+        ("+0-0", False, False),
+        ("+-+-", False, False),
+        ("+0-+", False, False),
+        ("00", False, False),
+        ("+-", False, True),
+        ("++", True, False),
+        ("0-", False, False),
+        ("+0", False, False),
+        ("-0-+", False, False),
+        ("-+0+", False, False),
+        ("+-0-", False, False),
+    ):
         value = [[{"+": 1.0, "-": -1.0, "0": 0.5}[sign] for sign in signs]]
         found = bernstein._descartes(parts(value, [[0.5] * len(signs)]))
         assert [flags.tolist() for flags in found] == [[none], [one]], signs
@@ -133,7 +169,10 @@ def test_halves_hold_the_halves_of_every_polynomial() -> None:
     assert again.low.tolist() == [0.0] * 60 + [0.5] * 60 + [0.25] * 60 + [0.75] * 60
     for i in range(60):
         for side in rng.choice([-1, 0, 1], (3, 7)):
-            upper = [v + int(k) * e for v, e, k in zip(fractions(value[i]), fractions(error[i]), side, strict=True)]
+            upper = [
+                v + int(k) * e
+                for v, e, k in zip(fractions(value[i]), fractions(error[i]), side, strict=True)
+            ]
             lower = [upper[0]]
             for step in range(1, 7):
                 upper[: 7 - step] = [(a + b) / 2 for a, b in itertools.pairwise(upper[: 8 - step])]
@@ -148,7 +187,9 @@ def test_halves_hold_the_halves_of_every_polynomial() -> None:
 def test_roots_at_places_where_parts_are_cut() -> None:
     """t = τ is w = 1/2, t = τ/3 is w = 1/4: the sign at the cut is 0, and no halving would give it one."""
     tau = Fraction(bernstein.SCALE)
-    found = bernstein.positive_roots(rows([with_roots(root, 2, 5) for root in (tau, tau / 3, tau * 3)]), 3)
+    found = bernstein.positive_roots(
+        rows([with_roots(root, 2, 5) for root in (tau, tau / 3, tau * 3)]), 3
+    )
     for i in range(3):
         assert found.undecided[i] or (found.row == i).sum() == 3
     alone = bernstein.positive_roots(rows([with_roots(tau)]), 1)

@@ -34,7 +34,10 @@ def solution(matrix, right):
 
 def around(values, spread, rng):
     """Intervals about values, that wide."""
-    return Intervals.between(values - spread * rng.uniform(0, 1, values.shape), values + spread * rng.uniform(0, 1, values.shape))
+    return Intervals.between(
+        values - spread * rng.uniform(0, 1, values.shape),
+        values + spread * rng.uniform(0, 1, values.shape),
+    )
 
 
 # ------------------------------------------------------------------------------------------------- interval Newton
@@ -57,7 +60,9 @@ def test_every_root_lies_in_the_result(n, spread):
         pick = rng.integers(0, 2, (n, n)), rng.integers(0, 2, n)
         matrix = fractions(np.where(pick[0], slopes.high[:, :, k], slopes.low[:, :, k]))
         right = fractions(np.where(pick[1], values.high[:, k], values.low[:, k]))
-        root = [m - x for m, x in zip(fractions(middle[:, k]), solution(matrix, right), strict=True)]
+        root = [
+            m - x for m, x in zip(fractions(middle[:, k]), solution(matrix, right), strict=True)
+        ]
         if any(abs(x - m) > 1000 for x, m in zip(root, fractions(middle[:, k]), strict=True)):
             continue
         assert not none[k]
@@ -98,7 +103,9 @@ def test_a_direction_that_there_is_is_not_denied():
         u = np.stack([np.cos(angle), np.sin(angle)])
         held = np.where(rng.integers(0, 2, factors.shape), factors.high, factors.low)
         right = -np.einsum("kiN,iN->kN", held, u)
-        rest = Intervals.between(right - 1e-14, right + 1e-14)  # which the rounding of right and u is less than
+        rest = Intervals.between(
+            right - 1e-14, right + 1e-14
+        )  # which the rounding of right and u is less than
         assert not contractors.no_unit_vector(rest, factors).any()
         for factor in (0.5, 1.5):
             denied = contractors.no_unit_vector(rest * factor, factors)
@@ -107,12 +114,20 @@ def test_a_direction_that_there_is_is_not_denied():
 
 def test_exact_directions_are_not_denied():
     """u = (3/5, 4/5) with integers, where no rounding helps: 5 u + G = 0, and with a matrix that is not square."""
-    for factors in ([[5.0, 0.0], [0.0, 5.0]], [[5.0, 0.0], [0.0, 5.0], [5.0, 5.0]], [[5.0, 5.0], [0.0, 5.0]]):
+    for factors in (
+        [[5.0, 0.0], [0.0, 5.0]],
+        [[5.0, 0.0], [0.0, 5.0], [5.0, 5.0]],
+        [[5.0, 5.0], [0.0, 5.0]],
+    ):
         matrix = np.array(factors)
         rest = -(matrix @ [3.0, 4.0]) / 5
-        assert not contractors.no_unit_vector(Intervals.point(rest[:, None]), Intervals.point(matrix[:, :, None]))[0]
+        assert not contractors.no_unit_vector(
+            Intervals.point(rest[:, None]), Intervals.point(matrix[:, :, None])
+        )[0]
         for part in (0.999, 1.001):
-            assert contractors.no_unit_vector(Intervals.point(part * rest[:, None]), Intervals.point(matrix[:, :, None]))[0]
+            assert contractors.no_unit_vector(
+                Intervals.point(part * rest[:, None]), Intervals.point(matrix[:, :, None])
+            )[0]
 
 
 # -------------------------------------------------------------------------------------------------------- matrices
@@ -124,16 +139,34 @@ def test_products_hold_the_exact_ones(spread):
     rng = np.random.default_rng(7)
     for n, columns, powers in itertools.product((1, 2, 4), (1, 3), ((0,), (-540, -530), (-30, 30))):
         Y = rng.normal(size=(n, n, 20)) * 2.0 ** rng.choice(powers, (n, n, 20))
-        X = around(rng.normal(size=(n, columns, 20)) * 2.0 ** rng.choice(powers, (n, columns, 20)), spread, rng)
+        X = around(
+            rng.normal(size=(n, columns, 20)) * 2.0 ** rng.choice(powers, (n, columns, 20)),
+            spread,
+            rng,
+        )
         ends = contractors.product(Y, X.ends)
         for k in range(20):
-            left, low, high = fractions(Y[:, :, k]), fractions(X.low[:, :, k]), fractions(X.high[:, :, k])
+            left, low, high = (
+                fractions(Y[:, :, k]),
+                fractions(X.low[:, :, k]),
+                fractions(X.high[:, :, k]),
+            )
             for i, j in itertools.product(range(n), range(columns)):
-                parts = [sorted((left[i, m] * low[m, j], left[i, m] * high[m, j])) for m in range(n)]
+                parts = [
+                    sorted((left[i, m] * low[m, j], left[i, m] * high[m, j])) for m in range(n)
+                ]
                 least, most = sum(part[0] for part in parts), sum(part[1] for part in parts)
                 size = sum(max(map(abs, part)) for part in parts)
-                assert least - size / 2**48 - Fraction(1, 2**990) <= -Fraction(float(ends[0, i, j, k])) <= least
-                assert most <= Fraction(float(ends[1, i, j, k])) <= most + size / 2**48 + Fraction(1, 2**990)
+                assert (
+                    least - size / 2**48 - Fraction(1, 2**990)
+                    <= -Fraction(float(ends[0, i, j, k]))
+                    <= least
+                )
+                assert (
+                    most
+                    <= Fraction(float(ends[1, i, j, k]))
+                    <= most + size / 2**48 + Fraction(1, 2**990)
+                )
 
 
 # ---------------------------------------------------------------------------------------------- one look at boxes
@@ -150,7 +183,9 @@ class Lines(boxes.System):
     def jacobian(self, unknowns, parameters):
         x = unknowns[0]
         a, b, c = parameters
-        return Intervals(stacked([x - a + (x - b), 0, -c, 1], x.shape).ends.reshape(2, 2, 2, *x.shape))
+        return Intervals(
+            stacked([x - a + (x - b), 0, -c, 1], x.shape).ends.reshape(2, 2, 2, *x.shape)
+        )
 
 
 def ends_of(low, high):
@@ -183,17 +218,26 @@ def test_no_look_loses_a_root(steps):
     b = a + rng.choice([1e-6, 1e-3, 0.1, 2.0], 64)
     values = np.stack([a, b, c])
     points = tree(values, values)
-    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW, True, None, points.bounds)
+    search = boxes._Search(
+        Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW, True, None, points.bounds
+    )
     pairs, roots = random_pairs(rng, 600, points)
     left = pairs
     for _ in range(steps):
         left = search.look(left)
-    unique, where, undecided = (first.then(*more) for first, *more in (search.unique, search.where, search.undecided))
+    unique, where, undecided = (
+        first.then(*more) for first, *more in (search.unique, search.where, search.undecided)
+    )
     for k in range(len(pairs)):
         node, (x, y) = pairs.nodes[k], roots[:, k]
-        kept = np.concatenate([part.ends[:, :, part.nodes == node] for part in (left, unique, undecided)], axis=2)
+        kept = np.concatenate(
+            [part.ends[:, :, part.nodes == node] for part in (left, unique, undecided)], axis=2
+        )
         # y is off by a rounding of c x.
-        assert any(holds(kept, np.array([x, near])).any() for near in (y, np.nextafter(y, -np.inf), np.nextafter(y, np.inf)))
+        assert any(
+            holds(kept, np.array([x, near])).any()
+            for near in (y, np.nextafter(y, -np.inf), np.nextafter(y, np.inf))
+        )
     assert len(unique)
     # One root in each of those: of the two only one lies in it, with room for rounding, and in the box that tells where.
     for k in range(len(unique)):
@@ -207,9 +251,14 @@ def test_no_look_loses_a_root(steps):
 
 def test_halves_make_up_the_box():
     rng = np.random.default_rng(23)
-    pairs = boxes.Pairs(ends_of(rng.uniform(-2, 0, (2, 100)), rng.uniform(0, 3, (2, 100))), np.arange(100))
+    pairs = boxes.Pairs(
+        ends_of(rng.uniform(-2, 0, (2, 100)), rng.uniform(0, 3, (2, 100))), np.arange(100)
+    )
     slopes = Intervals.point(rng.normal(size=(2, 2, 100)))
-    for closed in (np.zeros((2, 100), dtype=bool), np.stack([np.ones(100, dtype=bool), np.zeros(100, dtype=bool)])):
+    for closed in (
+        np.zeros((2, 100), dtype=bool),
+        np.stack([np.ones(100, dtype=bool), np.zeros(100, dtype=bool)]),
+    ):
         halves = boxes._halves(pairs, slopes, closed)
         assert halves.nodes.tolist() == [*range(100), *range(100)]
         lower, upper = halves.ends[:, :, :100], halves.ends[:, :, 100:]
@@ -229,7 +278,9 @@ def test_halves_make_up_the_box():
 
 
 def once(low, high, alone_low, alone_high, point):
-    keep, unclear = certified_roots.once(ends_of(low, high), ends_of(alone_low, alone_high), np.array(point))
+    keep, unclear = certified_roots.once(
+        ends_of(low, high), ends_of(alone_low, alone_high), np.array(point)
+    )
     return keep.tolist(), unclear.tolist()
 
 
@@ -238,23 +289,46 @@ def test_roots_are_listed_once():
     wide = ([[0.0, 0.1]], [[2.0, 2.1]])
     assert once([[0.9, 0.95]], [[1.1, 1.15]], *wide, [0, 0]) == ([0], [])
     assert once([[0.9, 0.95]], [[1.1, 1.15]], *wide, [0, 1]) == ([0, 1], [])  # of two points
-    assert once([[0.9, 2.05]], [[1.1, 2.1]], [[0.0, 1.9]], [[2.0, 3.0]], [0, 0]) == ([0, 1], [])  # apart, alone overlaps
-    assert once([[0.9, 1.05]], [[1.1, 1.2]], [[0.85, 1.04]], [[1.12, 1.3]], [0, 0]) == ([0], [1])  # may be either
-    assert once([[0.9, 1.05]], [[1.1, 1.2]], [[0.85, 0.86]], [[1.12, 1.3]], [0, 0]) == ([0], [])  # the first in the second's
+    assert once([[0.9, 2.05]], [[1.1, 2.1]], [[0.0, 1.9]], [[2.0, 3.0]], [0, 0]) == (
+        [0, 1],
+        [],
+    )  # apart, alone overlaps
+    assert once([[0.9, 1.05]], [[1.1, 1.2]], [[0.85, 1.04]], [[1.12, 1.3]], [0, 0]) == (
+        [0],
+        [1],
+    )  # may be either
+    assert once([[0.9, 1.05]], [[1.1, 1.2]], [[0.85, 0.86]], [[1.12, 1.3]], [0, 0]) == (
+        [0],
+        [],
+    )  # the first in the second's
     # The same in the first unknown, apart in the second; three in a row, of which the outer ones are the same.
     assert once(
-        [[0.9, 0.9], [0.0, 1.0]], [[1.1, 1.1], [0.1, 1.1]], [[0.8, 0.8], [-0.1, 0.9]], [[1.2, 1.2], [0.2, 1.2]], [0, 0]
+        [[0.9, 0.9], [0.0, 1.0]],
+        [[1.1, 1.1], [0.1, 1.1]],
+        [[0.8, 0.8], [-0.1, 0.9]],
+        [[1.2, 1.2], [0.2, 1.2]],
+        [0, 0],
     ) == ([0, 1], [])
     low = [[0.9, 0.9, 0.91], [0.0, 1.0, 0.01]]
     high = [[1.1, 1.1, 1.09], [0.1, 1.1, 0.09]]
-    assert once(low, high, [[0.8, 0.81, 0.82], [-0.1, 0.9, -0.1]], [[1.2, 1.2, 1.2], [0.2, 1.2, 0.2]], [3, 3, 3]) == ([0, 1], [])
+    assert once(
+        low,
+        high,
+        [[0.8, 0.81, 0.82], [-0.1, 0.9, -0.1]],
+        [[1.2, 1.2, 1.2], [0.2, 1.2, 0.2]],
+        [3, 3, 3],
+    ) == ([0, 1], [])
 
 
 def outcome(unique, where, undecided, values, unique_nodes, undecided_nodes):
     points = tree(values, values)
     pairs = [
         boxes.Pairs(ends, np.array(nodes))
-        for ends, nodes in ((unique, unique_nodes), (where, unique_nodes), (undecided, undecided_nodes))
+        for ends, nodes in (
+            (unique, unique_nodes),
+            (where, unique_nodes),
+            (undecided, undecided_nodes),
+        )
     ]
     return boxes.Outcome(*pairs, points, 0)
 
@@ -287,7 +361,11 @@ def test_what_was_undecided_is_left_with_its_point(monkeypatch):
     values = np.array([[-0.25, 0.25, 0.3], [5.0, 6.0, 7.0], [0.5, 0.5, 0.5]])
     points = tree(values, values)
     middle = np.array([[0.3], [0.15]])
-    node = next(node for node in range(points.size.size) if points.below(np.array([node]))[1].tolist() == [2])
+    node = next(
+        node
+        for node in range(points.size.size)
+        if points.below(np.array([node]))[1].tolist() == [2]
+    )
     alone, open_one = ends_of(middle - 0.05, middle + 0.05), ends_of([[1.0], [2.0]], [[3.0], [4.0]])
     given = outcome(alone, alone, open_one, values, [node], [0])
     found = refined(monkeypatch, given, 4.0, values)
@@ -315,9 +393,17 @@ def test_relative_errors():
     assert np.abs(error - [0.3, 0.75 / 3.25, 0.9 - 1 / 3]).max() < 1e-14
     rng = np.random.default_rng(25)
     middle = rng.normal(size=(1, 300)) * 10.0 ** rng.integers(-3, 4, 300)
-    ends = ends_of(middle - 10.0 ** rng.uniform(-18, 0, 300), middle + 10.0 ** rng.uniform(-18, 0, 300))
+    ends = ends_of(
+        middle - 10.0 ** rng.uniform(-18, 0, 300), middle + 10.0 ** rng.uniform(-18, 0, 300)
+    )
     error = certified_roots.relative_error(ends, middle)
     for k in range(300):
         at = Fraction(float(middle[0, k]))
-        exact = max(Fraction(float(ends[1, 0, k])) - at, at + Fraction(float(ends[0, 0, k]))) / max(1, abs(at))
-        assert exact <= Fraction(float(error[k])) <= exact * (1 + Fraction(1, 10**12)) + Fraction(1, 2**990)
+        exact = max(Fraction(float(ends[1, 0, k])) - at, at + Fraction(float(ends[0, 0, k]))) / max(
+            1, abs(at)
+        )
+        assert (
+            exact
+            <= Fraction(float(error[k]))
+            <= exact * (1 + Fraction(1, 10**12)) + Fraction(1, 2**990)
+        )

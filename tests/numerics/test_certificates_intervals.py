@@ -19,7 +19,9 @@ from tests.support import as_mpf
 
 def _small_balls(bits: int) -> Iterator[Ball]:
     """Every ball of a few bits, about: middles and radii where rounding down loses nothing, one unit, and nearly the next."""
-    for mid, rad, exp in itertools.product((-9, -7, 0, 1, 4, 7), (0, 1, 3), (-3, 0, 2)[:: 1 if bits < 9 else 2]):
+    for mid, rad, exp in itertools.product(
+        (-9, -7, 0, 1, 4, 7), (0, 1, 3), (-3, 0, 2)[:: 1 if bits < 9 else 2]
+    ):
         yield Ball(mid, rad, exp, bits)
 
 
@@ -59,18 +61,31 @@ def test_far_apart_terms_go_into_the_radius() -> None:
     huge = Ball(1, 0, 1 << 62, 53) - Ball(1, 0, 0, 53)
     assert huge.mid.bit_length() + huge.exp >= 1 << 62
     for bits, gap in itertools.product((8, 53), range(1, 140)):
-        assert (Ball(1, 0, gap, bits) + Ball(1, 0, 0, bits)).rad <= (0 if gap < bits else 1 if gap <= bits + 32 else 2)
+        assert (Ball(1, 0, gap, bits) + Ball(1, 0, 0, bits)).rad <= (
+            0 if gap < bits else 1 if gap <= bits + 32 else 2
+        )
     for bits, far in itertools.product((5, 53, 300), (0, 1, 20, 31)):
-        one, other = Ball(1, 0, bits + far, bits), Ball((1 << bits) - 1, 0, far, bits)  # all but one bit cancels
+        one, other = (
+            Ball(1, 0, bits + far, bits),
+            Ball((1 << bits) - 1, 0, far, bits),
+        )  # all but one bit cancels
         assert balls.ends(one - other) == balls.ends(Ball(1, 0, far, bits)) == (2**far, 2**far)
         assert balls.ends(other - one) == (-(2**far), -(2**far))
     tiny = Ball(3, 0, -5000, 53)
-    assert balls.ends(tiny + Ball(0, 0, 0, 53)) == balls.ends(Ball(0, 0, 9, 53) + tiny) == balls.ends(tiny)
+    assert (
+        balls.ends(tiny + Ball(0, 0, 0, 53))
+        == balls.ends(Ball(0, 0, 9, 53) + tiny)
+        == balls.ends(tiny)
+    )
 
 
 @pytest.mark.parametrize("bits", [5, 53, 300])
 def test_rationals_and_unions_are_enclosed(bits: int) -> None:
-    values = [Fraction(n, d) for n in (-(10**30), -7, -1, 0, 1, 2, 10**30 + 1) for d in (1, 3, 8, 10**9 + 7, 2**400)]
+    values = [
+        Fraction(n, d)
+        for n in (-(10**30), -7, -1, 0, 1, 2, 10**30 + 1)
+        for d in (1, 3, 8, 10**9 + 7, 2**400)
+    ]
     with balls.precision(bits):
         for one, other in itertools.combinations(values, 2):
             assert _holds(balls.exact(one), one)
@@ -83,10 +98,23 @@ def test_rationals_and_unions_are_enclosed(bits: int) -> None:
 def test_numbers_of_other_types_are_exact() -> None:
     ball = Ball(3, 0, -2, 53)
     for result, value in [
-        (1 - ball, 0.25), (ball - 1, -0.25), (2 * ball, 1.5), (ball * 0.5, 0.375), (3 / ball, 4), (ball / 3.0, 0.25),
-        (ball**3, 0.421875), (ball**0, 1), (0.5 + ball, 1.25), (-ball, -0.75), (ball**-1 * 3, 4), (ball**-2 * 9, 16),
-        (ball**2, 0.5625), (ball**6, 0.75**6), (ball - 0.5, 0.25), (+ball, 0.75),
-    ]:  # fmt: skip
+        (1 - ball, 0.25),
+        (ball - 1, -0.25),
+        (2 * ball, 1.5),
+        (ball * 0.5, 0.375),
+        (3 / ball, 4),
+        (ball / 3.0, 0.25),
+        (ball**3, 0.421875),
+        (ball**0, 1),
+        (0.5 + ball, 1.25),
+        (-ball, -0.75),
+        (ball**-1 * 3, 4),
+        (ball**-2 * 9, 16),
+        (ball**2, 0.5625),
+        (ball**6, 0.75**6),
+        (ball - 0.5, 0.25),
+        (+ball, 0.75),
+    ]:
         assert _holds(result, Fraction(value))
         if result.rad:
             assert value in (4, 0.25, 16)  # quotients by 3; all else is exact
@@ -116,9 +144,22 @@ def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
     context.prec = 2200 + 2 * bits  # cos 2^−1000 differs from 1 in bit 2001
     half_pi = Fraction(math.pi) / 2
     near_pi = Fraction(math.nextafter(math.pi, 0))
-    values = [Fraction(1), Fraction(1, 3), half_pi, 2 * half_pi, near_pi, Fraction(5, 2), Fraction(1, 2**1000)]
-    values += [Fraction(float(value)) for value in np.concatenate([rng.uniform(0, 4, 8), 10.0 ** rng.uniform(-40, 5, 8)])]
-    for value, sign, width in itertools.product(values, (1, -1), (0, Fraction(1, 2**9), Fraction(1, 2**70))):
+    values = [
+        Fraction(1),
+        Fraction(1, 3),
+        half_pi,
+        2 * half_pi,
+        near_pi,
+        Fraction(5, 2),
+        Fraction(1, 2**1000),
+    ]
+    values += [
+        Fraction(float(value))
+        for value in np.concatenate([rng.uniform(0, 4, 8), 10.0 ** rng.uniform(-40, 5, 8)])
+    ]
+    for value, sign, width in itertools.product(
+        values, (1, -1), (0, Fraction(1, 2**9), Fraction(1, 2**70))
+    ):
         if sign < 0 and name == "sqrt":
             continue
         with balls.precision(bits):
@@ -169,9 +210,20 @@ def test_signs_next_to_0() -> None:
 
 #: Angles whose bits run out at once, all ones, next to multiples of π/2, tiny, large: (mid, exp).
 ANGLES = [
-    (1, 0), (-1, 0), (3, -1), ((1 << 60) - 1, -60), ((1 << 200) - 1, -200), (int(math.ldexp(math.pi, 50)), -51), (1, -9),
-    (int(math.ldexp(math.pi, 51)), -51), (7, 40), (-((1 << 33) - 1), -20), (1, -300), (5, 1), (884279719003555, -48),
-]  # fmt: skip
+    (1, 0),
+    (-1, 0),
+    (3, -1),
+    ((1 << 60) - 1, -60),
+    ((1 << 200) - 1, -200),
+    (int(math.ldexp(math.pi, 50)), -51),
+    (1, -9),
+    (int(math.ldexp(math.pi, 51)), -51),
+    (7, 40),
+    (-((1 << 33) - 1), -20),
+    (1, -300),
+    (5, 1),
+    (884279719003555, -48),
+]
 
 
 @pytest.mark.parametrize("places", [0, 1, 53, 1000])
@@ -202,7 +254,9 @@ def test_bounds_hold_without_guard_bits(name: str, monkeypatch: pytest.MonkeyPat
     """Guard bits hide an error that is left out: without them it shows in the last place."""
     monkeypatch.setattr(balls, "GUARD_BITS", 0)
     with mpmath.workprec(400):
-        for bits, mid, rad in itertools.product((3, 7, 12, 30), (-125, -77, -3, 1, 2, 9, 99, 127), (0, 1)):
+        for bits, mid, rad in itertools.product(
+            (3, 7, 12, 30), (-125, -77, -3, 1, 2, 9, 99, 127), (0, 1)
+        ):
             for exp in (-40, -9, -7, -6):
                 ball = Ball(mid, rad, exp, bits)
                 low, high = map(as_mpf, balls.ends(FUNCTIONS[name](ball)))

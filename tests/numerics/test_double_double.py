@@ -38,15 +38,23 @@ def _pairs(rng: np.random.Generator, n: int) -> list[tuple[float, float]]:
 @pytest.mark.parametrize(
     ("operation", "truth", "bound"),
     [
-        (dd.dd_add, lambda x, y: x + y, 3), (dd.dd_multiply, lambda x, y: x * y, 7), (dd.dd_divide, lambda x, y: x / y, 15),
+        (dd.dd_add, lambda x, y: x + y, 3),
+        (dd.dd_multiply, lambda x, y: x * y, 7),
+        (dd.dd_divide, lambda x, y: x / y, 15),
     ],
     ids=["sum", "product", "quotient"],
-)  # fmt: skip
-def test_errors_stay_within_their_bounds(operation: Callable[..., Any], truth: Callable[..., Fraction], bound: int) -> None:
+)
+def test_errors_stay_within_their_bounds(
+    operation: Callable[..., Any], truth: Callable[..., Fraction], bound: int
+) -> None:
     """And come near them: a bound that is three times too large would hide a wrong operation."""
     rng, worst = np.random.default_rng(41), Fraction(0)
     given = [*zip(_pairs(rng, 6000), _pairs(rng, 6000), strict=True)]
-    given += [(x, (-x[0] * (1 + k * 2.0**-52), -x[1] * 0.7)) for k in range(-8, 8) for x in _pairs(rng, 60)]  # cancelling
+    given += [
+        (x, (-x[0] * (1 + k * 2.0**-52), -x[1] * 0.7))
+        for k in range(-8, 8)
+        for x in _pairs(rng, 60)
+    ]  # cancelling
     for x, y in given:
         got = operation(dd.Wide(*x), dd.Wide(*y))
         exact = truth(_exactly(*x), _exactly(*y))
@@ -63,7 +71,10 @@ def test_operations_with_one_double_lose_less() -> None:
     rng = np.random.default_rng(42)
     for x, y in zip(_pairs(rng, 4000), _pairs(rng, 4000), strict=True):
         both = _exactly(*x), Fraction(y[0])
-        for operation, exact in ((dd.dd_add_double, both[0] + both[1]), (dd.dd_multiply_double, both[0] * both[1])):
+        for operation, exact in (
+            (dd.dd_add_double, both[0] + both[1]),
+            (dd.dd_multiply_double, both[0] * both[1]),
+        ):
             got = operation(dd.Wide(*x), y[0])
             assert abs(_exactly(*got) - exact) <= 2 * UNIT * abs(exact)
 
@@ -72,19 +83,34 @@ def test_transformations_are_exact() -> None:
     rng = np.random.default_rng(43)
     for a, b in rng.uniform(-1, 1, (4000, 2)) * 2.0 ** rng.integers(-200, 200, (4000, 2)):
         large, small = (a, b) if abs(a) >= abs(b) else (b, a)
-        assert _exactly(*dd.two_sum(a, b)) == Fraction(a) + Fraction(b) == _exactly(*dd.fast_two_sum(large, small))
+        assert (
+            _exactly(*dd.two_sum(a, b))
+            == Fraction(a) + Fraction(b)
+            == _exactly(*dd.fast_two_sum(large, small))
+        )
         assert _exactly(*dd.two_product(a, b)) == Fraction(a) * Fraction(b)
 
 
 def test_the_roundoff_of_the_kernel_covers_every_operation() -> None:
     """2^-102 is sixteen units, and a quotient loses fifteen; two of it cover the cosine and sine of θ₀, as counted."""
     assert Fraction(kernel.WIDE_ROUNDOFF) == 16 * UNIT
-    edges = [x for quarter in (0.25, 0.5, 0.75, 1.0) for x in np.nextafter(quarter * np.pi, [0.0, 4.0])]
-    angles = [*np.random.default_rng(44).uniform(0, np.pi, 1500), 0.5 * np.pi, 1e-300, 5e-9, *edges[:-1]]
+    edges = [
+        x for quarter in (0.25, 0.5, 0.75, 1.0) for x in np.nextafter(quarter * np.pi, [0.0, 4.0])
+    ]
+    angles = [
+        *np.random.default_rng(44).uniform(0, np.pi, 1500),
+        0.5 * np.pi,
+        1e-300,
+        5e-9,
+        *edges[:-1],
+    ]
     cosine, sine = cosine_and_sine(np.array(angles))
     with mpmath.workdps(60):
         for i, angle in enumerate(angles):
-            for got, exact in ((cosine, mpmath.cos(mpmath.mpf(angle))), (sine, mpmath.sin(mpmath.mpf(angle)))):
+            for got, exact in (
+                (cosine, mpmath.cos(mpmath.mpf(angle))),
+                (sine, mpmath.sin(mpmath.mpf(angle))),
+            ):
                 found = mpmath.mpf(float(got.high[i])) + mpmath.mpf(float(got.low[i]))
                 assert abs(found - exact) <= 2 * kernel.WIDE_ROUNDOFF * abs(exact)
 
@@ -104,14 +130,24 @@ def test_what_is_not_known_of_double_doubles_is_refused() -> None:
 
 def _hard(n: int) -> ss.Parameters:
     parts = [
-        FAMILIES[name](np.random.default_rng([46, i]), n) for i, name in enumerate(("near folds", "cusp wedge", "light preload"))
+        FAMILIES[name](np.random.default_rng([46, i]), n)
+        for i, name in enumerate(("near folds", "cusp wedge", "light preload"))
     ]
-    return ss.Parameters(*(np.concatenate([np.broadcast_to(getattr(p, name), p.shape) for p in parts]) for name in NAMES))
+    return ss.Parameters(
+        *(
+            np.concatenate([np.broadcast_to(getattr(p, name), p.shape) for p in parts])
+            for name in NAMES
+        )
+    )
 
 
 def test_the_cusp_wedge_needs_no_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
     """Counts and digits by an independent reference; what double-double arithmetic can't settle would fail here."""
-    monkeypatch.setattr(adaptive_precision, "equilibria", lambda *_, **__: pytest.fail("a point went on to intervals"))
+    monkeypatch.setattr(
+        adaptive_precision,
+        "equilibria",
+        lambda *_, **__: pytest.fail("a point went on to intervals"),
+    )
     p, rng = FAMILIES["cusp wedge"](np.random.default_rng(47), 500), np.random.default_rng(48)
     for backend in ("numpy", "auto"):
         ss.set_backend(backend)
@@ -124,7 +160,9 @@ def test_the_cusp_wedge_needs_no_intervals(monkeypatch: pytest.MonkeyPatch) -> N
     ss.set_backend("auto")
 
 
-@pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
+@pytest.mark.skipif(
+    not compiled.available(), reason="the compiled solver was not built: no C compiler"
+)
 @pytest.mark.parametrize("contact", [True, False])
 def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
     p = _hard(300)

@@ -9,13 +9,35 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.numerics.interval_arrays import TINY, Intervals, cos, length, sin, stacked, unit_vector
+from spragsym.numerics.interval_arrays import (
+    TINY,
+    Intervals,
+    cos,
+    length,
+    sin,
+    stacked,
+    unit_vector,
+)
 from tests.support import fractions
 
 NUMBERS = [
-    0.0, -0.0, 5e-324, -5e-324, 2.3e-308, 1e-300, 1e-160, -1e-10, 0.1, 1 / 3, 1.0, np.nextafter(1, 2), -3.7, 1e10, -1e155,
+    0.0,
+    -0.0,
+    5e-324,
+    -5e-324,
+    2.3e-308,
+    1e-300,
+    1e-160,
+    -1e-10,
+    0.1,
+    1 / 3,
+    1.0,
+    np.nextafter(1, 2),
+    -3.7,
+    1e10,
+    -1e155,
     1.7e308,
-]  # fmt: skip
+]
 OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]
 
 
@@ -51,19 +73,32 @@ def members(x: Intervals | np.ndarray | float, row: int) -> list[Fraction]:
 @pytest.mark.parametrize("operation", OPERATIONS)
 def test_operations_hold_every_exact_result(operation):
     """Of two intervals, and of one and a number or an array, on either side."""
-    x, y = boxes(1, 300), boxes(2, 300)[np.random.default_rng(3).permutation(len(NUMBERS) ** 2 + 300)]
+    x, y = (
+        boxes(1, 300),
+        boxes(2, 300)[np.random.default_rng(3).permutation(len(NUMBERS) ** 2 + 300)],
+    )
     others = [3, -3, 1, -1, 0.1, -0.1, 0, np.linspace(-2, 2, x.shape[0])]
-    for one, other in [(x, y), *((x, other) for other in others), *((other, x) for other in others)]:
+    for one, other in [
+        (x, y),
+        *((x, other) for other in others),
+        *((other, x) for other in others),
+    ]:
         if operation is operator.truediv and other is others[-2]:
             continue
         result = operation(one, other)
         for row in range(0, x.shape[0], 1 if other is y else 4):
             right = members(other, row)
-            if operation is operator.truediv and isinstance(other, Intervals) and (min(right) < 0 < max(right) or not any(right)):
+            if (
+                operation is operator.truediv
+                and isinstance(other, Intervals)
+                and (min(right) < 0 < max(right) or not any(right))
+            ):
                 assert np.isnan(result.ends[:, row]).all()
                 continue
             for a, b in itertools.product(members(one, row), right):
-                if b or operation is not operator.truediv:  # a divisor that ends at 0 stands for its numbers other than 0
+                if (
+                    b or operation is not operator.truediv
+                ):  # a divisor that ends at 0 stands for its numbers other than 0
                     assert holds(result, row, operation(a, b)), (row, a, b)
 
 
@@ -81,11 +116,24 @@ def test_powers(power):
 
 @pytest.mark.parametrize(
     ("name", "low", "high"),
-    [("sqrt", 0, 1e300), ("exp", -800, 700), ("sin", -4, 4), *(pytest.param(*one, marks=pytest.mark.thorough) for one in (
-        ("cos", -9e4, 9e4), ("sin", -9e4, 9e4), ("cos", -4, 4), ("sin", -1e-9, 1e-9), ("log", 1e-6, 1e6), ("atan", -1e6, 1e6),
-        ("tanh", -20, 20),
-    ))],
-)  # fmt: skip
+    [
+        ("sqrt", 0, 1e300),
+        ("exp", -800, 700),
+        ("sin", -4, 4),
+        *(
+            pytest.param(*one, marks=pytest.mark.thorough)
+            for one in (
+                ("cos", -9e4, 9e4),
+                ("sin", -9e4, 9e4),
+                ("cos", -4, 4),
+                ("sin", -1e-9, 1e-9),
+                ("log", 1e-6, 1e6),
+                ("atan", -1e6, 1e6),
+                ("tanh", -20, 20),
+            )
+        ),
+    ],
+)
 def test_functions_against_sixty_digits(name, low, high):
     rng = np.random.default_rng(7)
     start = rng.uniform(low, high, 1500)
@@ -99,7 +147,9 @@ def test_functions_against_sixty_digits(name, low, high):
                 a = min(x.low[row] + part * (x.high[row] - x.low[row]), x.high[row])
                 value = getattr(mpmath, name)(mpmath.mpf(a))
                 assert mpmath.mpf(float(result.low[row])) <= value, (row, a)
-                assert not math.isfinite(result.high[row]) or value <= mpmath.mpf(float(result.high[row])), (row, a)
+                assert not math.isfinite(result.high[row]) or value <= mpmath.mpf(
+                    float(result.high[row])
+                ), (row, a)
     narrow = x.width == x.width.min()
     assert (result.width[narrow] <= 1e-14 * np.maximum(1, result.magnitude[narrow])).all()
 
@@ -125,7 +175,9 @@ def test_roots_and_unknown_ends_bound_nothing():
     assert not (unknown.low > -9e99)[0]
     assert not (unknown.high < 9e99)[1]
     assert (unknown * 0.5 + 1).holds_zero().tolist() == [True, False]
-    assert Intervals.between([1.0], [np.nan]).mignitude != 0.5  # NaN, which no comparison takes for a bound
+    assert (
+        Intervals.between([1.0], [np.nan]).mignitude != 0.5
+    )  # NaN, which no comparison takes for a bound
     product = Intervals.between([0.0], [0.0]) * Intervals.between([1.0], [np.inf])
     assert product.holds_zero().all()
     assert (Intervals.between([1e308], [1.7e308]) * 10).high == np.inf
@@ -149,11 +201,18 @@ def test_directions_are_sharp_and_hold_all():
     best = np.full((2, 2, 400), -np.inf)
     with mpmath.workdps(40):
         for i, j in itertools.product(np.linspace(0, 1, 7), np.linspace(0, 1, 7)):
-            x, y = np.minimum(dx.low + i * size[0], dx.high), np.minimum(dy.low + j * size[1], dy.high)
+            x, y = (
+                np.minimum(dx.low + i * size[0], dx.high),
+                np.minimum(dy.low + j * size[1], dy.high),
+            )
             for row in range(400):
                 L = mpmath.sqrt(mpmath.mpf(x[row]) ** 2 + mpmath.mpf(y[row]) ** 2)
                 for enclosure, value in ((c, x[row] / L), (s, y[row] / L), (l, L)):
-                    assert mpmath.mpf(float(enclosure.low[row])) <= value <= mpmath.mpf(float(enclosure.high[row]))
+                    assert (
+                        mpmath.mpf(float(enclosure.low[row]))
+                        <= value
+                        <= mpmath.mpf(float(enclosure.high[row]))
+                    )
             best[0] = np.maximum(best[0], np.stack([-x, x]) / np.hypot(x, y))
     # Grown towards the corners the hull is met where 0 is not between: no wider than the largest and least value of a fine grid.
     clear = (dx.mignitude > 0) & (dy.mignitude > 0)
@@ -166,7 +225,11 @@ def test_directions_are_sharp_and_hold_all():
 def bad_pairs() -> list[tuple[float, float]]:
     """Pairs of which one operation or another is rounded by about half a unit, at powers of two, near 0 and near the largest."""
     rng = np.random.default_rng(10)
-    ones = [sign * 2.0**power for sign in (1, -1) for power in (-1074, -1040, -1022, -1000, -500, -1, 0, 1, 500, 1000)]
+    ones = [
+        sign * 2.0**power
+        for sign in (1, -1)
+        for power in (-1074, -1040, -1022, -1000, -500, -1, 0, 1, 500, 1000)
+    ]
     near = [float(np.nextafter(one, toward)) for one in ones for toward in (-np.inf, np.inf)]
     halves = [(one, one * 2.0**-53 * part) for one in ones for part in (1, -0.5, 0.75, 1.5, -1)]
     pairs = list(itertools.product(ones[::3], near[::3])) + halves
@@ -189,10 +252,16 @@ def test_bad_roundings_are_covered():
             value = operation(one, two) if two or operation is not operator.truediv else None
             assert value is None or holds(result, row, value), (operation, one, two)
             assert value is None or abs(value) > 1e300 or np.isfinite(result.ends[:, row]).all()
-    for operation, number in itertools.product(OPERATIONS, (0.1, -0.1, 3, -3, 2.0**-53, 5e-324, 1 / 3)):
+    for operation, number in itertools.product(
+        OPERATIONS, (0.1, -0.1, 3, -3, 2.0**-53, 5e-324, 1 / 3)
+    ):
         for some, reverse in ((operation(x, number), False), (operation(number, x), True)):
             for row in range(0, len(a), 3):
-                one, two = (Fraction(number), exact_a[row]) if reverse else (exact_a[row], Fraction(number))
+                one, two = (
+                    (Fraction(number), exact_a[row])
+                    if reverse
+                    else (exact_a[row], Fraction(number))
+                )
                 assert holds(some, row, operation(one, two))
 
 
@@ -200,7 +269,13 @@ def test_bad_roundings_are_covered():
 def test_powers_of_bad_numbers(power):
     """Where every product rounds one way: found by a search among many."""
     rng = np.random.default_rng(power % 100)
-    for size in (1.0, 2.0**-1070, 2.0 ** (-1074 // abs(power)), 2.0 ** (-1022 // abs(power)), 2.0**60):
+    for size in (
+        1.0,
+        2.0**-1070,
+        2.0 ** (-1074 // abs(power)),
+        2.0 ** (-1022 // abs(power)),
+        2.0**60,
+    ):
         values = rng.uniform(-2, 2, 300) * size
         result = Intervals.point(values) ** power
         for row, value in enumerate(values):

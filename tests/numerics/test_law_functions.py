@@ -61,7 +61,9 @@ def test_a_function_holds_its_value_and_little_else(kind: str) -> None:
         value = true(name, x)
         assert low <= value <= high, (name, x)
         # What is halved for a series and then squared, or less whole turns, loses the digits of its size.
-        assert high - low <= width * max(abs(value), 1) * max(abs(x), abs(value) if name == "log" else 1, 1), (name, x)
+        assert high - low <= width * max(abs(value), 1) * max(
+            abs(x), abs(value) if name == "log" else 1, 1
+        ), (name, x)
     low, high = ends((abs(Jet.variable(made(-0.3), 0, 2)) * made(1.0)).derivative(0))
     assert low <= -1 <= high < 0
 
@@ -75,8 +77,17 @@ def test_derivatives_of_a_function(kind: str, name: str) -> None:
         with np.errstate(all="ignore"):
             jet = getattr(functions, name)(Jet.variable(made(x), 0, 3))
         low, high = ends(jet.derivative(*(0,) * order))
-        value = mpmath.diff(getattr(mpmath, name), mpmath.mpf(x), order, h=mpmath.mpf(abs(x)) * mpmath.mpf(10) ** -25)
-        close = mpmath.mpf(10) ** -40 * max(1, abs(value)) if abs(x) > 1e-3 else mpmath.mpf(10) ** -20 * max(1, abs(value))
+        value = mpmath.diff(
+            getattr(mpmath, name),
+            mpmath.mpf(x),
+            order,
+            h=mpmath.mpf(abs(x)) * mpmath.mpf(10) ** -25,
+        )
+        close = (
+            mpmath.mpf(10) ** -40 * max(1, abs(value))
+            if abs(x) > 1e-3
+            else mpmath.mpf(10) ** -20 * max(1, abs(value))
+        )
         assert low - close <= value <= high + close, (x, order)
         assert high - low <= 1e3 * width * max(abs(value), 1) + close, (x, order)
 

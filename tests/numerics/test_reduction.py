@@ -46,7 +46,9 @@ def test_three_close_roots(gap):
 
 @pytest.mark.parametrize("gap", [Fraction(1, 2), Fraction(1, 2**30)])
 def test_one_unknown_is_all_there_is(gap):
-    found = reduced_roots(lambda q: [q[0] ** 2 - float(gap**2)], [(-2 * float(gap), 1.0)], np.array([[0.0]]), 200)
+    found = reduced_roots(
+        lambda q: [q[0] ** 2 - float(gap**2)], [(-2 * float(gap), 1.0)], np.array([[0.0]]), 200
+    )
     assert not found.left
     for (side,), root in zip(sorted(found.roots), (-gap, gap), strict=True):
         assert side[0] <= root <= side[1]
@@ -58,7 +60,9 @@ def test_two_complex_roots_are_none():
         x, y = q
         return [y - x**2, y + 1e-20]
 
-    found = reduced_roots(evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200)
+    found = reduced_roots(
+        evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
+    )
     assert not found.left
     assert not found.roots
 
@@ -69,7 +73,9 @@ def test_a_double_root_is_left():
         x, y = q
         return [y - x**2, y * 1]
 
-    found = reduced_roots(evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200)
+    found = reduced_roots(
+        evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
+    )
     assert not found.roots
     assert any(box[0][0] <= 0 <= box[0][1] for box in found.left)
 
@@ -93,10 +99,14 @@ def test_jets_have_the_derivatives_of_their_functions():
     def function(x, y, sqrt, exp):
         return sqrt(x + y**2) * exp(x * y) / (1 + x**3) - x**-2
 
-    got = function(*variables([Intervals.point([value]) for value in at.values()], 3), XP.sqrt, XP.exp)
+    got = function(
+        *variables([Intervals.point([value]) for value in at.values()], 3), XP.sqrt, XP.exp
+    )
     with mp.workdps(40):
         for order in [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)]:
-            want = mp.diff(lambda x, y: function(x, y, mp.sqrt, mp.exp), tuple(map(mp.mpf, at.values())), order)
+            want = mp.diff(
+                lambda x, y: function(x, y, mp.sqrt, mp.exp), tuple(map(mp.mpf, at.values())), order
+            )
             enclosure = got.derivative(*[0] * order[0], *[1] * order[1])
             assert enclosure.low[0] <= want <= enclosure.high[0], order
             assert enclosure.width[0] < 1e-11
@@ -110,10 +120,15 @@ def test_roots_of_jets_have_all_of_their_terms():
         for order in range(8):
             wanted = (
                 mp.diff(mp.sqrt, mp.mpf(0.7), order),
-                *(mp.diff(function, mp.mpf(0.7), order) for function in (
-                    lambda t: t / mp.hypot(t, mp.mpf(-0.4)), lambda t: -mp.mpf(0.4) / mp.hypot(t, mp.mpf(-0.4)),
-                    lambda t: mp.hypot(t, mp.mpf(-0.4)))),
-            )  # fmt: skip
+                *(
+                    mp.diff(function, mp.mpf(0.7), order)
+                    for function in (
+                        lambda t: t / mp.hypot(t, mp.mpf(-0.4)),
+                        lambda t: -mp.mpf(0.4) / mp.hypot(t, mp.mpf(-0.4)),
+                        lambda t: mp.hypot(t, mp.mpf(-0.4)),
+                    )
+                ),
+            )
             for jet, want in zip((root, c, s, length), wanted, strict=True):
                 enclosure = jet.derivative(*[0] * order) if order else jet.value
                 assert enclosure.low[0] - 1e-12 <= want <= enclosure.high[0] + 1e-12

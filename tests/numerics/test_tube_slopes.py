@@ -15,10 +15,23 @@ from spragsym.numerics.interval_arrays import Intervals
 
 #: Models, and parameters with a tolerance; of the last one a unit has one too.
 BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] = (
-    ("cubic_contact", {"theta0": (0.87, 0.91), "sigma": (0.10, 0.14), "alpha": (0.0055, 0.0065), "mu0": (0.2, 0.3)}, {}),
+    (
+        "cubic_contact",
+        {
+            "theta0": (0.87, 0.91),
+            "sigma": (0.10, 0.14),
+            "alpha": (0.0055, 0.0065),
+            "mu0": (0.2, 0.3),
+        },
+        {},
+    ),
     ("two_springs", {"theta0": (0.60, 0.62), "sigma": (0.09, 0.11), "mu0": (0.2, 0.3)}, {}),
     ("hertz_contact", {"theta0": (0.60, 0.62), "kappa": (0.009, 0.011), "mu0": (0.2, 0.3)}, {}),
-    ("stribeck", {"theta0": (0.60, 0.62), "V": (0.4, 0.5), "mu_s": (0.3, 0.31), "sigma": (0.09, 0.11)}, {}),
+    (
+        "stribeck",
+        {"theta0": (0.60, 0.62), "V": (0.4, 0.5), "mu_s": (0.3, 0.31), "sigma": (0.09, 0.11)},
+        {},
+    ),
     (
         "cubic_contact",
         {"theta0": (0.87, 0.91), "sigma": (0.10, 0.14), "mu0": (0.2, 0.3)},
@@ -27,10 +40,14 @@ BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] =
 )
 
 
-def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]) -> tuple[Splitting, Tubes, Place]:
+def region_of(
+    name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
+) -> tuple[Splitting, Tubes, Place]:
     """States about one of the middle of a box, moved along and across at random."""
     model, rng = ss.load(name).search, np.random.default_rng(2)
-    low, high = (model.Parameters(**{key: ends[side] for key, ends in ranges.items()}) for side in (0, 1))
+    low, high = (
+        model.Parameters(**{key: ends[side] for key, ends in ranges.items()}) for side in (0, 1)
+    )
     vary = "mu0" if "mu0" in ranges else "mu_s"
     box = Splitting(low, high, vary, ranges[vary][0], units)
     tubes = box._over(box.whole.low, box.whole.high)
@@ -42,7 +59,11 @@ def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str
     off[-1] = 0.0
     moved, apart = np.full(1, 0.02), tubes.apart()
     size = np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1) + off
-    return box, tubes, Place(z, along, moved, by_p, 1.001 * size, off, off, np.ones(1, dtype=np.bool_))
+    return (
+        box,
+        tubes,
+        Place(z, along, moved, by_p, 1.001 * size, off, off, np.ones(1, dtype=np.bool_)),
+    )
 
 
 @pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
@@ -53,10 +74,20 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
     count = 3000
     others = list(range(tubes.n))
     rng = np.random.default_rng(3)
-    ends = [rng.choice([-1.0, 1.0], (size, count)) * rng.choice([1.0, 0.3], count) for size in (1, len(box.free), tubes.n + 1)]
+    ends = [
+        rng.choice([-1.0, 1.0], (size, count)) * rng.choice([1.0, 0.3], count)
+        for size in (1, len(box.free), tubes.n + 1)
+    ]
     p = tubes.centre + tubes.half * ends[1]
-    z = region.z + region.along * region.moved * ends[0] + region.by_p[..., 0] @ (tubes.half * ends[1]) + region.off * ends[2]
-    points = replace(tubes, fixed=np.repeat(tubes.fixed, count, axis=1), centre=p, half=np.full_like(p, 1e-9))
+    z = (
+        region.z
+        + region.along * region.moved * ends[0]
+        + region.by_p[..., 0] @ (tubes.half * ends[1])
+        + region.off * ends[2]
+    )
+    points = replace(
+        tubes, fixed=np.repeat(tubes.fixed, count, axis=1), centre=p, half=np.full_like(p, 1e-9)
+    )
     sampled = points.floats(z)[1]
     intervals = tubes.slopes(region.box())
     assert (intervals.low <= sampled).all()
@@ -68,7 +99,10 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
             assert values.max() <= one.high[0]
     wide = contractors.product(contractors.inverse(intervals.middle[:, others]), intervals.ends)
     found = tubes.over(region)
-    spread = max(sum(float((found.taken(row[j]).high - found.taken(row[j]).low)[0]) for j in others) for row in found.rows)
+    spread = max(
+        sum(float((found.taken(row[j]).high - found.taken(row[j]).low)[0]) for j in others)
+        for row in found.rows
+    )
     assert spread < 0.9 * float((wide[0] + wide[1])[:, others].sum(axis=1).max())
 
 
@@ -83,4 +117,6 @@ def test_slopes_by_units_are_those_of_the_forces() -> None:
             centre = tubes.centre.copy()
             centre[k] += side * step
             sides.append(replace(tubes, centre=centre).floats(z)[0])
-        np.testing.assert_allclose(slopes[:, tubes.n + 1 + k], (sides[1] - sides[0]) / (2 * step), rtol=1e-6, atol=1e-9)
+        np.testing.assert_allclose(
+            slopes[:, tubes.n + 1 + k], (sides[1] - sides[0]) / (2 * step), rtol=1e-6, atol=1e-9
+        )

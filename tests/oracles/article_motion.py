@@ -12,7 +12,9 @@ from spragsym.models.parameters import NAMES, Parameters
 Constants = Sequence[float]
 
 
-def accelerations(state: Sequence[float], constants: Constants, contact: bool, side: float) -> tuple[float, float]:
+def accelerations(
+    state: Sequence[float], constants: Constants, contact: bool, side: float
+) -> tuple[float, float]:
     """x″ and y″ in contact or in lift-off, for the belt ahead (1) or the mass (−1), continued beyond the regime."""
     x, y, vx, _ = state
     cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d = constants
@@ -24,7 +26,9 @@ def accelerations(state: Sequence[float], constants: Constants, contact: bool, s
     return pull * along - alpha * x + mu * n, pull * across - beta * y + n - kappa
 
 
-def slopes(state: Sequence[float], constants: Constants, contact: bool, side: float) -> tuple[tuple[float, ...], ...]:
+def slopes(
+    state: Sequence[float], constants: Constants, contact: bool, side: float
+) -> tuple[tuple[float, ...], ...]:
     """Their derivatives by x, y, x', y'."""
     x, y, vx, _ = state
     cos0, sin0, mu0, _, alpha, sigma, beta, V, d = constants
@@ -47,11 +51,15 @@ def everywhere(state: Sequence[float], constants: Constants) -> tuple[float, flo
     return accelerations(state, constants, state[1] < 0, math.copysign(1.0, slip) if slip else 0.0)
 
 
-def integrated(p: Parameters, V: float, d: float, start: Sequence[float], t_end: float, **options: Any) -> Any:
+def integrated(
+    p: Parameters, V: float, d: float, start: Sequence[float], t_end: float, **options: Any
+) -> Any:
     """The motion by ``solve_ivp``, which knows nothing of kinks."""
     theta0, *others = p.scalars(*NAMES)
     constants = (math.cos(theta0), math.sin(theta0), *others, V, d)
-    return solve_ivp(lambda _, state: [*state[2:], *everywhere(state, constants)], (0.0, t_end), start, **options)
+    return solve_ivp(
+        lambda _, state: [*state[2:], *everywhere(state, constants)], (0.0, t_end), start, **options
+    )
 
 
 def stored(state: Sequence[float], constants: Constants) -> float:

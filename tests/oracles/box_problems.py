@@ -76,7 +76,9 @@ def _example_52(x: Sequence[Any]) -> Sequence[Any]:
         c, s = XP.cos(angle), XP.sin(angle)
         v = -(0.5 * c + 0.5 * s)
         third = 0.5 * s - 0.5 * c
-        product = product * (x[0] * (0.5 * v - s) + x[1] * (c - 0.5 * v) + x[2] * third - d1 * third)
+        product = product * (
+            x[0] * (0.5 * v - s) + x[1] * (c - 0.5 * v) + x[2] * third - d1 * third
+        )
     return ((radius - 1) * (radius - 4), (plane - d1) * (plane - d2), product)
 
 

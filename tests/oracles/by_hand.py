@@ -51,14 +51,20 @@ def load(name: str, derived: Path) -> Any:
 # ------------------------------------------------------------------------------------------------ equilibria
 
 
-def equilibria(model: Any, drawn: Drawn, values: Values, contact: bool, rng: np.random.Generator) -> dict[str, Any]:
+def equilibria(
+    model: Any, drawn: Drawn, values: Values, contact: bool, rng: np.random.Generator
+) -> dict[str, Any]:
     """What is wrong with the equilibria of one set: nothing, in the best case."""
     begin = time.process_time()
     found = ss.equilibria(model.Parameters(**values), contact)
     spent = time.process_time() - begin
-    states = np.array([found.coordinates[name] for name in model.coordinates])[:, : int(found.count)].T
+    states = np.array([found.coordinates[name] for name in model.coordinates])[
+        :, : int(found.count)
+    ].T
     wrong = [
-        text for state, error in zip(states, found.error, strict=False) for text in _off(drawn, values, contact, state, error)
+        text
+        for state, error in zip(states, found.error, strict=False)
+        for text in _off(drawn, values, contact, state, error)
     ]
     boxes = [(np.array(box.low), np.array(box.high)) for box in found.undecided]
     wrong += _missed(drawn, values, contact, states, boxes, found.region, found.whole, rng)
@@ -78,7 +84,9 @@ def _off(drawn: Drawn, values: Values, contact: bool, state: Any, error: float) 
             return drawn.forces(q, [mp.mpf(0)] * len(q), p, mp, contact, mu)
 
         try:
-            root = mp.findroot(balance, start, tol=mp.mpf(10) ** (-DIGITS), maxsteps=60, verify=False)
+            root = mp.findroot(
+                balance, start, tol=mp.mpf(10) ** (-DIGITS), maxsteps=60, verify=False
+            )
         except (ZeroDivisionError, ValueError) as reason:
             return [f"the reference has no state near {state.tolist()}: {reason}"]
         root = list(root) if isinstance(root, mp.matrix) else [root]
@@ -112,18 +120,31 @@ def newton(drawn: Drawn, values: Values, contact: bool, place: Any) -> Any:
     mu, tiny = drawn.static_friction(p, np), 1e-150
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
-            f = np.array(np.broadcast_arrays(*drawn.forces(list(place + 0j), still, p, np, contact, mu)))
+            f = np.array(
+                np.broadcast_arrays(*drawn.forces(list(place + 0j), still, p, np, contact, mu))
+            )
             jacobian = np.empty((n, n, place.shape[1]))
             for j in range(n):
                 moved = place + 0j
                 moved[j] += 1j * tiny
                 for i, row in enumerate(drawn.forces(list(moved), still, p, np, contact, mu)):
                     jacobian[i, j] = np.imag(row) / tiny
-            good = np.isfinite(jacobian).all(axis=(0, 1)) & np.isfinite(f).all(axis=0) & (np.abs(np.imag(f)).max(axis=0) == 0)
-            place, still, f, jacobian = place[:, good], still[:, good], f[:, good], jacobian[:, :, good]
+            good = (
+                np.isfinite(jacobian).all(axis=(0, 1))
+                & np.isfinite(f).all(axis=0)
+                & (np.abs(np.imag(f)).max(axis=0) == 0)
+            )
+            place, still, f, jacobian = (
+                place[:, good],
+                still[:, good],
+                f[:, good],
+                jacobian[:, :, good],
+            )
             if not place.shape[1]:
                 return place
-            step = -np.array([_solved(jacobian[:, :, k], np.real(f[:, k])) for k in range(place.shape[1])]).T
+            step = -np.array(
+                [_solved(jacobian[:, :, k], np.real(f[:, k])) for k in range(place.shape[1])]
+            ).T
             place = place + step
     sure = np.abs(step).max(axis=0) <= 1e-9 * np.maximum(1e-12, np.abs(place).max(axis=0))
     return place[:, sure]
@@ -137,7 +158,14 @@ def _solved(matrix: Any, right: Any) -> Any:
 
 
 def _missed(
-    drawn: Drawn, values: Values, contact: bool, states: Any, boxes: list[tuple[Any, Any]], region: Any, whole: bool, rng: Any
+    drawn: Drawn,
+    values: Values,
+    contact: bool,
+    states: Any,
+    boxes: list[tuple[Any, Any]],
+    region: Any,
+    whole: bool,
+    rng: Any,
 ) -> list[str]:
     """Roots of the reference that the answer does not have."""
     wrong: list[str] = []
@@ -148,7 +176,10 @@ def _missed(
         size = np.maximum(1.0, np.abs(root))
         if any((np.abs(root - state) / size).max() < 1e-6 for state in known):
             continue
-        if any(((root >= low - 1e-6 * size) & (root <= high + 1e-6 * size)).all() for low, high in boxes):
+        if any(
+            ((root >= low - 1e-6 * size) & (root <= high + 1e-6 * size)).all()
+            for low, high in boxes
+        ):
             continue
         beyond = bool(((root < region[:, 0]) | (root > region[:, 1])).any())
         if (whole or not beyond) and _solves(drawn, values, contact, root):
@@ -164,15 +195,24 @@ def _solves(drawn: Drawn, values: Values, contact: bool, root: Any) -> bool:
         mu = drawn.static_friction(p, mp)
         try:
             exact = mp.findroot(
-                lambda *q: drawn.forces(q, [mp.mpf(0)] * len(q), p, mp, contact, mu), [mp.mpf(float(part)) for part in root],
-                tol=mp.mpf(10) ** (-DIGITS), maxsteps=30,
-            )  # fmt: skip
-        except (ZeroDivisionError, ValueError, TypeError):  # the last one where no pivot is a number
+                lambda *q: drawn.forces(q, [mp.mpf(0)] * len(q), p, mp, contact, mu),
+                [mp.mpf(float(part)) for part in root],
+                tol=mp.mpf(10) ** (-DIGITS),
+                maxsteps=30,
+            )
+        except (
+            ZeroDivisionError,
+            ValueError,
+            TypeError,
+        ):  # the last one where no pivot is a number
             return False
         exact = list(exact) if isinstance(exact, mp.matrix) else [exact]
         if any(mp.im(part) != 0 for part in exact):
             return False
-        near = all(abs(part - float(value)) <= 1e-6 * max(1, abs(part)) for part, value in zip(exact, root, strict=True))
+        near = all(
+            abs(part - float(value)) <= 1e-6 * max(1, abs(part))
+            for part, value in zip(exact, root, strict=True)
+        )
         return near and (not drawn.lifts or (exact[1] < 0 if contact else exact[1] > 0))
 
 
@@ -188,6 +228,8 @@ def field(drawn: Drawn, values: Values) -> Any:
         slip = values["V"] - v[0]
         mu = np.sign(slip) * drawn.friction(abs(slip), values, np)
         touching = not drawn.lifts or q[1] < 0
-        return np.concatenate([v, np.array(drawn.forces(q, v, values, np, touching, mu), dtype=float) / masses])
+        return np.concatenate(
+            [v, np.array(drawn.forces(q, v, values, np, touching, mu), dtype=float) / masses]
+        )
 
     return rhs

@@ -17,7 +17,10 @@ from spragsym.models.parameters import NAMES
 
 #: Options with which gcc and clang make vector instructions of the loops; none changes a result.
 FAST = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
-EQUILIBRIUM = np.dtype([*((name, np.float64) for name in ("theta", "L", "x", "y", "error")), ("stability", np.intc)], align=True)
+EQUILIBRIUM = np.dtype(
+    [*((name, np.float64) for name in ("theta", "L", "x", "y", "error")), ("stability", np.intc)],
+    align=True,
+)
 # One point a call, as a control loop asks.
 _LOOP = """
 #include "spragsym.h"
@@ -70,7 +73,18 @@ def compiled(compiler: str, flags: tuple[str, ...], source: Path | None = None) 
             place = source or resources.files("spragsym.generated").joinpath("c")
             (folder / file).write_bytes(place.joinpath(file).read_bytes())
         (folder / "loop.c").write_text(_LOOP, encoding="utf-8")
-        command = [compiler, "-std=c99", *flags, "-shared", "-fPIC", "-o", "lib.so", "loop.c", "spragsym.c", "-lm"]
+        command = [
+            compiler,
+            "-std=c99",
+            *flags,
+            "-shared",
+            "-fPIC",
+            "-o",
+            "lib.so",
+            "loop.c",
+            "spragsym.c",
+            "-lm",
+        ]
         subprocess.run(command, cwd=folder, check=True)
         return (folder / "lib.so").read_bytes()
 
@@ -82,14 +96,29 @@ def table(p: ss.Parameters) -> NDArray[np.float64]:
 
 def room(points: int) -> Solved:
     """Arrays for the results of this many points."""
-    return Solved(np.zeros((points, 4), EQUILIBRIUM), np.zeros(points, np.intc), np.zeros(points, np.intc))
+    return Solved(
+        np.zeros((points, 4), EQUILIBRIUM), np.zeros(points, np.intc), np.zeros(points, np.intc)
+    )
 
 
-def solve(library: ctypes.CDLL, rows: NDArray[np.float64], out: Solved, contact: bool = True, batch: bool = True) -> None:
+def solve(
+    library: ctypes.CDLL,
+    rows: NDArray[np.float64],
+    out: Solved,
+    contact: bool = True,
+    batch: bool = True,
+) -> None:
     """All points into ``out``, in one call of the batch or one by one."""
     function = library.spragsym_equilibria_batch if batch else library.one_by_one
-    pointers = (array.ctypes.data_as(ctypes.c_void_p) for array in (out.equilibria, out.count, out.status))
-    function(ctypes.c_size_t(len(rows)), rows.ctypes.data_as(ctypes.c_void_p), ctypes.c_int(contact), *pointers)
+    pointers = (
+        array.ctypes.data_as(ctypes.c_void_p) for array in (out.equilibria, out.count, out.status)
+    )
+    function(
+        ctypes.c_size_t(len(rows)),
+        rows.ctypes.data_as(ctypes.c_void_p),
+        ctypes.c_int(contact),
+        *pointers,
+    )
 
 
 def in_contact(library: ctypes.CDLL, out: Solved, p: ss.Parameters, batch: bool = True) -> Solved:

@@ -36,9 +36,13 @@ def predicted_counts(p: ss.Parameters, theta0: Array, mu0: Array) -> Array:
     predicted = np.empty((theta0.size, mu0.size), dtype=int)
     start = ss.equilibria(p.replace(theta0=np.full(mu0.size, 1e-9), mu0=mu0)).count
     for column, friction in enumerate(mu0):
-        crossings = np.sort(np.concatenate([_crossings(curve, friction) for curve in curves] or [np.empty(0)]))
+        crossings = np.sort(
+            np.concatenate([_crossings(curve, friction) for curve in curves] or [np.empty(0)])
+        )
         first = int(start[column])
-        predicted[:, column] = np.where(np.searchsorted(crossings, theta0) % 2 == 0, first, 4 - first)
+        predicted[:, column] = np.where(
+            np.searchsorted(crossings, theta0) % 2 == 0, first, 4 - first
+        )
     return predicted
 
 
@@ -46,4 +50,6 @@ def _crossings(curve: ss.Curve, friction: float) -> Array:
     above = curve.mu0 > friction
     at = np.flatnonzero(above[1:] != above[:-1])
     low, high = curve.mu0[at], curve.mu0[at + 1]
-    return curve.theta0[at] + (friction - low) / (high - low) * (curve.theta0[at + 1] - curve.theta0[at])
+    return curve.theta0[at] + (friction - low) / (high - low) * (
+        curve.theta0[at + 1] - curve.theta0[at]
+    )

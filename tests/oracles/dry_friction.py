@@ -16,13 +16,20 @@ Values = Mapping[str, float]
 
 #: Leine's oscillator, whose friction falls with the sliding speed.
 LEINE = shipped_page(
-    "coulomb_stick_slip", ("import Page", "import Abs, Page"), ('">= 0", 0.5)', '">= 0", 0.2)'),
-    ('page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)', 'page.parameter("mu0", "1", "static", ">= 0", 1.0)'),
-    ('mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
-     'ratio = page.parameter("ratio", "1", "least over static", "[0, 1]", 0.0)\n'
-     'delta = page.parameter("delta", "s/m", "how fast friction falls", ">= 0", 3.0)'),
+    "coulomb_stick_slip",
+    ("import Page", "import Abs, Page"),
+    ('">= 0", 0.5)', '">= 0", 0.2)'),
+    (
+        'page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)',
+        'page.parameter("mu0", "1", "static", ">= 0", 1.0)',
+    ),
+    (
+        'mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
+        'ratio = page.parameter("ratio", "1", "least over static", "[0, 1]", 0.0)\n'
+        'delta = page.parameter("delta", "s/m", "how fast friction falls", ">= 0", 3.0)',
+    ),
     ("mu_k * sgn(v)", "mu_s * (ratio + (1 - ratio) / (1 + delta * Abs(v))) * sgn(v)"),
-)  # fmt: skip
+)
 
 #: A pendulum on a slider brushes a belt with its tip; friction falls with the sliding speed.
 TIP = """'''A pendulum on a slider.'''
@@ -50,25 +57,44 @@ page.friction(
 
 #: The mass that sticks and slips, pushed in time by a rotor that a motor turns; by ``fall`` friction falls before it rises.
 FORCED = shipped_page(
-    "coulomb_stick_slip", ("import Page", "import Page, cos, sqrt"), ('">= 0", 0.5)', '">= 0", 0.1)'),
-    ('page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)', 'page.parameter("mu0", "1", "friction", ">= 0", 0.4)'),
-    ('mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
-     'w = page.parameter("w", "1/s", "speed of the rotor", "> 0")\nP = page.parameter("P", "N", "largest push", ">= 0", 1.0)\n'
-     'fall = page.parameter("fall", "1", "how much friction falls", "[0, 1]", 0.0)\n'
-     'phi = page.coordinate("phi", "rad", "angle of the rotor")\nu, r = N_0 / sqrt(k * m), N_0 / k'),
-    ("page.kinetic(m * page.rate(x) ** 2 / 2)",
-     "page.kinetic(m * (page.rate(x) ** 2 + (r * page.rate(phi)) ** 2) / 2)\npage.force(P * cos(phi), along=x)\n"
-     "page.force(sqrt(k * m) * r**2 * w, along=phi)\npage.damper(sqrt(k * m) * r**2, along=phi)"),
+    "coulomb_stick_slip",
+    ("import Page", "import Page, cos, sqrt"),
+    ('">= 0", 0.5)', '">= 0", 0.1)'),
+    (
+        'page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)',
+        'page.parameter("mu0", "1", "friction", ">= 0", 0.4)',
+    ),
+    (
+        'mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
+        'w = page.parameter("w", "1/s", "speed of the rotor", "> 0")\nP = page.parameter("P", "N", "largest push", ">= 0", 1.0)\n'
+        'fall = page.parameter("fall", "1", "how much friction falls", "[0, 1]", 0.0)\n'
+        'phi = page.coordinate("phi", "rad", "angle of the rotor")\nu, r = N_0 / sqrt(k * m), N_0 / k',
+    ),
+    (
+        "page.kinetic(m * page.rate(x) ** 2 / 2)",
+        "page.kinetic(m * (page.rate(x) ** 2 + (r * page.rate(phi)) ** 2) / 2)\npage.force(P * cos(phi), along=x)\n"
+        "page.force(sqrt(k * m) * r**2 * w, along=phi)\npage.damper(sqrt(k * m) * r**2, along=phi)",
+    ),
     ("mu_k * sgn(v)", "mu_s * (sgn(v) - fall * (v / u - 3 * (v / u) ** 3 / 10))"),
-)  # fmt: skip
+)
 
 #: Parameters of each model, and ranges from which they are drawn; the reach of starts.
-DRAWN = {"coulomb": ("theta0", "mu0", "ratio", "kappa", "alpha", "sigma", "V"), "leine": ("mu0", "ratio", "delta", "V"),
-         "tip": ("mu0", "ratio", "delta", "V", "N")}  # fmt: skip
+DRAWN = {
+    "coulomb": ("theta0", "mu0", "ratio", "kappa", "alpha", "sigma", "V"),
+    "leine": ("mu0", "ratio", "delta", "V"),
+    "tip": ("mu0", "ratio", "delta", "V", "N"),
+}
 RANGES = {
-    "theta0": (0.3, 1.2), "mu0": (0.3, 0.9), "ratio": (0.2, 1.1), "kappa": (0.004, 0.02), "alpha": (0.003, 0.02),
-    "sigma": (0.05, 0.2), "V": (-0.02, 0.5), "delta": (0.0, 5.0), "N": (0.3, 1.0),
-}  # fmt: skip
+    "theta0": (0.3, 1.2),
+    "mu0": (0.3, 0.9),
+    "ratio": (0.2, 1.1),
+    "kappa": (0.004, 0.02),
+    "alpha": (0.003, 0.02),
+    "sigma": (0.05, 0.2),
+    "V": (-0.02, 0.5),
+    "delta": (0.0, 5.0),
+    "N": (0.3, 1.0),
+}
 REACH = {"coulomb": (1.0, 0.1, 0.3, 0.1), "leine": (1.5, 1.5), "tip": (1.0, 1.0, 1.0, 1.0)}
 
 
@@ -76,28 +102,48 @@ def drawn(name: str, *seed: int) -> tuple[dict[str, float], Any]:
     """Values of the parameters and a start: some with one friction coefficient, some on a belt that stands."""
     rng = np.random.default_rng(seed)
     values = {each: max(rng.uniform(*RANGES[each]), 0.0) for each in DRAWN[name]}
-    return values | {"ratio": min(values["ratio"], 1.0)}, rng.uniform(-1, 1, len(REACH[name])) * REACH[name]
+    return values | {"ratio": min(values["ratio"], 1.0)}, rng.uniform(
+        -1, 1, len(REACH[name])
+    ) * REACH[name]
 
 
 def model(name: str) -> Any:
     """The model of a name."""
-    return ss.load(name) if name == "coulomb" else model_of({"leine": LEINE, "tip": TIP, "forced": FORCED}[name], name)
+    return (
+        ss.load(name)
+        if name == "coulomb"
+        else model_of({"leine": LEINE, "tip": TIP, "forced": FORCED}[name], name)
+    )
 
 
-def parts(name: str, p: Values, q: Any, v: Any, contact: bool) -> tuple[Any, Any, Any, float, float]:
+def parts(
+    name: str, p: Values, q: Any, v: Any, contact: bool
+) -> tuple[Any, Any, Any, float, float]:
     """M, forces without friction, J = ∂slide/∂q, J′v, and the normal force."""
     if name == "leine":
         return np.eye(1), -q, np.ones(1), 0.0, 1.0
     if name == "tip":
         c, s = math.cos(q[1]), math.sin(q[1])
-        return np.array([[2, c], [c, 1]]), np.array([-q[0] + s * v[1] ** 2, -s]), np.array([1.0, c]), -s * v[1] ** 2, p["N"]
+        return (
+            np.array([[2, c], [c, 1]]),
+            np.array([-q[0] + s * v[1] ** 2, -s]),
+            np.array([1.0, c]),
+            -s * v[1] ** 2,
+            p["N"],
+        )
     if name == "forced":
         slip = p["V"] - v[1]
         push = p["P"] * math.cos(q[0]) - p["mu0"] * p["fall"] * (slip - 0.3 * slip**3)
         return np.eye(2), np.array([p["w"] - v[0], push - q[1]]), np.eye(2)[1], 0.0, 1.0
     dx, dy = math.cos(p["theta0"]) - q[0], math.sin(p["theta0"]) - q[1]
     pull, normal = p["sigma"] * (1 - 1 / math.hypot(dx, dy)), -q[1] * contact
-    return np.eye(2), np.array([pull * dx - p["alpha"] * q[0], pull * dy - p["kappa"] + normal]), np.eye(2)[0], 0.0, normal
+    return (
+        np.eye(2),
+        np.array([pull * dx - p["alpha"] * q[0], pull * dy - p["kappa"] + normal]),
+        np.eye(2)[0],
+        0.0,
+        normal,
+    )
 
 
 class Driver:
@@ -142,10 +188,20 @@ class Driver:
             self.resolve(z)
         while True:
             part = solve_ivp(
-                lambda _, y: self.solved(y, self.side)[0], (t, end), z, method="DOP853", rtol=1e-12, atol=1e-15,
-                events=self.levels(), max_step=self.longest,
-            )  # fmt: skip
-            z, t, hit = part.y[:, -1], float(part.t[-1]), [len(times) > 0 for times in part.t_events]
+                lambda _, y: self.solved(y, self.side)[0],
+                (t, end),
+                z,
+                method="DOP853",
+                rtol=1e-12,
+                atol=1e-15,
+                events=self.levels(),
+                max_step=self.longest,
+            )
+            z, t, hit = (
+                part.y[:, -1],
+                float(part.t[-1]),
+                [len(times) > 0 for times in part.t_events],
+            )
             if not any(hit):
                 return z
             if self.name == "coulomb" and hit[-1]:
@@ -159,7 +215,9 @@ class Driver:
             self.events.append((event, t, z))
 
 
-def along(name: str, p: Values, near: ss.Cycle, longest: float) -> tuple[list[tuple[float, str]], float]:
+def along(
+    name: str, p: Values, near: ss.Cycle, longest: float
+) -> tuple[list[tuple[float, str]], float]:
     """Events of one period, and the period, of the cycle near one of other parameters, closed by this driver."""
     fixed = 2 * (name == "coulomb")  # where x is largest; or at one angle of the rotor
 
@@ -169,7 +227,9 @@ def along(name: str, p: Values, near: ss.Cycle, longest: float) -> tuple[list[tu
         return driver, off - 2 * math.pi * np.round(off / (2 * math.pi))
 
     begun = np.append(np.delete(near.state, fixed), near.period)
-    place, _, found, why = fsolve(lambda place: run(place)[1], begun, xtol=1e-11, epsfcn=1e-12, full_output=True)
+    place, _, found, why = fsolve(
+        lambda place: run(place)[1], begun, xtol=1e-11, epsfcn=1e-12, full_output=True
+    )
     assert found == 1, why
     return [(t, event) for event, t, _ in run(place)[0].events], place[-1]
 
@@ -182,8 +242,12 @@ def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float =
         p = cycle.parameters | dict(zip(varied, place[m:], strict=True))
         return Driver(name, p, longest).run(place[:m], cycle.period)
 
-    most = next(each for each in (0.2, 0.01) if np.abs(after(here, each) - cycle.state).max() < 1e-9)  # else it does not close
-    return np.transpose([after(here + way, most) - after(here - way, most) for way in step * np.eye(len(here))]) / (2 * step)
+    most = next(
+        each for each in (0.2, 0.01) if np.abs(after(here, each) - cycle.state).max() < 1e-9
+    )  # else it does not close
+    return np.transpose(
+        [after(here + way, most) - after(here - way, most) for way in step * np.eye(len(here))]
+    ) / (2 * step)
 
 
 def leine(digits: int) -> tuple[str, str]:

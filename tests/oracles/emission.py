@@ -52,23 +52,36 @@ def arguments(names: Sequence[str], rng: np.random.Generator) -> list[float]:
 
 def flat(value: Any) -> list[Any]:
     """Results in a row."""
-    return [entry for part in value for entry in flat(part)] if isinstance(value, tuple | list) else [value]
+    return (
+        [entry for part in value for entry in flat(part)]
+        if isinstance(value, tuple | list)
+        else [value]
+    )
 
 
-def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]) -> dict[str, float]:
+def with_angles(
+    model: Any, function: Callable[..., Any], given: Sequence[float]
+) -> dict[str, float]:
     """Arguments of a generated function by their names, an angle in the place of its cosine and sine, as exports take them."""
     code = inspect.unwrap(function).__code__
     values = dict(zip(code.co_varnames[: code.co_argcount], given, strict=True))
     named: dict[str, float] = {}
-    angle_of = {part: (angle, pair) for angle, pair in model.about["angles"].items() for part in pair}
+    angle_of = {
+        part: (angle, pair) for angle, pair in model.about["angles"].items() for part in pair
+    }
     for name, value in values.items():
         angle, (cosine, sine) = angle_of.get(name, (name, ("", "")))
-        named.setdefault(angle, value if angle == name else math.atan2(values[sine], values[cosine]))
+        named.setdefault(
+            angle, value if angle == name else math.atan2(values[sine], values[cosine])
+        )
     return named
 
 
 def results_of_c(
-    folder: Path, library: str, calls: Iterable[tuple[str, Sequence[float], int]], optimized: str = "-O0"
+    folder: Path,
+    library: str,
+    calls: Iterable[tuple[str, Sequence[float], int]],
+    optimized: str = "-O0",
 ) -> list[float]:
     """Compile an exported library without a warning, call functions by their names with numbers, and read all they write.
 
@@ -81,11 +94,29 @@ def results_of_c(
             f"{{ double r[{size}]; if ({library}_{function}({listed}, r)) return 1; "
             f'for (int i = 0; i < {size}; i++) printf("%.17g\\n", r[i]); }}'
         )
-    program = f'#include <stdio.h>\n#include "{library}.h"\nint main(void) {{\n' + "\n".join(lines) + "\nreturn 0;\n}\n"
+    program = (
+        f'#include <stdio.h>\n#include "{library}.h"\nint main(void) {{\n'
+        + "\n".join(lines)
+        + "\nreturn 0;\n}\n"
+    )
     (folder / "try.c").write_text(program, encoding="utf-8")
-    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", optimized, "try.c", f"{library}.c", "-lm", "-o", "try"]
+    build = [
+        "cc",
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        optimized,
+        "try.c",
+        f"{library}.c",
+        "-lm",
+        "-o",
+        "try",
+    ]
     subprocess.run(build, cwd=folder, check=True, timeout=120)
-    shown = subprocess.run(["./try"], cwd=folder, check=True, capture_output=True, text=True, timeout=60).stdout
+    shown = subprocess.run(
+        ["./try"], cwd=folder, check=True, capture_output=True, text=True, timeout=60
+    ).stdout
     return [float(line) for line in shown.split()]
 
 
@@ -95,7 +126,11 @@ def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
     rng, wrong = np.random.default_rng([seed, *name.encode()]), []
     for called, function in functions(model):
         plain = inspect.unwrap(function)
-        names = [key for key, it in inspect.signature(plain).parameters.items() if it.kind is not it.KEYWORD_ONLY]
+        names = [
+            key
+            for key, it in inspect.signature(plain).parameters.items()
+            if it.kind is not it.KEYWORD_ONLY
+        ]
         taken = {"xp"} & set(inspect.signature(plain).parameters)
         for _ in range(count):
             given = arguments(names, rng)
@@ -107,12 +142,16 @@ def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
             exact = np.array([float(part) for part in wide])
             size = 1.0 + np.abs(exact).max()
             if not np.abs(floats - exact).max() <= 1e-9 * size:
-                wrong.append(f"{name}.{called}: floats {floats} and 50 digits {exact} at {dict(zip(names, given, strict=True))}")
+                wrong.append(
+                    f"{name}.{called}: floats {floats} and 50 digits {exact} at {dict(zip(names, given, strict=True))}"
+                )
             wrong += enclosed(f"{name}.{called}", plain, given, wide, {"xp": XP} if taken else {})
     return wrong
 
 
-def enclosed(place: str, plain: Any, given: Sequence[float], wide: Sequence[Any], namespace: dict[str, Any]) -> list[str]:
+def enclosed(
+    place: str, plain: Any, given: Sequence[float], wide: Sequence[Any], namespace: dict[str, Any]
+) -> list[str]:
     """Whether intervals, of points, hold the results in many digits."""
     try:
         results = flat(plain(*(Intervals.point(np.array([value])) for value in given), **namespace))
@@ -121,5 +160,6 @@ def enclosed(place: str, plain: Any, given: Sequence[float], wide: Sequence[Any]
     return [
         f"{place}: {part} is not in [{bound.low[0]!r}, {bound.high[0]!r}]"
         for part, bound in zip(wide, results, strict=True)
-        if isinstance(bound, Intervals) and not mp.mpf(float(bound.low[0])) <= part <= mp.mpf(float(bound.high[0]))
+        if isinstance(bound, Intervals)
+        and not mp.mpf(float(bound.low[0])) <= part <= mp.mpf(float(bound.high[0]))
     ]

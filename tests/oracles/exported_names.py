@@ -41,7 +41,11 @@ def compare(model: Any, home: Path, rng: np.random.Generator, names: list[str]) 
         given = {key: float(rng.uniform(0.2, 0.9)) for key in asked}
         for angle, (cosine, sine) in model.about["angles"].items():
             turn = given.get(angle, 0.5)
-            given |= {key: value for key, value in ((cosine, np.cos(turn)), (sine, np.sin(turn))) if key in given}
+            given |= {
+                key: value
+                for key, value in ((cosine, np.cos(turn)), (sine, np.sin(turn)))
+                if key in given
+            }
         return given
 
     calls, wrong = exports.calls(model, values), []
@@ -50,7 +54,9 @@ def compare(model: Any, home: Path, rng: np.random.Generator, names: list[str]) 
         if there is None:
             continue
         out = home / language
-        for name, text in export.export(page_of(model, pages.SHIPPED), model.name, language).items():
+        for name, text in export.export(
+            page_of(model, pages.SHIPPED), model.name, language
+        ).items():
             (out / name).parent.mkdir(parents=True, exist_ok=True)
             (out / name).write_text(text, encoding="utf-8")
         try:

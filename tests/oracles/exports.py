@@ -44,7 +44,11 @@ def names_of(function: Any) -> tuple[str, ...]:
 def in_c(folder: Path, asked: Sequence[Call]) -> list[float]:
     """Compiled without a warning."""
     (header,) = folder.glob("*.h")
-    return results_of_c(folder, header.stem, [(one.function, [*one.by_angles.values()], len(one.results)) for one in asked])
+    return results_of_c(
+        folder,
+        header.stem,
+        [(one.function, [*one.by_angles.values()], len(one.results)) for one in asked],
+    )
 
 
 def in_node(folder: Path, asked: Sequence[Call]) -> list[float]:
@@ -53,8 +57,12 @@ def in_node(folder: Path, asked: Sequence[Call]) -> list[float]:
     program += f"const calls = {json.dumps([(one.function, one.given) for one in asked])};\n"
     program += "console.log(JSON.stringify(calls.map(([called, given]) => algebra[called](...given)).flat(9)));\n"
     command = [str(NODE), "--input-type=module", "-"]
-    done = subprocess.run(command, input=program, cwd=folder, capture_output=True, text=True, timeout=120, check=True)
-    return [float(number) for number in json.loads(done.stdout)]  # JSON writes a large float as an integer
+    done = subprocess.run(
+        command, input=program, cwd=folder, capture_output=True, text=True, timeout=120, check=True
+    )
+    return [
+        float(number) for number in json.loads(done.stdout)
+    ]  # JSON writes a large float as an integer
 
 
 def in_octave(folder: Path, asked: Sequence[Call]) -> list[float]:
@@ -63,7 +71,9 @@ def in_octave(folder: Path, asked: Sequence[Call]) -> list[float]:
     for call in asked:
         names = [f"r{place}" for place in range(len(call.results))]
         columns = ", ".join(f"[{value!r}; {value!r}]" for value in call.given)
-        program += f"[{', '.join(names)}] = {package.name[1:]}.algebra.{call.function}({columns});\n"
+        program += (
+            f"[{', '.join(names)}] = {package.name[1:]}.algebra.{call.function}({columns});\n"
+        )
         program += "".join(f"printf('%.17g\\n', {one}(end));\n" for one in names)
     return [float(word) for word in octave(folder, program).split()]
 
@@ -74,7 +84,9 @@ def in_this_process(folder: Path, asked: Sequence[Call]) -> list[float]:
     exec(module.read_text(encoding="utf-8"), exported)
     for call in asked:
         function = exported[call.function]
-        found += map(float, flat(function(*map(call.by_angles.get, inspect.signature(function).parameters))))
+        found += map(
+            float, flat(function(*map(call.by_angles.get, inspect.signature(function).parameters)))
+        )
     return found
 
 

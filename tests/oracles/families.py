@@ -28,7 +28,9 @@ def _stiffnesses(rng: np.random.Generator, n: int) -> tuple[Array, Array, Array,
 
 def random(rng: np.random.Generator, n: int) -> Parameters:
     """Random points over several decades."""
-    return Parameters(np.pi * rng.uniform(1e-9, 1 - 1e-9, n), 2 * rng.random(n), *_stiffnesses(rng, n))
+    return Parameters(
+        np.pi * rng.uniform(1e-9, 1 - 1e-9, n), 2 * rng.random(n), *_stiffnesses(rng, n)
+    )
 
 
 def near_folds(rng: np.random.Generator, n: int) -> Parameters:
@@ -84,7 +86,9 @@ def cusp_wedge(rng: np.random.Generator, n: int) -> Parameters:
             ends = []
             for side in (-1, 1):
                 near = theta + side * step * rng.uniform(0.5, 1.0, k)
-                e0, e1, e2, ec = catastrophe.fold_conic(np.cos(near), np.sin(near), kappa, alpha, sigma, beta)
+                e0, e1, e2, ec = catastrophe.fold_conic(
+                    np.cos(near), np.sin(near), kappa, alpha, sigma, beta
+                )
                 # The fold of the cusp's own curve: follow θ₀ by Newton from the cusp.
                 angle = np.full(k, np.arctan2(s0, ratio * c))
                 for _ in range(30):
@@ -92,13 +96,24 @@ def cusp_wedge(rng: np.random.Generator, n: int) -> Parameters:
                     value = e0 + e1 * sine + e2 * sine**2 + ec * cosine
                     angle = angle - value / (e1 * cosine + 2 * e2 * sine * cosine - ec * sine)
                 u1, w1, u2, w2 = catastrophe.fold_lines_mu0(
-                    np.cos(near), np.sin(near), np.cos(angle), np.sin(angle), kappa, alpha, sigma, beta
+                    np.cos(near),
+                    np.sin(near),
+                    np.cos(angle),
+                    np.sin(angle),
+                    kappa,
+                    alpha,
+                    sigma,
+                    beta,
                 )
                 ends.append((angle, np.where(abs(np.cos(near)) > 0.3, -u1 / w1, -u2 / w2)))
             part = rng.uniform(-0.5, 1.5, k)  # two thirds lie between the folds
             theta0, mu0 = (one + part * (two - one) for one, two in zip(*ends, strict=True))
             keep = (theta0 > 0) & (theta0 < np.pi) & (mu0 >= 0) & np.isfinite(mu0)
-            rows.append(np.stack([theta0, mu0, *(np.full(k, value) for value in (kappa, alpha, sigma, beta))])[:, keep])
+            rows.append(
+                np.stack(
+                    [theta0, mu0, *(np.full(k, value) for value in (kappa, alpha, sigma, beta))]
+                )[:, keep]
+            )
             have += int(keep.sum())
     return Parameters(*np.concatenate(rows, axis=1)[:, :n])
 
@@ -119,7 +134,14 @@ def false_double_root(rng: np.random.Generator, n: int) -> Parameters:
     _, _, d_at_1, m_at_1 = at(1.0)
     mu0 = (m * s - d) / (d_at_1 - d - (m_at_1 - m) * s)
     mu0 = np.where((s < 1) & (mu0 > 0), mu0, rng.random(n))
-    return Parameters(theta0, mu0 * (1 + rng.choice([-1.0, 1.0], n) * _log(rng, n, -15, -3)), kappa, alpha, sigma, beta)
+    return Parameters(
+        theta0,
+        mu0 * (1 + rng.choice([-1.0, 1.0], n) * _log(rng, n, -15, -3)),
+        kappa,
+        alpha,
+        sigma,
+        beta,
+    )
 
 
 def right_angle(rng: np.random.Generator, n: int) -> Parameters:
@@ -143,7 +165,9 @@ def light_preload(rng: np.random.Generator, n: int) -> Parameters:
 def equal_stiffness(rng: np.random.Generator, n: int) -> Parameters:
     """α = 1 + β, where a = 0, and within a relative 1e-15 of it."""
     p = random(rng, n)
-    return p.replace(alpha=(1 + p.beta) * (1 + rng.choice([-1.0, 0.0, 1.0], n) * _log(rng, n, -15, -6)))
+    return p.replace(
+        alpha=(1 + p.beta) * (1 + rng.choice([-1.0, 0.0, 1.0], n) * _log(rng, n, -15, -6))
+    )
 
 
 def frictionless(rng: np.random.Generator, n: int) -> Parameters:
@@ -193,9 +217,11 @@ EXTREMES: tuple[tuple[float, ...], ...] = tuple(
 def random_fixed(rng: np.random.Generator) -> Parameters:
     """κ, α, σ, β over several decades, β = 0 in half of the cases."""
     return Parameters(
-        kappa=10 ** rng.uniform(-3, -0.5), alpha=10 ** rng.uniform(-3, 0), sigma=10 ** rng.uniform(-2, 0.5),
+        kappa=10 ** rng.uniform(-3, -0.5),
+        alpha=10 ** rng.uniform(-3, 0),
+        sigma=10 ** rng.uniform(-2, 0.5),
         beta=rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)]),
-    )  # fmt: skip
+    )
 
 
 def random_fluttering(rng: np.random.Generator) -> Parameters:
@@ -206,5 +232,9 @@ def random_fluttering(rng: np.random.Generator) -> Parameters:
     else:
         alpha, sigma = 10 ** rng.uniform(-4, 0.5), 10 ** rng.uniform(-2, 1)
     return Parameters(
-        mu0=10 ** rng.uniform(-1, 1), kappa=10 ** rng.uniform(-5, 0), alpha=alpha * (rng.random() > 0.25), sigma=sigma, beta=beta
+        mu0=10 ** rng.uniform(-1, 1),
+        kappa=10 ** rng.uniform(-5, 0),
+        alpha=alpha * (rng.random() > 0.25),
+        sigma=sigma,
+        beta=beta,
     )

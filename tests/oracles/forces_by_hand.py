@@ -48,7 +48,9 @@ class Drawn:
         """μ at the equilibria."""
         return p[self.at_rest] if self.at_rest else self.friction(p["V"], p, xp)
 
-    def forces(self, q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any, touching: bool, mu: Any) -> list[Any]:
+    def forces(
+        self, q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any, touching: bool, mu: Any
+    ) -> list[Any]:
         """All forces, with the contact's law where it touches and the friction mu."""
         total = list(self.pull(q, v, p, xp))
         n = 1 if self.normal is None else self.normal(-q[1], p, xp) if touching else 0
@@ -58,7 +60,15 @@ class Drawn:
         return total
 
 
-def line(mass: Sequence[Any], end: Sequence[Any], rates: Sequence[Any], stiffness: Any, rest: Any, damper: Any, xp: Any) -> Any:
+def line(
+    mass: Sequence[Any],
+    end: Sequence[Any],
+    rates: Sequence[Any],
+    stiffness: Any,
+    rest: Any,
+    damper: Any,
+    xp: Any,
+) -> Any:
     """The force of a straight spring and its damper on the mass, as (F_x, F_y); ``rates`` are the mass's less the end's."""
     dx, dy = end[0] - mass[0], end[1] - mass[1]
     length = xp.sqrt(dx * dx + dy * dy)
@@ -96,7 +106,12 @@ def _stick_slip(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[
 def _carriage(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
     end = xp.cos(p["theta0"]) + q[2], xp.sin(p["theta0"]) + q[3]
     fx, fy = line(q, end, (v[0] - v[2], v[1] - v[3]), p["sigma"], 1, p["zeta"], xp)
-    return [fx - p["alpha"] * q[0], fy - p["kappa"], -fx - p["gamma"] * q[2], -fy - p["gamma"] * q[3]]
+    return [
+        fx - p["alpha"] * q[0],
+        fy - p["kappa"],
+        -fx - p["gamma"] * q[2],
+        -fy - p["gamma"] * q[3],
+    ]
 
 
 def _penalty(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
@@ -169,7 +184,9 @@ DRAWN = {
     "mode_coupling": Drawn(_mode_coupling, linear, creep, lifts=False),
     "stick_slip": Drawn(_stick_slip, None, _rounded, at_rest="", masses=(1,), lifts=False),
     "carriage": Drawn(_carriage, linear, creep, masses=(1, 1, "nu", "nu")),
-    "penalty": Drawn(_penalty, lambda depth, p, xp: p["depth_e"] * xp.expm1(depth / p["depth_e"]), creep),
+    "penalty": Drawn(
+        _penalty, lambda depth, p, xp: p["depth_e"] * xp.expm1(depth / p["depth_e"]), creep
+    ),
     "towed": Drawn(_towed, linear, _falling, at_rest="", masses=(1, 1, "nu")),
     "rail": Drawn(_rail, _cubic, creep, at_rest="", lifts=False),
 }

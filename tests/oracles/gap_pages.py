@@ -120,9 +120,17 @@ page.friction(x + L_0 * sin(phi), V, {TANH})
 def _sledge(q: Any, p: Values, contact: int) -> list[Any]:
     N, (x, phi) = push(SLEDGE, q, p, contact), q
     drag = p["mu0"] * N
-    return [p["sigma"] * x - drag, p["tau"] * (phi - p["psi"]) - N * np.sin(phi) - drag * np.cos(phi)]
+    return [
+        p["sigma"] * x - drag,
+        p["tau"] * (phi - p["psi"]) - N * np.sin(phi) - drag * np.cos(phi),
+    ]
 
 
-SLEDGE = Hand(_SLEDGE, _sledge, lambda q, p: p["eta"] - np.cos(q[1]), lambda depth, p: depth + p["gamma"] * depth**3)
+SLEDGE = Hand(
+    _SLEDGE,
+    _sledge,
+    lambda q, p: p["eta"] - np.cos(q[1]),
+    lambda depth, p: depth + p["gamma"] * depth**3,
+)
 
 HANDS = {"rod": ROD, "rail": RAIL, "sledge": SLEDGE}

@@ -38,14 +38,24 @@ def accelerations(page: str, P: Values, u: Sequence[Any]) -> list[Any]:
 class Reference:
     """The Hopf point nearest to an onset, and its coefficient, to fifty digits."""
 
-    def __init__(self, page: str, p: Mapping[str, float], state: Sequence[float], vary: str, omega: float) -> None:
+    def __init__(
+        self, page: str, p: Mapping[str, float], state: Sequence[float], vary: str, omega: float
+    ) -> None:
         self.page, self.vary, self.n = page, vary, len(state)
         with mpmath.workdps(WORKING):
             self.P = {name: mpmath.mpf(value) for name, value in p.items()}
             self.omega = mpmath.mpf(omega)
             start = [mpmath.mpf(value) for value in (*state, p[vary])]
-            found = mpmath.findroot(lambda *w: self._residual(w), start, tol=mpmath.mpf(10) ** (-2 * DIGITS), maxsteps=30)
-            self.P[vary], self.rest = found[self.n], [found[i] for i in range(self.n)] + [mpmath.mpf(0)] * self.n
+            found = mpmath.findroot(
+                lambda *w: self._residual(w),
+                start,
+                tol=mpmath.mpf(10) ** (-2 * DIGITS),
+                maxsteps=30,
+            )
+            self.P[vary], self.rest = (
+                found[self.n],
+                [found[i] for i in range(self.n)] + [mpmath.mpf(0)] * self.n,
+            )
             self.lyapunov, self.crossing = self._lyapunov(), self._crossing()
 
     def _field(self, u: Sequence[Any]) -> list[Any]:
@@ -59,7 +69,10 @@ class Reference:
             3: ((2, 1, -1, -2), (0.5, -1, 1, -0.5)),
         }[order]
         with mpmath.workdps(FINE):
-            fields = [self._field([u + k * STEP * v for u, v in zip(rest, direction, strict=True)]) for k in places]
+            fields = [
+                self._field([u + k * STEP * v for u, v in zip(rest, direction, strict=True)])
+                for k in places
+            ]
             return [
                 sum(w * value for w, value in zip(weights, values, strict=True)) / STEP**order
                 for values in zip(*fields, strict=True)
@@ -85,7 +98,9 @@ class Reference:
         still = [mpmath.mpf(0)] * self.n
         for sign in (1, -1):
             self.P[self.vary] = value + sign * step
-            found = mpmath.findroot(lambda *q: self._field([*q, *still])[self.n :], self.rest[: self.n])
+            found = mpmath.findroot(
+                lambda *q: self._field([*q, *still])[self.n :], self.rest[: self.n]
+            )
             parts.append(self._root([*found, *still]).real)
         self.P[self.vary] = value
         return (parts[0] - parts[1]) / (2 * step)
@@ -105,7 +120,11 @@ class Reference:
         def B(a: Any, b: Any) -> Any:
             return (self._derivative(2, a + b) - self._derivative(2, a - b)) / 4
 
-        cubic = (self._derivative(3, q + bar) - self._derivative(3, q - bar) - 2 * self._derivative(3, bar)) / 6
+        cubic = (
+            self._derivative(3, q + bar)
+            - self._derivative(3, q - bar)
+            - 2 * self._derivative(3, bar)
+        ) / 6
         mean = mpmath.lu_solve(A, B(q, bar))
         twice = mpmath.lu_solve(2j * omega * mpmath.eye(2 * self.n) - A, B(q, q))
         return ((row * (cubic - 2 * B(q, mean) + B(bar, twice)))[0] / (2 * omega)).real
@@ -116,8 +135,12 @@ def reference_of(onsets: Any, row: int) -> Reference:
     model = onsets.parameters.model
     p = {name: float(getattr(onsets, name)[row]) for name in model.parameters}
     return Reference(
-        model.name, p, [float(getattr(onsets, name)[row]) for name in model.coordinates], onsets.vary[0], float(onsets.omega[row])
-    )  # fmt: skip
+        model.name,
+        p,
+        [float(getattr(onsets, name)[row]) for name in model.coordinates],
+        onsets.vary[0],
+        float(onsets.omega[row]),
+    )
 
 
 def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | None:
@@ -143,13 +166,21 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
     rate = 2 * form.omega * abs(form.lyapunov) * abs(form.p.conjugate() @ (cycle.state - rest)) ** 2
     span = 3.0 / rate
     others = np.abs(cycle.multipliers[1:])
-    if span > longest or (np.sort(others)[:-1] > 0.999).any() or (len(others) > 1 and np.sort(others)[-2] > 0.999):
+    if (
+        span > longest
+        or (np.sort(others)[:-1] > 0.999).any()
+        or (len(others) > 1 and np.sort(others)[-2] > 0.999)
+    ):
         return None
     ends = []
     for share in (0.8, 1.1):
         tr = ss.simulate(p, start=rest + share * (cycle.state - rest), t_end=span)
         late = tr.state[:, tr.t > span - 2 * cycle.period]
         early = tr.state[:, tr.t < 2 * cycle.period]
-        size = [np.abs(form.p.conjugate() @ (part - rest[:, None])).mean() for part in (early, late)]
+        size = [
+            np.abs(form.p.conjugate() @ (part - rest[:, None])).mean() for part in (early, late)
+        ]
         ends.append(size[1] - size[0])
-    return "gentle" if ends[0] > 0 > ends[1] else "dangerous" if ends[0] < 0 < ends[1] else "neither"
+    return (
+        "gentle" if ends[0] > 0 > ends[1] else "dangerous" if ends[0] < 0 < ends[1] else "neither"
+    )

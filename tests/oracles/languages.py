@@ -59,7 +59,9 @@ def answers(calls: Sequence[tuple[Any, ...]]) -> list[dict[str, Any]]:
     text = json.dumps([{"name": name, "given": _encoded(given)} for name, *given in calls])
     driver = _RUNTIME / "javascript" / "tests" / "driver.mjs"
     command = [str(NODE), str(driver), str(library("javascript") / "spragsym.mjs")]
-    done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=600, check=False)
+    done = subprocess.run(
+        command, input=text, capture_output=True, text=True, timeout=600, check=False
+    )
     if done.returncode or done.stderr:
         raise RuntimeError(f"node failed: {done.stderr}")
     return list(json.loads(done.stdout, object_hook=_decoded))
@@ -86,21 +88,31 @@ def _encoded(value: Any) -> Any:
 
 
 def _decoded(found: dict[str, Any]) -> Any:
-    return float(found["number"].replace("Infinity", "inf")) if found.keys() == {"number"} else found
+    return (
+        float(found["number"].replace("Infinity", "inf")) if found.keys() == {"number"} else found
+    )
 
 
 def in_node(p: ss.Parameters, contact: bool) -> Found:
     """All points by the JavaScript module."""
     points = [dict(zip(NAMES, map(float, row), strict=True)) for row in c_target.table(p)]
     *found, speed = values(
-        [*(("equilibria", point, {"contact": contact}) for point in points), ("speed", points, {"contact": contact})]
+        [
+            *(("equilibria", point, {"contact": contact}) for point in points),
+            ("speed", points, {"contact": contact}),
+        ]
     )
     columns = {name: np.full((len(points), 4), np.nan) for name in COLUMNS}
     for i, answer in enumerate(found):
         for k, state in enumerate(answer["states"]):
             for name in COLUMNS:
-                columns[name][i, k] = STABILITY.index(state[name]) if name == "stability" else state[name]
-    status, count = ([rule(answer) for answer in found] for rule in (lambda it: STATUS[it["status"]], lambda it: it["count"]))
+                columns[name][i, k] = (
+                    STABILITY.index(state[name]) if name == "stability" else state[name]
+                )
+    status, count = (
+        [rule(answer) for answer in found]
+        for rule in (lambda it: STATUS[it["status"]], lambda it: it["count"])
+    )
     return Found(np.array(status), np.array(count), columns, speed["nanoseconds"])
 
 
@@ -108,7 +120,9 @@ def octave(folder: Path, program: str, *arguments: str) -> str:
     """What a program prints in Octave, started in a folder."""
     (folder / "program.m").write_text(program, encoding="utf-8")
     command = [str(OCTAVE), "--norc", "--no-history", "-q", "program.m", *arguments]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=600, check=False)
+    done = subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, timeout=600, check=False
+    )
     if done.returncode:
         raise RuntimeError(f"Octave failed: {done.stderr}")
     return done.stdout
@@ -120,7 +134,9 @@ def in_octave(p: ss.Parameters, contact: bool) -> Found:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         c_target.table(p).tofile(folder / "points")
-        printed = octave(folder, program, str(library("matlab")), "points", str(int(contact)), "answers")
+        printed = octave(
+            folder, program, str(library("matlab")), "points", str(int(contact)), "answers"
+        )
         slots = 4 - contact
         table = np.fromfile(folder / "answers").reshape(-1, 2 + 6 * slots)
     columns = {name: np.full((len(table), 4), np.nan) for name in COLUMNS}
@@ -136,8 +152,13 @@ def in_octave(p: ss.Parameters, contact: bool) -> Found:
 
 def adversarial(n: int) -> ss.Parameters:
     """``n`` points of every family, one after the other."""
-    parts = [points(np.random.default_rng([18, place]), n) for place, points in enumerate(FAMILIES.values())]
-    return ss.Parameters(*np.concatenate([np.stack(part.broadcast(*NAMES)) for part in parts], axis=1))
+    parts = [
+        points(np.random.default_rng([18, place]), n)
+        for place, points in enumerate(FAMILIES.values())
+    ]
+    return ss.Parameters(
+        *np.concatenate([np.stack(part.broadcast(*NAMES)) for part in parts], axis=1)
+    )
 
 
 def fold_sets(n: int) -> list[dict[str, float]]:
@@ -149,7 +170,14 @@ def fold_sets(n: int) -> list[dict[str, float]]:
         near = (1 + beta) * (1 + 10 ** rng.uniform(-6, -0.5))
         alpha = (0.0, 10 ** rng.uniform(-8, -2), 10 ** rng.uniform(-2, 2), near)[place % 4]
         mu0 = 10 ** rng.uniform(-2, 1) if place % 3 else 0.0
-        numbers = (rng.uniform(0.05, 3.09), mu0, 10 ** rng.uniform(-5, 0.5), alpha, 10 ** rng.uniform(-3, 1.5), beta)
+        numbers = (
+            rng.uniform(0.05, 3.09),
+            mu0,
+            10 ** rng.uniform(-5, 0.5),
+            alpha,
+            10 ** rng.uniform(-3, 1.5),
+            beta,
+        )
         found.append(dict(zip(NAMES, map(float, numbers), strict=True)))
     return found
 
@@ -175,12 +203,19 @@ def against_python(found: Found, p: ss.Parameters, contact: bool) -> Agreement:
     for name in ("theta", "L", "x", "y"):
         ours, exact = found.columns[name][:, :slots][written], getattr(eq, name)[written]
         error = np.abs(ours - exact) / np.maximum(1, np.abs(exact))
-        largest = max(largest, float((error / (found.columns["error"][:, :slots] + eq.error)[written]).max(initial=0.0)))
+        largest = max(
+            largest,
+            float(
+                (error / (found.columns["error"][:, :slots] + eq.error)[written]).max(initial=0.0)
+            ),
+        )
         worst = max(worst, float(error.max(initial=0.0)))
     return Agreement(int((vouched & ~same).sum() + other.sum()), largest, worst)
 
 
-def unlike_c(found: Found, library: ctypes.CDLL, p: ss.Parameters, contact: bool) -> NDArray[np.bool_]:
+def unlike_c(
+    found: Found, library: ctypes.CDLL, p: ss.Parameters, contact: bool
+) -> NDArray[np.bool_]:
     """Points at which a bit of what the C library writes differs, whether it is vouched for or not."""
     out = c_target.room(p.shape[0])
     c_target.solve(library, c_target.table(p), out, contact, batch=False)

@@ -22,7 +22,9 @@ def first_jumps(p: ss.Parameters, angles: np.ndarray) -> np.ndarray:
 
 def scanned(p: ss.Parameters, times: int = TIMES) -> tuple[float, float]:
     """The least friction of a first jump that a scan over all angles finds, refined about it, and its angle; infinite for none."""
-    angles = np.unique(np.concatenate([np.geomspace(1e-9, 0.01, 8), np.linspace(0.01, np.pi - 0.01, COARSE)]))
+    angles = np.unique(
+        np.concatenate([np.geomspace(1e-9, 0.01, 8), np.linspace(0.01, np.pi - 0.01, COARSE)])
+    )
     value = first_jumps(p, angles)
     for _ in range(times):
         least = int(np.argmin(value))
@@ -44,8 +46,12 @@ def verdict(p: ss.Parameters) -> tuple[str, str]:
     if not found.kind or least <= float(found) * (1 + ABOVE) + 1e-300:
         return found.kind, "right"
     # A window of angles between those of the scan, or a cusp, which is the end of the angles that jump: beside it.
-    beside = found.theta0 * (1 + np.array([0.0, *(side * 10.0**-k for k in range(4, 12, 2) for side in (-1, 1))]))
-    return found.kind, "right" if first_jumps(p, beside[beside > 0]).min() <= float(found) * (1 + BESIDE) + BESIDE**2 else "below"
+    beside = found.theta0 * (
+        1 + np.array([0.0, *(side * 10.0**-k for k in range(4, 12, 2) for side in (-1, 1))])
+    )
+    return found.kind, "right" if first_jumps(p, beside[beside > 0]).min() <= float(found) * (
+        1 + BESIDE
+    ) + BESIDE**2 else "below"
 
 
 # ------------------------------------------------------------------------------------------ the balance of forces, (14) and (15)
@@ -79,13 +85,22 @@ def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> tup
             fx, fy, det, (vx, vy), turned = balance(x, y, theta0, mu0, fixed)
             if found.kind == "turn":
                 return [fx, fy, det, turned]
-            across = mpmath.diff(lambda h: balance(x + h * vx, y + h * vy, theta0, mu0, fixed)[2], 0)
+            across = mpmath.diff(
+                lambda h: balance(x + h * vx, y + h * vy, theta0, mu0, fixed)[2], 0
+            )
             return [fx, fy, det, across]
 
         start = float(path.x[-1]), float(path.y[-1]), angle, friction
         try:
-            return mpmath.findroot(system, tuple(map(mpmath.mpf, start)), tol=mpmath.mpf(10) ** (-2 * digits), maxsteps=60)[2:]
-        except ValueError:  # from where it began Newton's method does not converge: nearer, once or twice
+            return mpmath.findroot(
+                system,
+                tuple(map(mpmath.mpf, start)),
+                tol=mpmath.mpf(10) ** (-2 * digits),
+                maxsteps=60,
+            )[2:]
+        except (
+            ValueError
+        ):  # from where it began Newton's method does not converge: nearer, once or twice
             if times > 4 * TIMES:
                 raise
     return in_digits(p, digits, 2 * times)

@@ -42,7 +42,9 @@ class Machine:
         if needed:
             return f"{' and '.join(needed)} not installed"
         with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "empty.c").write_text("#include <math.h>\nint main(void) { return 0; }\n", encoding="utf-8")
+            (Path(folder) / "empty.c").write_text(
+                "#include <math.h>\nint main(void) { return 0; }\n", encoding="utf-8"
+            )
             if self.built(Path(folder), [Path(folder) / "empty.c"]) is None:
                 return f"{self.compiler} {' '.join(self.flags)} builds nothing here"
         return ""
@@ -50,31 +52,77 @@ class Machine:
     def built(self, folder: Path, sources: list[Path]) -> Path | None:
         """The program, or nothing where the compiler refuses."""
         target = folder / "program.exe"
-        command = [self.compiler, *self.flags, "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", "-o", target, *sources, "-lm"]
-        return None if subprocess.run(command, capture_output=True, timeout=1800).returncode else target
+        command = [
+            self.compiler,
+            *self.flags,
+            "-Wall",
+            "-Wextra",
+            "-Werror",
+            f"-I{SOURCES}",
+            "-o",
+            target,
+            *sources,
+            "-lm",
+        ]
+        return (
+            None
+            if subprocess.run(command, capture_output=True, timeout=1800).returncode
+            else target
+        )
 
     def results(self, program: Path, points: str) -> str:
         """What the program prints for points."""
-        done = subprocess.run([*self.runner, program], input=points, capture_output=True, text=True, timeout=1200, check=True)
+        done = subprocess.run(
+            [*self.runner, program],
+            input=points,
+            capture_output=True,
+            text=True,
+            timeout=1200,
+            check=True,
+        )
         return done.stdout
 
 
 HERE = platform.machine()
 #: What the makefile of an export puts behind whatever flags it is given.
-BEHIND = (ROOT / "derive/emit/targets/c/runtime/Makefile").read_text(encoding="utf-8").split("$(ARCH) ")[1].split("\n")[0].split()
+BEHIND = (
+    (ROOT / "derive/emit/targets/c/runtime/Makefile")
+    .read_text(encoding="utf-8")
+    .split("$(ARCH) ")[1]
+    .split("\n")[0]
+    .split()
+)
 CPP = ("-x", "c++", "-std=c++11", "-O2", "-march=native")
 #: The first is what the others are compared with.
 MACHINES = (
     Machine(f"{HERE}, gcc", "gcc", ("-std=c99", "-O2")),
-    Machine(f"{HERE}, gcc with extensions and fused operations at hand", "gcc", ("-std=gnu17", "-O3", "-march=native")),
-    Machine(f"{HERE}, clang told to fuse", "clang", ("-O3", "-march=native", "-ffp-contract=fast", *BEHIND)),
+    Machine(
+        f"{HERE}, gcc with extensions and fused operations at hand",
+        "gcc",
+        ("-std=gnu17", "-O3", "-march=native"),
+    ),
+    Machine(
+        f"{HERE}, clang told to fuse",
+        "clang",
+        ("-O3", "-march=native", "-ffp-contract=fast", *BEHIND),
+    ),
     Machine(f"{HERE}, as C++", "g++", CPP),
     Machine(f"{HERE}, as C++, clang", "clang++", CPP),
     Machine("32 bits with SSE2", "gcc", ("-std=c99", "-O2", "-m32", "-msse2", "-mfpmath=sse")),
     Machine("aarch64", "aarch64-linux-gnu-gcc", ("-O3", "-static"), ("qemu-aarch64",)),
-    Machine("aarch64, clang, as Macs have it", "clang", ("--target=aarch64-linux-gnu", "-O3", "-static"), ("qemu-aarch64",)),
+    Machine(
+        "aarch64, clang, as Macs have it",
+        "clang",
+        ("--target=aarch64-linux-gnu", "-O3", "-static"),
+        ("qemu-aarch64",),
+    ),
     Machine("s390x, big-endian", "s390x-linux-gnu-gcc", ("-O3", "-static"), ("qemu-s390x",)),
-    Machine("Windows, x86-64, MinGW", "x86_64-w64-mingw32-gcc", ("-std=c99", "-O2", "-static"), ("wine",)),
+    Machine(
+        "Windows, x86-64, MinGW",
+        "x86_64-w64-mingw32-gcc",
+        ("-std=c99", "-O2", "-static"),
+        ("wine",),
+    ),
 )
 
 
@@ -100,16 +148,26 @@ def main(each: int = 10_000) -> int:
     )
     for machine in MACHINES:
         if reason := machine.missing():
-            print(f"| {machine.name} | `{' '.join(machine.flags)}` | skipped: {reason} | |", flush=True)
+            print(
+                f"| {machine.name} | `{' '.join(machine.flags)}` | skipped: {reason} | |",
+                flush=True,
+            )
             continue
         with tempfile.TemporaryDirectory() as folder:
             program = machine.built(Path(folder), [PROGRAM, SOURCES / "spragsym.c"])
             begin = time.perf_counter()
-            found = hashlib.sha256(machine.results(program, given).encode()).hexdigest() if program else "refused"
+            found = (
+                hashlib.sha256(machine.results(program, given).encode()).hexdigest()
+                if program
+                else "refused"
+            )
         expected = expected or found
         differing += found != expected
         spent = time.perf_counter() - begin
-        print(f"| {machine.name} | `{' '.join(machine.flags)}` | {found[:16]} | {spent:.1f} |", flush=True)
+        print(
+            f"| {machine.name} | `{' '.join(machine.flags)}` | {found[:16]} | {spent:.1f} |",
+            flush=True,
+        )
     return differing
 
 

@@ -47,10 +47,16 @@ def cells() -> Iterator[list[str]]:
 def rows() -> Iterator[Row]:
     """The rows of the table of commands; seconds are those of a machine, and bounds are for the command itself to keep."""
     before = ""
-    for what, numbers, command in (row for row in cells() if len(row) == 3 and row[2].startswith(("`", "the same"))):
+    for what, numbers, command in (
+        row for row in cells() if len(row) == 3 and row[2].startswith(("`", "the same"))
+    ):
         before = before if command == "the same" else command.strip("`")
         yield Row(
-            what, () if what.startswith("seconds") else tuple(re.findall(NUMBER, re.sub(r"below \S+", "", numbers))), before
+            what,
+            ()
+            if what.startswith("seconds")
+            else tuple(re.findall(NUMBER, re.sub(r"below \S+", "", numbers))),
+            before,
         )
 
 
@@ -76,12 +82,18 @@ def printed(command: str, folder: Path = Path()) -> str:
     if words[0] == "spragsym":
         text = CliRunner().invoke(cli, words[1:], catch_exceptions=False).stdout
     else:
-        done = subprocess.run([sys.executable, *words[1:]], capture_output=True, text=True, cwd=ROOT, check=False)
+        done = subprocess.run(
+            [sys.executable, *words[1:]], capture_output=True, text=True, cwd=ROOT, check=False
+        )
         text = done.stdout
         if done.returncode:
-            raise RuntimeError(f"{command} ends with {done.returncode}: {(done.stdout + done.stderr).strip()[-500:]}")
+            raise RuntimeError(
+                f"{command} ends with {done.returncode}: {(done.stdout + done.stderr).strip()[-500:]}"
+            )
     out = Path(words[words.index("--out") + 1]) if "--out" in words else None
-    return text + "".join(file.read_text(encoding="utf-8") for file in (sorted(out.rglob("*.csv")) if out else ()))
+    return text + "".join(
+        file.read_text(encoding="utf-8") for file in (sorted(out.rglob("*.csv")) if out else ())
+    )
 
 
 def numbers_of(thing: Any) -> Iterator[float]:
@@ -102,7 +114,10 @@ def told(row: Row, folder: Path) -> list[float]:
     if row.command.startswith("spragsym cycles"):
         return list(numbers_of(json.loads(printed(f"{row.command} --json"))))
     if not row.command.startswith(("ss.", "[ss.", "abs(")):
-        return [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", printed(row.command, folder))]
+        return [
+            float(number)
+            for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", printed(row.command, folder))
+        ]
     found = list(numbers_of(eval(row.command, {"ss": ss, "np": np})))  # noqa: S307  # the page is ours
     return [*found, *np.degrees(found).tolist()]
 
@@ -111,13 +126,21 @@ def off(written: str, told: list[float]) -> float:
     """How far the nearest number that was printed is from one of the page in size, in units of its last digit."""
     mantissa, _, power = written.partition("e")
     unit = Decimal(1).scaleb(int(power or 0) - len(mantissa.partition(".")[2]))
-    return min(float(abs(abs(Decimal(repr(float(number)))) - Decimal(written)) / unit) for number in told if np.isfinite(number))
+    return min(
+        float(abs(abs(Decimal(repr(float(number)))) - Decimal(written)) / unit)
+        for number in told
+        if np.isfinite(number)
+    )
 
 
 def differences(row: Row, folder: Path = Path()) -> list[str]:
     """Numbers of a row that its command does not print."""
     found = told(row, folder)
-    return [f"{row.what}: {number}, {far:.3g} units off" for number in row.numbers if (far := off(number, found)) > 0.5]
+    return [
+        f"{row.what}: {number}, {far:.3g} units off"
+        for number in row.numbers
+        if (far := off(number, found)) > 0.5
+    ]
 
 
 def unproved(command: str, lines: list[str]) -> list[str]:

@@ -12,12 +12,16 @@ from typing import Any
 import mpmath
 
 
-def count_contact(theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float) -> int:
+def count_contact(
+    theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float
+) -> int:
     """Number of equilibria in contact, decided with as many bits as it takes."""
     return _decided(_count, theta0, mu0, kappa, alpha, sigma, beta)
 
 
-def count_liftoff(theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float) -> int:
+def count_liftoff(
+    theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float
+) -> int:
     """Number of equilibria in lift-off, by certified roots of the quartic, decided with as many bits as it takes."""
     return _decided(_count_liftoff, theta0, mu0, kappa, alpha, sigma, beta)
 
@@ -97,7 +101,9 @@ def _count(values: list[object]) -> int | None:
     for power, coefficient in enumerate(e):
         term: list[object] = [coefficient]
         for factor in [(r1, r2)] * power + [(1, 1)] * (4 - power):
-            term = [x * factor[0] + y * factor[1] for x, y in zip([*term, 0], [0, *term], strict=True)]
+            term = [
+                x * factor[0] + y * factor[1] for x, y in zip([*term, 0], [0, *term], strict=True)
+            ]
         moved = [x + y for x, y in zip(moved, term, strict=True)]
     return _variations(moved)
 
@@ -112,14 +118,24 @@ def _variations(coefficients: list[object]) -> int | None:
             choices.append((-1,))
         else:
             choices.append((1, -1))
-    counts = {sum(x != y for x, y in itertools.pairwise(signs)) for signs in itertools.product(*choices)}
+    counts = {
+        sum(x != y for x, y in itertools.pairwise(signs)) for signs in itertools.product(*choices)
+    }
     return counts.pop() if len(counts) == 1 else None
 
 
 def refine(
-    x: float, y: float, theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float, contact: bool,
+    x: float,
+    y: float,
+    theta0: float,
+    mu0: float,
+    kappa: float,
+    alpha: float,
+    sigma: float,
+    beta: float,
+    contact: bool,
     digits: int = 50,
-) -> tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf]:  # fmt: skip
+) -> tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf]:
     """θ, L, x, y by Newton's method on the forces (12) and (13), from a state that is known to a few digits."""
     with mpmath.workdps(digits):
         c0, s0 = mpmath.cos(mpmath.mpf(theta0)), mpmath.sin(mpmath.mpf(theta0))
@@ -151,9 +167,13 @@ def along(theta: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any,
     return sigma * (s - length) * c + alpha * (c0 * s - length * c) + mu0 * s * (s0 - length)
 
 
-def lack_of_a_state(state: tuple[Any, Any, Any, Any], theta0: Any, kappa: Any, sigma: Any, beta: Any) -> Any:
+def lack_of_a_state(
+    state: tuple[Any, Any, Any, Any], theta0: Any, kappa: Any, sigma: Any, beta: Any
+) -> Any:
     """By how much θ, L, x, y in contact miss the balance across the belt, over the stiffnesses, and the geometry."""
     theta, L, x, y = state
     s, s0 = mpmath.sin(theta), mpmath.sin(theta0)
     across = ((beta + 1 + sigma) * L * s - sigma * s - (beta + 1) * s0 - kappa) / (1 + beta + sigma)
-    return max(abs(across), abs(mpmath.cos(theta0) - L * mpmath.cos(theta) - x), abs(s0 - L * s - y))
+    return max(
+        abs(across), abs(mpmath.cos(theta0) - L * mpmath.cos(theta) - x), abs(s0 - L * s - y)
+    )

@@ -13,7 +13,12 @@ from tests.oracles import article_motion
 
 
 def carried(
-    values: Sequence[float], state: Any, span: float, rtol: float = 1e-11, atol: float | None = None, **options: Any
+    values: Sequence[float],
+    state: Any,
+    span: float,
+    rtol: float = 1e-11,
+    atol: float | None = None,
+    **options: Any,
 ) -> tuple[Any, int]:
     """Where the motion is after a while, and how often it crossed y = 0, piece by piece between SciPy's events.
 
@@ -43,7 +48,14 @@ def carried(
         for event in (leaves, turns):
             event.terminal, event.direction = True, -1  # type: ignore[attr-defined]  # as SciPy wants it
         part = solve_ivp(
-            rates, (clock, span), state, method="DOP853", rtol=rtol, atol=atol or 1e-3 * rtol, events=(leaves, turns), **options
+            rates,
+            (clock, span),
+            state,
+            method="DOP853",
+            rtol=rtol,
+            atol=atol or 1e-3 * rtol,
+            events=(leaves, turns),
+            **options,
         )
         clock, state = float(part.t[-1]), part.y[:, -1]
         if len(part.t_events[0]):
@@ -56,10 +68,23 @@ def carried(
 def differences(cycle: ss.Cycle) -> tuple[float, float, float]:
     """Of state, period, and multipliers relative to the larger of 1 and their size: what Newton's step of this driver is."""
     whole, _ = carried(
-        cycle.values, np.concatenate([cycle.state, np.eye(4).ravel()]), cycle.period, rtol=3e-14, atol=1e-15, max_step=0.25
+        cycle.values,
+        np.concatenate([cycle.state, np.eye(4).ravel()]),
+        cycle.period,
+        rtol=3e-14,
+        atol=1e-15,
+        max_step=0.25,
     )
     end, matrix = whole[:4], whole[4:].reshape(4, 4)
     flow = shooting.rate(cycle.field, cycle.state, cycle.loop.constants)
-    step = np.linalg.solve(np.column_stack([(matrix - np.eye(4))[:, [0, 1, 3]], flow]), cycle.state - end)
-    ours, theirs = (np.sort_complex(values) for values in (cycle.multipliers, np.linalg.eigvals(matrix)))
-    return float(np.abs(step[:3]).max()), abs(float(step[3])), float((np.abs(ours - theirs) / np.maximum(1, np.abs(ours))).max())
+    step = np.linalg.solve(
+        np.column_stack([(matrix - np.eye(4))[:, [0, 1, 3]], flow]), cycle.state - end
+    )
+    ours, theirs = (
+        np.sort_complex(values) for values in (cycle.multipliers, np.linalg.eigvals(matrix))
+    )
+    return (
+        float(np.abs(step[:3]).max()),
+        abs(float(step[3])),
+        float((np.abs(ours - theirs) / np.maximum(1, np.abs(ours))).max()),
+    )

@@ -8,12 +8,15 @@ from tests.oracles.user_pages import model_of, shipped_page
 #: Steep factor of each law on the page, and its value and slope by hand.
 LAWS = {
     "tanh": ("tanh(d * v)", lambda z: (math.tanh(z), 1 - math.tanh(z) ** 2)),
-    "arctan": ("2 / pi * atan(d * v)", lambda z: (2 / math.pi * math.atan(z), 2 / math.pi / (1 + z * z))),
+    "arctan": (
+        "2 / pi * atan(d * v)",
+        lambda z: (2 / math.pi * math.atan(z), 2 / math.pi / (1 + z * z)),
+    ),
     "exponential": (
         "(1 - exp(-d * Abs(v))) * sgn(v)",
         lambda z: (math.copysign(-math.expm1(-abs(z)), z), math.exp(-abs(z))),
     ),
-}  # fmt: skip
+}
 
 
 def model(law: str) -> Any:
@@ -21,10 +24,13 @@ def model(law: str) -> Any:
     text = f"mu_s / (1 + Abs(delta) * Abs(v)) * {LAWS[law][0]}"
     return model_of(
         shipped_page(
-            "stick_slip", ("import Page", "import Abs, Page, atan, exp, pi, sgn, tanh"),
+            "stick_slip",
+            ("import Page", "import Abs, Page, atan, exp, pi, sgn, tanh"),
             ("2 * mu_s * v * v_s / (v**2 + v_s**2)", text),
-            ('v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.1)\n',
-             'delta = page.parameter("delta", "s/m", "fall", "real", 0.5)\nd = page.parameter("d", "s/m", "steepness", "> 0", 1e2)\n'),
+            (
+                'v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.1)\n',
+                'delta = page.parameter("delta", "s/m", "fall", "real", 0.5)\nd = page.parameter("d", "s/m", "steepness", "> 0", 1e2)\n',
+            ),
         ),
         law,
-    )  # fmt: skip
+    )

@@ -43,12 +43,31 @@ class Recorded:
 def same(one: Sweep, other: Sweep) -> bool:
     """To the last bit."""
     names = (*one.measured, "regime", "equilibrium", "reason")
-    return all(np.array_equal(getattr(one, n), getattr(other, n), equal_nan=getattr(one, n).dtype.kind == "f") for n in names)
+    return all(
+        np.array_equal(
+            getattr(one, n), getattr(other, n), equal_nan=getattr(one, n).dtype.kind == "f"
+        )
+        for n in names
+    )
 
 
 def damaged(rng: np.random.Generator, data: bytes) -> tuple[str, bytes]:
     """One of the ways in which disks, transfers and people change a file, and the file after it."""
-    kind = rng.choice(["bit", "byte", "digit", "cut", "lost", "added", "zeros", "twice", "swapped", "half a line", "another's"])
+    kind = rng.choice(
+        [
+            "bit",
+            "byte",
+            "digit",
+            "cut",
+            "lost",
+            "added",
+            "zeros",
+            "twice",
+            "swapped",
+            "half a line",
+            "another's",
+        ]
+    )
     at = int(rng.integers(len(data)))
     end = min(len(data), at + int(rng.integers(1, 200)))
     lines = data.splitlines(keepends=True)
@@ -121,7 +140,13 @@ def attack_journals(rng: np.random.Generator, folder: Path, count: int) -> Count
             assert str(path_of(path)) in str(warning.message)
             assert "line" in str(warning.message)
         changed = data != whole
-        outcomes["healed, and named" if caught else "healed: a line was cut, doubled or missing" if changed else "as it was"] += 1
+        outcomes[
+            "healed, and named"
+            if caught
+            else "healed: a line was cut, doubled or missing"
+            if changed
+            else "as it was"
+        ] += 1
     path_of(path).unlink(missing_ok=True)
     return outcomes
 

@@ -22,12 +22,16 @@ def points(number: int, seed: int = 0) -> Iterator[tuple[float, ...]]:
     """Points of every family in turn."""
     rng = np.random.default_rng(seed)
     each = -(-number // len(FAMILIES))
-    columns = [np.stack(family(rng, each).broadcast(*NAMES), axis=-1) for family in FAMILIES.values()]
+    columns = [
+        np.stack(family(rng, each).broadcast(*NAMES), axis=-1) for family in FAMILIES.values()
+    ]
     rows = np.stack(columns, axis=1).reshape(-1, len(NAMES))[:number]
     return (tuple(map(float, row)) for row in rows)
 
 
-def worst_shares(point: tuple[float, ...], precisions: Iterable[int], *, contact: bool = True) -> dict[int, float]:
+def worst_shares(
+    point: tuple[float, ...], precisions: Iterable[int], *, contact: bool = True
+) -> dict[int, float]:
     """For each precision the largest true error of any number of any state, over its bound; ``inf`` for a wrong count."""
     results, given = {}, dict(zip(NAMES, point, strict=True))
     for i, dps in enumerate(precisions):
@@ -38,15 +42,21 @@ def worst_shares(point: tuple[float, ...], precisions: Iterable[int], *, contact
     begin = precise.equilibria(**given, contact=contact, dps=60)
     truth = [reference.refine(state.x, state.y, *point, contact, digits=digits) for state in begin]
     with mpmath.workdps(digits):
-        return {dps: max((_share(*pair, dps) for pair in zip(found, truth, strict=True)), default=0.0) if len(found) == len(truth)
-                else float("inf") for dps, found in results.items()}  # fmt: skip
+        return {
+            dps: max((_share(*pair, dps) for pair in zip(found, truth, strict=True)), default=0.0)
+            if len(found) == len(truth)
+            else float("inf")
+            for dps, found in results.items()
+        }
 
 
 def _share(state: PreciseEquilibrium, truth: tuple[mpmath.mpf, ...], dps: int) -> float:
     """The true error over the bound, or over what was asked for where the bound is larger."""
     bound = min(state.error, mpmath.mpf(10) ** -dps)
     values = (state.theta, state.L, state.x, state.y)
-    gaps = [abs(value - exact) / max(1, abs(exact)) for value, exact in zip(values, truth, strict=True)]
+    gaps = [
+        abs(value - exact) / max(1, abs(exact)) for value, exact in zip(values, truth, strict=True)
+    ]
     return float(max(gaps) / bound) if state.error <= mpmath.mpf(10) ** -dps else float("inf")
 
 
@@ -59,15 +69,22 @@ def wrong_counts(p: ss.Parameters, eq: ss.Equilibria) -> int:
     )
 
 
-def worst_errors(p: ss.Parameters, eq: ss.Equilibria, rng: np.random.Generator, checked: int) -> tuple[float, float]:
+def worst_errors(
+    p: ss.Parameters, eq: ss.Equilibria, rng: np.random.Generator, checked: int
+) -> tuple[float, float]:
     """Largest |error| / max(1, |value|) of a subsample, and the largest share of the bound that one reaches."""
     columns = p.broadcast(*NAMES)
     worst = ratio = 0.0
     for row in rng.choice(eq.count.size, min(checked, eq.count.size), replace=False):
         point = [float(column[row]) for column in columns]
         for slot in range(int(eq.count[row])):
-            exact = reference.refine(float(eq.x[row, slot]), float(eq.y[row, slot]), *point, contact=eq.contact)
+            exact = reference.refine(
+                float(eq.x[row, slot]), float(eq.y[row, slot]), *point, contact=eq.contact
+            )
             found = (eq.theta[row, slot], eq.L[row, slot], eq.x[row, slot], eq.y[row, slot])
-            error = max(float(abs(value - float(got)) / max(1, abs(value))) for value, got in zip(exact, found, strict=True))
+            error = max(
+                float(abs(value - float(got)) / max(1, abs(value)))
+                for value, got in zip(exact, found, strict=True)
+            )
             worst, ratio = max(worst, error), max(ratio, error / float(eq.error[row, slot]))
     return worst, ratio

@@ -17,10 +17,14 @@ def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
     ever finer towards the ends of the branches; two roots within one part of the grid are missed.
     """
     names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
-    theta0, mu, kappa, alpha, sigma, tau, gamma = (mp.mpf(float(getattr(p, name))) for name in names)
+    theta0, mu, kappa, alpha, sigma, tau, gamma = (
+        mp.mpf(float(getattr(p, name))) for name in names
+    )
     exact = (theta0, mu * contact, kappa, alpha, sigma, tau, gamma)
     rough = tuple(map(float, exact))
-    grid = _towards_ends(np.pi * (2 * (np.arange(TURN_PARTS) + 1 / 3) / TURN_PARTS - 1), contact, rough)
+    grid = _towards_ends(
+        np.pi * (2 * (np.arange(TURN_PARTS) + 1 / 3) / TURN_PARTS - 1), contact, rough
+    )
     found = []
     for branch in (0, 1):
         with np.errstate(all="ignore"):
@@ -28,10 +32,16 @@ def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
         for k in np.flatnonzero(lacking[:-1] * lacking[1:] <= 0).tolist():
             ends = tuple(mp.mpf(float(grid[k + i])) for i in (0, 1))
             phi = mp.findroot(
-                lambda phi, b=branch: _turned(phi, b, contact, exact, mp)[2], ends, solver="anderson", tol=1e-80, verify=False
+                lambda phi, b=branch: _turned(phi, b, contact, exact, mp)[2],
+                ends,
+                solver="anderson",
+                tol=1e-80,
+                verify=False,
             )
             x, y, lacks, length = _turned(phi, branch, contact, exact, mp)
-            if length > 0 and (y < 0) == contact and abs(lacks) < 1e-30 * (1 + tau):  # a pole of the branch changes sign, too
+            if (
+                length > 0 and (y < 0) == contact and abs(lacks) < 1e-30 * (1 + tau)
+            ):  # a pole of the branch changes sign, too
                 found.append((x, y))
     return sorted(found)
 
@@ -47,10 +57,14 @@ def _towards_ends(grid: Any, contact: bool, numbers: tuple[float, ...]) -> Any:
             middle = (inside + outside) / 2
             known = np.isfinite(_turned(middle, 0, contact, numbers, np)[3])
             inside, outside = np.where(known, middle, inside), np.where(known, outside, middle)
-    return np.unique(np.concatenate([grid, *(inside + (first - inside) * 2.0**-j for j in range(48))]))
+    return np.unique(
+        np.concatenate([grid, *(inside + (first - inside) * 2.0**-j for j in range(48))])
+    )
 
 
-def _turned(phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: Any) -> tuple[Any, Any, Any, Any]:
+def _turned(
+    phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: Any
+) -> tuple[Any, Any, Any, Any]:
     """x, y, what the torque lacks to balance, and the length that balances the forces along the spring on a branch."""
     theta0, mu, kappa, alpha, sigma, tau, gamma = numbers
     X, Y = xp.cos(theta0), xp.sin(theta0)
@@ -63,7 +77,11 @@ def _turned(phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: 
     root = root if xp is np else mp.re(root)
     # Without cancellation; the first branch is that of a linear law.
     larger = -(linear + xp.sign(linear) * root) / 2
-    length = constant / larger if branch == 0 else larger / (quadratic + (0 if xp is np else mp.mpf("1e-400")))
+    length = (
+        constant / larger
+        if branch == 0
+        else larger / (quadratic + (0 if xp is np else mp.mpf("1e-400")))
+    )
     x, y = X - length * c, Y - length * s
     n = (gamma * y**2 - y) * contact
     return x, y, length * ((kappa - n) * c - (alpha * x - mu * n) * s) - tau * phi, length

@@ -31,7 +31,12 @@ def derived(text: str, name: str) -> Path:
     """The folder of a page: derived once, also for later runs, and again after a change of the page or of the derivation."""
     from spragsym.derive.folder import write_page
 
-    place = ROOT / ".pytest_cache/pages" / _derivation() / hashlib.sha256(text.encode()).hexdigest()[:16]
+    place = (
+        ROOT
+        / ".pytest_cache/pages"
+        / _derivation()
+        / hashlib.sha256(text.encode()).hexdigest()[:16]
+    )
     place.mkdir(parents=True, exist_ok=True)
     with FileLock(place / f"{name}.lock"):
         if not (place / name).is_dir():
@@ -45,7 +50,9 @@ def _derivation() -> str:
     digest = hashlib.sha256()
     for path in sorted((ROOT / "derive").rglob("*")):
         if path.is_file() and path.suffix != ".pyc":
-            digest.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+            digest.update(
+                path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes() + b"\0"
+            )
     return f"{digest.hexdigest()[:16]}-{version('sympy')}"
 
 

@@ -55,7 +55,9 @@ def proving() -> types.SimpleNamespace:
     """What proofs stand on; none of it without flint."""
     flint = pytest.importorskip("flint")
     names = ("ball_flow", "ball_proof", "proofs")
-    return types.SimpleNamespace(flint=flint, **{name: importlib.import_module(f"spragsym.orbits.{name}") for name in names})
+    return types.SimpleNamespace(
+        flint=flint, **{name: importlib.import_module(f"spragsym.orbits.{name}") for name in names}
+    )
 
 
 @pytest.fixture(scope="module")
@@ -98,8 +100,13 @@ def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
 def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> None:
     duration = slow.loop.crossings()[0].t + 0.5
     directions = np.eye(8)[:2]  # of theta0 and mu0
-    one, other = (Flow(SPRAG, name).fly(slow.state, slow.loop.constants, duration, directions) for name in ("heyoka", "scipy"))
-    assert [crossing.t for crossing in one.crossings] == pytest.approx([crossing.t for crossing in other.crossings], abs=1e-10)
+    one, other = (
+        Flow(SPRAG, name).fly(slow.state, slow.loop.constants, duration, directions)
+        for name in ("heyoka", "scipy")
+    )
+    assert [crossing.t for crossing in one.crossings] == pytest.approx(
+        [crossing.t for crossing in other.crossings], abs=1e-10
+    )
     assert one.crossings
     for name in ("state", "by_state", "by_parameters"):
         assert np.abs(getattr(one, name) - getattr(other, name)).max() < 1e-9
@@ -109,33 +116,59 @@ def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> Non
 
 
 def field_of(
-    name: str, force: Any, slope: Any, by_parameter: Any, borders: tuple[Border, ...] = (), modes: Any = ((0,),)
+    name: str,
+    force: Any,
+    slope: Any,
+    by_parameter: Any,
+    borders: tuple[Border, ...] = (),
+    modes: Any = ((0,),),
 ) -> Field:
     """x″ = force(x, v, parameter, mode) with one parameter."""
     return Field(
-        name, ("x",), ("e",), lambda values, xp=None: tuple(values),
-        lambda q, c, mode, xp=math: (force(*q, *c, mode),), lambda q, c, mode, xp=math: (slope(*q, *c, mode),),
-        lambda q, c, mode, xp=math: ((by_parameter(*q, *c, mode),),), borders,
-        lambda q, c: next(m for m in modes if all(b.sign(m) * b.level(q, c, m) >= -1e-300 for b in borders)),
-        tuple(modes), lambda **_: None, lambda mode: mode,
-    )  # fmt: skip
+        name,
+        ("x",),
+        ("e",),
+        lambda values, xp=None: tuple(values),
+        lambda q, c, mode, xp=math: (force(*q, *c, mode),),
+        lambda q, c, mode, xp=math: (slope(*q, *c, mode),),
+        lambda q, c, mode, xp=math: ((by_parameter(*q, *c, mode),),),
+        borders,
+        lambda q, c: next(
+            m for m in modes if all(b.sign(m) * b.level(q, c, m) >= -1e-300 for b in borders)
+        ),
+        tuple(modes),
+        lambda **_: None,
+        lambda mode: mode,
+    )
 
 
 VAN_DER_POL = field_of(
-    "van der Pol", lambda x, v, e, m: e * (1 - x * x) * v - x, lambda x, v, e, m: (-2 * e * x * v - 1, e * (1 - x * x)),
+    "van der Pol",
+    lambda x, v, e, m: e * (1 - x * x) * v - x,
+    lambda x, v, e, m: (-2 * e * x * v - 1, e * (1 - x * x)),
     lambda x, v, e, m: (1 - x * x) * v,
-)  # fmt: skip
+)
 
 
 def test_the_published_period_of_van_der_pols_oscillator() -> None:
     found = cycle_near(VAN_DER_POL, (1.0,), (2.0, 0.0))
-    assert found.period == pytest.approx(6.6632868593231301, abs=1e-12)  # D. Viswanath, 1997; Andersen and Geer, 1982
+    assert found.period == pytest.approx(
+        6.6632868593231301, abs=1e-12
+    )  # D. Viswanath, 1997; Andersen and Geer, 1982
     x, v = found.samples.states
     damping = float((found.samples.weights() * (1 - x**2)).sum())
-    assert found.multipliers[1].real == pytest.approx(math.exp(damping), rel=1e-9)  # Liouville's formula
+    assert found.multipliers[1].real == pytest.approx(
+        math.exp(damping), rel=1e-9
+    )  # Liouville's formula
 
 
-@pytest.mark.parametrize("e", [pytest.param(300.0, marks=pytest.mark.thorough), pytest.param(1000.0, marks=pytest.mark.validate)])
+@pytest.mark.parametrize(
+    "e",
+    [
+        pytest.param(300.0, marks=pytest.mark.thorough),
+        pytest.param(1000.0, marks=pytest.mark.validate),
+    ],
+)
 def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
     # J. Grasman, 1987: (3 − 2 ln 2) e + 3 a e^(−1/3) − (2/3) ln(e)/e + O(1/e), −a the first zero of Airy's function.
     found = cycle_near(VAN_DER_POL, (e,), (2.0, 0.0))
@@ -146,9 +179,11 @@ def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
 
 #: Its cycle is the circle of radius sqrt(e), its period 2 π, its multiplier exp(−2 π e).
 CIRCLE = field_of(
-    "circle", lambda x, v, e, m: (e - x * x - v * v) * v - x, lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v),
+    "circle",
+    lambda x, v, e, m: (e - x * x - v * v) * v - x,
+    lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v),
     lambda x, v, e, m: v,
-)  # fmt: skip
+)
 
 
 def test_a_branch_ends_at_hopfs_bifurcation() -> None:
@@ -166,38 +201,47 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
 
 #: Its closed orbits are the curves v² / 2 − x² / 2 + x³ / 3 = e about x = 1, from e = −1/6 to that through the saddle, e = 0.
 SADDLE_LOOP = field_of(
-    "saddle loop", lambda x, v, e, m: x - x * x + (e - v * v / 2 + x * x / 2 - x**3 / 3) * v,
-    lambda x, v, e, m: (1 - 2 * x + (x - x * x) * v, e - 1.5 * v * v + x * x / 2 - x**3 / 3), lambda x, v, e, m: v,
-)  # fmt: skip
+    "saddle loop",
+    lambda x, v, e, m: x - x * x + (e - v * v / 2 + x * x / 2 - x**3 / 3) * v,
+    lambda x, v, e, m: (1 - 2 * x + (x - x * x) * v, e - 1.5 * v * v + x * x / 2 - x**3 / 3),
+    lambda x, v, e, m: v,
+)
 
 
 @pytest.mark.thorough
 def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
-    branch = ss.cycle_branch(cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2)
+    branch = ss.cycle_branch(
+        cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2
+    )
     shrunk, (homoclinic,) = branch.of("end")[0], branch.of("homoclinic")
     assert "equilibrium" in shrunk.how
     assert abs(shrunk.value + 1 / 6) < min(shrunk.error, 1e-4)
     assert abs(homoclinic.value) < min(homoclinic.error, 1e-12)
     assert homoclinic.how == "it comes to rest near x = 0"
     top = branch.cycles[len(branch.cycles) // 2].state[0]
-    assert top**3 / 3 - top**2 / 2 == pytest.approx(branch.values[len(branch.cycles) // 2], abs=1e-12)
+    assert top**3 / 3 - top**2 / 2 == pytest.approx(
+        branch.values[len(branch.cycles) // 2], abs=1e-12
+    )
     assert "CONTACT" not in str(branch.cycles[0])  # a state of two numbers is shown as it is
 
 
 #: Its cycles are circles with r⁴ − 2 r² = e: two, which meet in a fold at e = −1.
 TWO_CIRCLES = field_of(
-    "two circles", lambda x, v, e, m: (e + 2 * (x * x + v * v) - (x * x + v * v) ** 2) * v - x,
+    "two circles",
+    lambda x, v, e, m: (e + 2 * (x * x + v * v) - (x * x + v * v) ** 2) * v - x,
     lambda x, v, e, m: (
         (4 * x - 4 * x * (x * x + v * v)) * v - 1,
         e + 2 * (x * x + v * v) - (x * x + v * v) ** 2 + (4 * v - 4 * v * (x * x + v * v)) * v,
     ),
     lambda x, v, e, m: v,
-)  # fmt: skip
+)
 
 
 @pytest.fixture(scope="module")
 def folding() -> ss.CycleBranch:
-    return ss.cycle_branch(cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
+    return ss.cycle_branch(
+        cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3
+    )
 
 
 @pytest.mark.thorough
@@ -221,12 +265,16 @@ def test_two_folds_within_a_step_are_seen(apart: float) -> None:
 
     def slope(x: float, v: float, e: float, _: Any) -> tuple[float, float]:
         s = x * x + v * v - 1.5
-        return -2 * x * (s * s - apart**2) * v - 1, e - s**3 / 3 + apart**2 * s - 2 * v * v * (s * s - apart**2)
+        return -2 * x * (s * s - apart**2) * v - 1, e - s**3 / 3 + apart**2 * s - 2 * v * v * (
+            s * s - apart**2
+        )
 
     field = field_of(f"two folds, {apart} apart", force, slope, lambda x, v, e, m: v)
     begin = cycle_near(field, (0.1,), (1.5, 0.0))
     branch = ss.cycle_branch(begin, "e", (-0.1, 0.15), longest=0.3)
-    assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx([-2 * apart**3 / 3, 2 * apart**3 / 3], abs=1e-9)
+    assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx(
+        [-2 * apart**3 / 3, 2 * apart**3 / 3], abs=1e-9
+    )
 
 
 def test_where_another_branch_crosses_it_can_be_followed() -> None:
@@ -241,9 +289,13 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
         return (-2 * x * v - 1, 0.0, 1 - x * x - 3 * v * v, 0.0), (0.0, c[0] - 3 * y * y, 0.0, -1.0)
 
     fork = dataclasses.replace(
-        CIRCLE, name="fork", coordinates=("x", "y"), acceleration=force, jacobian=slopes,
+        CIRCLE,
+        name="fork",
+        coordinates=("x", "y"),
+        acceleration=force,
+        jacobian=slopes,
         by_parameters=lambda q, c, mode, xp=math: ((0.0,), (q[1],)),
-    )  # fmt: skip
+    )
     found = cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
     branch = ss.cycle_branch(found, "e", (-0.2, 0.15), longest=0.3)
     (crossing,) = branch.of("fold")
@@ -255,7 +307,10 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.skipif(not bench_auto.installed(), reason="AUTO-07p, a continuation code by collocation, is not installed")
+@pytest.mark.skipif(
+    not bench_auto.installed(),
+    reason="AUTO-07p, a continuation code by collocation, is not installed",
+)
 def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
     hopf, theirs, _ = bench_auto.by_auto(intervals=30)
     end, own, _ = bench_auto.ours()
@@ -294,7 +349,10 @@ def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranc
 
 def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
     (grazing,) = branch.of("grazing")
-    counts = [len(ss.cycle(at(np.degrees(grazing.value) + side), **BELT, near=grazing.cycle).events) for side in (-0.02, 0.02)]
+    counts = [
+        len(ss.cycle(at(np.degrees(grazing.value) + side), **BELT, near=grazing.cycle).events)
+        for side in (-0.02, 0.02)
+    ]
     assert sorted(counts) == [4, 6]
     gap = np.abs(grazing.cycle.samples.states[2] - 0.5).min()
     assert gap < 1e-4  # between samples it is 0
@@ -306,7 +364,9 @@ def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> No
     doubled = branch.switch(doubling)
     assert doubled.stable
     assert doubled.period == pytest.approx(2 * doubling.cycle.period, rel=1e-3)
-    back = ss.cycle_branch(doubled, "theta0", (np.radians(42.9), doubled.values[0] + 1e-6), longest=0.2)
+    back = ss.cycle_branch(
+        doubled, "theta0", (np.radians(42.9), doubled.values[0] + 1e-6), longest=0.2
+    )
     ends = [event for event in back.of("end") if "half" in event.how]
     assert ends[0].value == pytest.approx(doubling.value, abs=1e-8)
     with pytest.raises(ss.ParameterError, match="no other branch"):
@@ -335,7 +395,9 @@ def test_small_multipliers_keep_their_digits_beside_large_ones(large: float) -> 
         shares = [1.0, *(roots * ([1, -1, 1, 1] if i == 0 else 1))]
         triangular = np.diag(shares) + np.triu(rng.uniform(-0.5, 0.5, (5, 5)), 1)
         parts.append(turns[(i + 1) % count] @ triangular @ turns[i].T)
-    found = multipliers.multipliers_of(parts, [turn[:, 0] for turn in turns])  # the first direction is the flow's
+    found = multipliers.multipliers_of(
+        parts, [turn[:, 0] for turn in turns]
+    )  # the first direction is the flow's
     assert found.trivial == pytest.approx(1, abs=1e-12)
     assert np.abs(found.others / wanted - 1).max() < 1e-9
     assert (np.abs(found.others - wanted) <= found.errors).all()
@@ -356,12 +418,18 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
 MISTAKES = [
     (lambda _: ss.cycle(), "p is missing"),
     (lambda _: ss.cycle(at(42.0), onset=1), "leave out p and near, or the onset"),  # type: ignore[call-overload]  # the mistake
-    (lambda slow: ss.cycle(ss.load("stick_slip").Parameters(V=0.2), near=slow), "near is a cycle of kang_nam, not of stick_slip"),
+    (
+        lambda slow: ss.cycle(ss.load("stick_slip").Parameters(V=0.2), near=slow),
+        "near is a cycle of kang_nam, not of stick_slip",
+    ),
     (
         lambda slow: ss.diagram(at(42.0, mu0=0.4, **BELT), "theta0", (0.7, 0.75), starts=[slow]),
         "a cycle at mu0 = 0.5, the diagram",
     ),
-    (lambda _: cycle_near(CIRCLE, (0.25,), (0.5, 0.0)).spring_force, "no force of this model, which has none"),
+    (
+        lambda _: cycle_near(CIRCLE, (0.25,), (0.5, 0.0)).spring_force,
+        "no force of this model, which has none",
+    ),
     (lambda _: ss.fate_boundary(at(42.0), vary="theta0", bracket=(0.7,)), "is no range"),
     (lambda _: ss.basin_boundary(at(40.0), **BELT, plane=("x", "x")), "is not two of x, y, vx, vy"),
     (lambda _: ss.basin_boundary(at(40.0), **BELT, saddle=(0.0,)), "give the 2 coordinates"),
@@ -376,7 +444,10 @@ def test_a_mistake_is_named(call: Any, named: str, slow: ss.Cycle) -> None:
 
 def test_a_cycle_of_a_field_without_a_model_is_not_proved() -> None:
     pytest.importorskip("flint")
-    assert "can't be made again" in ss.precise.prove_cycle(cycle_near(CIRCLE, (0.25,), (0.5, 0.0))).reason
+    assert (
+        "can't be made again"
+        in ss.precise.prove_cycle(cycle_near(CIRCLE, (0.25,), (0.5, 0.0))).reason
+    )
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents
@@ -387,14 +458,17 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     given = random_motions.fate_of(number)
     values = dict(given["values"])
     belt = {name: values.pop(name) for name in ("V", "d")}
-    return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
+    return ss.Parameters(**values), belt | {
+        name: given[name] for name in ("vary", "bracket", "start")
+    }
 
 
 @pytest.mark.validate
 def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
     p, settings = of_call(32)
     with pytest.raises(
-        ss.ParameterError, match=r"21\.\d+ at one end and to a cycle of period 42\.\d+ at the other, which is one"
+        ss.ParameterError,
+        match=r"21\.\d+ at one end and to a cycle of period 42\.\d+ at the other, which is one",
     ):
         ss.fate_boundary(p, **settings | {"bracket": (0.0017, 0.0022)})
 
@@ -406,9 +480,15 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
     assert first is not None
     branch = ss.cycle_branch(first, "theta0", (1.15, first.parameters["theta0"]))
     (last,) = (event for event in branch.of("end") if "half" in event.how)
-    begun = next(cycle for cycle in branch.cycles if cycle.stable and abs(cycle.parameters["theta0"] - 1.33) < 0.01)
+    begun = next(
+        cycle
+        for cycle in branch.cycles
+        if cycle.stable and abs(cycle.parameters["theta0"] - 1.33) < 0.01
+    )
     values = tuple((begun.parameters | {"theta0": 1.8126515178867348}).values())
-    with pytest.raises(ss.ConvergenceError, match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way"):
+    with pytest.raises(
+        ss.ConvergenceError, match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way"
+    ):
         attractors.followed_cycle(begun, values)
 
 
@@ -428,7 +508,9 @@ def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:
     assert growth_of_cycle(slow) is None
     p = ss.Parameters.article(theta0=np.radians(54.0))
     doubled = ss.cycle(p, **BELT, near=(2.326445826, 3.364354753, 0.0, 0.3058563602), patient=False)
-    assert growth_of_cycle(doubled) == pytest.approx(np.log(abs(doubled.multipliers[1])) / doubled.period, rel=1e-9)
+    assert growth_of_cycle(doubled) == pytest.approx(
+        np.log(abs(doubled.multipliers[1])) / doubled.period, rel=1e-9
+    )
 
 
 @pytest.mark.thorough
@@ -440,9 +522,13 @@ def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> No
     assert found.t[-1] == pytest.approx(80 * slow.period)
     assert expected.sum() == pytest.approx(found.trace, abs=1e-4)
     p = ss.load("coulomb").Parameters(theta0=np.radians(42.0), V=0.41)
-    stuck = ss.cycle(p, near=ss.cycle(p.replace(V=0.5)))  # it sticks once a round, which ends all deviations of its speed
+    stuck = ss.cycle(
+        p, near=ss.cycle(p.replace(V=0.5))
+    )  # it sticks once a round, which ends all deviations of its speed
     found = ss.lyapunov(p, start=stuck.state, t_end=40 * stuck.period)
-    assert found.exponents[:3] == pytest.approx(np.log(np.abs(stuck.multipliers[:3])) / stuck.period, abs=1e-6)
+    assert found.exponents[:3] == pytest.approx(
+        np.log(np.abs(stuck.multipliers[:3])) / stuck.period, abs=1e-6
+    )
     assert (found.exponents[3], found.trace, found.kind) == (-np.inf, -np.inf, "cycle")
 
 
@@ -452,7 +538,9 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     still = first.joined(exponents.rates_along(system, first.end, 97.0))
     assert still.span == 200.0  # of stretches that are not all as long
     assert not still.moves
-    assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
+    assert still.exponents == pytest.approx(
+        [-0.5, -0.5], abs=0.02
+    )  # eigenvalues (−1 ± i √3) / 2 of the rest
 
 
 #: Logarithms of growth in 24 stretches, means over six parts are 1 and −1 in turn; the error is Student's quantile over √5.
@@ -485,7 +573,9 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     lifted = ss.equilibria(p, contact=False)
     (well,) = np.flatnonzero(lifted.stability == ss.Stability.STABLE)
     start = (float(lifted.x[well]) + 0.01, float(lifted.y[well]), 0.0, 0.0)
-    orbit = ss.cycle(p, **BELT, near=start)  # one of a family of closed orbits about the bottom of the well
+    orbit = ss.cycle(
+        p, **BELT, near=start
+    )  # one of a family of closed orbits about the bottom of the well
     assert np.abs(orbit.multipliers) == pytest.approx(1.0, abs=1e-6)
     assert not orbit.stable
     found = ss.lyapunov(p, **BELT, start=start, t_end=500.0)
@@ -501,9 +591,19 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
 @pytest.mark.thorough
 def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -> None:
     # It is crossed so early that the last bit of that time is far below those of the others.
-    border = Border("v = −1e-3", lambda q, c, m: q[1] + 1e-3, lambda q, a, c, m: a[0], lambda m: m[0], lambda m, *_: (-m[0],))
+    border = Border(
+        "v = −1e-3",
+        lambda q, c, m: q[1] + 1e-3,
+        lambda q, a, c, m: a[0],
+        lambda m: m[0],
+        lambda m, *_: (-m[0],),
+    )
     circle = dataclasses.replace(
-        CIRCLE, name="cut circle", borders=(border,), modes=((1,), (-1,)), initial_mode=lambda q, c: (1 if q[1] > -1e-3 else -1,)
+        CIRCLE,
+        name="cut circle",
+        borders=(border,),
+        modes=((1,), (-1,)),
+        initial_mode=lambda q, c: (1 if q[1] > -1e-3 else -1,),
     )
     found = cycle_near(circle, (0.25,), (0.5, 0.0))
     claim = proving.proofs.claim_of(found, 12)
@@ -513,30 +613,45 @@ def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -
         claim["slopes"] = [[1.0, 0.0], [0.0, 1.0]]
         with pytest.raises(proving.ball_proof.NotProved):
             proving.ball_proof.proved(circle, claim)
-    assert "again" in proving.proofs.prove_cycle(found).reason  # no other process knows a field of this file
+    assert (
+        "again" in proving.proofs.prove_cycle(found).reason
+    )  # no other process knows a field of this file
     assert proved["stable"] is True
 
 
 @pytest.mark.by_hand("200", "60")
 @pytest.mark.thorough
 @pytest.mark.parametrize("digits", few([10, 60, 200], 10))
-def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, proving: types.SimpleNamespace) -> None:
+def test_printed_digits_of_a_proof_are_within_what_is_proved(
+    digits: int, proving: types.SimpleNamespace
+) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
     found = cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
-    told = proving.proofs.proof_of(found, proving.ball_proof.shown(CIRCLE, proving.proofs.claim_of(found, digits)))
+    told = proving.proofs.proof_of(
+        found, proving.ball_proof.shown(CIRCLE, proving.proofs.claim_of(found, digits))
+    )
     with mpmath.workdps(digits + 40):
         truth = {
-            "state_1": Fraction(1, 2), "state_2": Fraction(0), "period": exactly(2 * mpmath.pi), "multiplier_1": Fraction(1),
+            "state_1": Fraction(1, 2),
+            "state_2": Fraction(0),
+            "period": exactly(2 * mpmath.pi),
+            "multiplier_1": Fraction(1),
             "multiplier_2": exactly(mpmath.exp(-mpmath.pi / 2)),
-        }  # fmt: skip
+        }
     beyond = Fraction(1, 10 ** (digits + 35))  # of π
     for many in (None, 1, 3, digits, digits + 9):
         for name, (text, error) in told.decimals(many).items():
             if name in truth:
                 assert abs(Fraction(text) - truth[name]) <= Fraction(error) + beyond, (name, many)
     balls = {"state_1": (told.state[0], told.error), "period": (told.period, told.error)}
-    balls |= {f"multiplier_{i}": (value.real, radius) for i, (value, radius) in enumerate(told.multipliers, 1)}
-    for name, (value, radius) in balls.items():  # all of the proved ball, not only what is known to be true
+    balls |= {
+        f"multiplier_{i}": (value.real, radius)
+        for i, (value, radius) in enumerate(told.multipliers, 1)
+    }
+    for name, (
+        value,
+        radius,
+    ) in balls.items():  # all of the proved ball, not only what is known to be true
         text, error = told.decimals()[name]
         assert abs(Fraction(text) - exactly(value)) + exactly(radius) <= Fraction(error)
     assert told.error < 10.0**-digits
@@ -545,12 +660,16 @@ def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, provin
 
 
 @pytest.mark.thorough
-def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.SimpleNamespace) -> None:
+def test_balls_enclose_the_flow_over_a_border(
+    slow: ss.Cycle, proving: types.SimpleNamespace
+) -> None:
     flint, ball_flow = proving.flint, proving.ball_flow
     first, flow = slow.loop.crossings()[0], slow.loop.flow
     before = flow.fly(slow.state, slow.loop.constants, first.t - 0.1).state
     with proving.ball_proof.bits(200):
-        constants = list(SPRAG.constants([flint.arb(value) for value in slow.values], proving.ball_flow.XP))
+        constants = list(
+            SPRAG.constants([flint.arb(value) for value in slow.values], proving.ball_flow.XP)
+        )
         off = 2.0**-40
         places = list(itertools.product(range(4), repeat=2))
         unit = flint.arb_mat(4, 4, [int(i == j) for i, j in places])
@@ -580,10 +699,15 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.Sim
         both.point = [flint.arb(value) for value in (1.0, 1e-9, 0.5 - 1e-8, -0.5)]
         with pytest.raises(ball_flow.NotProved, match="x' = V is too near"):
             both.cross(0, flint.arb(1e-8))
-        for wide, duration, said in ((off, 0.2, "the orbit meets y = 0"), (1e-6, 0.1 - 1e-9, "no state meets y = 0")):
+        for wide, duration, said in (
+            (off, 0.2, "the orbit meets y = 0"),
+            (1e-6, 0.1 - 1e-9, "no state meets y = 0"),
+        ):
             stuck = begun()
             stuck.start = [flint.arb(0, wide)] * 4
-            with pytest.raises(ball_flow.TooWide if wide > off else ball_flow.NotProved, match=said):
+            with pytest.raises(
+                ball_flow.TooWide if wide > off else ball_flow.NotProved, match=said
+            ):
                 stuck.carry(flint.arb(duration))  # all leave the mode on the way, or some may
 
 
@@ -601,7 +725,9 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
             assert all(abs(a - b) < 1e-12 for a, b in zip(found, derived, strict=True))
     field = exact_field("stick_slip")
     wide = [flint.arb(0.1, 0.1), flint.arb(0.2, 0.03)]  # sticking: x' = V
-    constants = list(field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], proving.ball_flow.XP))
+    constants = list(
+        field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], proving.ball_flow.XP)
+    )
     (slopes,) = ball_flow.Smooth(field, constants, (1, 1)).slopes(wide)
     written = field.jacobian(wide, constants, (1, 1), ball_flow.XP)[0][1]
     assert abs(slopes[1]) < 20 < abs(written).upper()
@@ -624,13 +750,19 @@ def test_a_cycle_that_sticks_is_proved() -> None:
 def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> None:
     """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter cycle through a fold of none."""
     p = ss.Parameters(
-        theta0=0.9779229808598093, mu0=0.6404879967616784, kappa=0.0039780190650670795, alpha=0.009517221488082478,
-        sigma=0.2154345917301352, beta=0.0,
-    )  # fmt: skip
+        theta0=0.9779229808598093,
+        mu0=0.6404879967616784,
+        kappa=0.0039780190650670795,
+        alpha=0.009517221488082478,
+        sigma=0.2154345917301352,
+        beta=0.0,
+    )
     doubled = ss.cycle(p, V=0.16784, d=7.910813740502483)
     branch = ss.cycle_branch(doubled, "V", (low, 0.25), points=200)
     assert {event.kind for event in branch.events} <= {"end", "grazing"}
-    assert [event.value for event in branch.of("end")] == pytest.approx([0.0860932668, 0.1973199041], abs=1e-9)
+    assert [event.value for event in branch.of("end")] == pytest.approx(
+        [0.0860932668, 0.1973199041], abs=1e-9
+    )
     for end in branch.of("end"):
         assert "half" in end.how
         assert end.cycle.period == pytest.approx(20.245 if end.value < 0.1 else 19.249, abs=1e-3)
@@ -639,17 +771,28 @@ def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> 
 
 @pytest.mark.thorough
 def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
-    start = ss.cycle(at(60.0), **BELT, near=ss.cycle(at(90.0), **BELT, near=(2.3294, 1.34, 0.0, 0.2515), patient=False))
-    branch = ss.cycle_branch(start, "theta0", (np.radians(55.5), start.values[0] + 1e-6), longest=0.3)
+    start = ss.cycle(
+        at(60.0),
+        **BELT,
+        near=ss.cycle(at(90.0), **BELT, near=(2.3294, 1.34, 0.0, 0.2515), patient=False),
+    )
+    branch = ss.cycle_branch(
+        start, "theta0", (np.radians(55.5), start.values[0] + 1e-6), longest=0.3
+    )
     (torus,) = branch.of("torus")
     one, other, _ = torus.cycle.multipliers[1:]
     assert abs(abs(one) - 1) < 1e-8
     assert one == pytest.approx(other.conjugate(), abs=1e-12)
     for side in (-0.8, 0.8):
         cycle = ss.cycle(at(np.degrees(torus.value) + side), **BELT, near=torus.cycle)
-        tr = moving(at(np.degrees(torus.value) + side), np.add(cycle.state, (0.0, 1e-6, 0.0, 0.0)), t_end=1010.0 * cycle.period)
+        tr = moving(
+            at(np.degrees(torus.value) + side),
+            np.add(cycle.state, (0.0, 1e-6, 0.0, 0.0)),
+            t_end=1010.0 * cycle.period,
+        )
         early, late = (
-            max(np.abs(tr(k * cycle.period) - cycle.state).max() for k in range(first, first + 12)) for first in (10, 990)
+            max(np.abs(tr(k * cycle.period) - cycle.state).max() for k in range(first, first + 12))
+            for first in (10, 990)
         )
         assert (late > 1.2 * early) == (side < 0)
         assert (late < 0.8 * early) == (side > 0)

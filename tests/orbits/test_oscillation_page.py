@@ -6,13 +6,17 @@ import pytest
 
 from tests.oracles import oscillation_page as page
 
-pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
+pytestmark = pytest.mark.skipif(
+    not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes"
+)
 
 #: The campaigns among the commands are run by the campaign.
 ROWS = [row for row in page.rows() if row.command.startswith(page.QUICK)]
 
 
-MARKED = [pytest.param(row, marks=() if page.is_quick(row) else pytest.mark.thorough) for row in ROWS]
+MARKED = [
+    pytest.param(row, marks=() if page.is_quick(row) else pytest.mark.thorough) for row in ROWS
+]
 
 
 @pytest.mark.by_hand(

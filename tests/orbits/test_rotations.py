@@ -38,7 +38,12 @@ SADDLE = math.pi - math.asin(0.8)
 def motion(c: float, start: Any, t_end: float, event: Any = None) -> Any:
     """The motion from a state, by SciPy."""
     return solve_ivp(
-        lambda _, s: [s[1], 0.8 - c * s[1] - math.sin(s[0])], (0, t_end), start, events=event, rtol=1e-10, atol=1e-12
+        lambda _, s: [s[1], 0.8 - c * s[1] - math.sin(s[0])],
+        (0, t_end),
+        start,
+        events=event,
+        rtol=1e-10,
+        atol=1e-12,
     )
 
 
@@ -67,7 +72,9 @@ def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
     assert found.trajectory().phi[-1] - found.state[0] == pytest.approx(2 * math.pi, abs=1e-9)
     branch = ss.cycle_branch(found, "c", (0.29, 0.8))
     (end,) = (event for event in branch.events if event.kind == "homoclinic")
-    leaving = brentq(lambda c: missed(c, SADDLE - 2 * math.pi + 1e-6, growing(c) * 1e-6), 0.6, 0.8, xtol=1e-8)
+    leaving = brentq(
+        lambda c: missed(c, SADDLE - 2 * math.pi + 1e-6, growing(c) * 1e-6), 0.6, 0.8, xtol=1e-8
+    )
     assert end.value == pytest.approx(leaving, abs=2e-4)
     assert branch.stable.all()
 
@@ -75,20 +82,34 @@ def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
 def test_fates_change_where_a_motion_ends_at_the_saddle() -> None:
     p = model_of(PENDULUM, "driven_pendulum").Parameters()
     found = ss.fate_boundary(p, vary="c", bracket=(0.1532, 0.1534))
-    assert found.value == pytest.approx(brentq(lambda c: missed(c, 0.0, 0.0), 0.15, 0.16, xtol=1e-11), abs=1e-8)
+    assert found.value == pytest.approx(
+        brentq(lambda c: missed(c, 0.0, 0.0), 0.15, 0.16, xtol=1e-11), abs=1e-8
+    )
     assert (found.below.limit, found.above.limit) == (ss.Regime.LIMIT_CYCLE, ss.Regime.EQUILIBRIUM)
-    assert [*found.state, found.growth] == pytest.approx([SADDLE, 0.0, growing(found.value)], abs=1e-9)
+    assert [*found.state, found.growth] == pytest.approx(
+        [SADDLE, 0.0, growing(found.value)], abs=1e-9
+    )
 
 
-def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     p = model_of(PENDULUM, "driven_pendulum").Parameters()
     found = ss.basin_boundary(p, step=0.2, points=2)
     assert found.boundary.tolist() == [True] * 5
     for point, sides in zip(found.points, found.sides, strict=True):
         assert motion(0.3, point, 15.0).y[:, -1] == pytest.approx([SADDLE, 0.0], abs=1e-5)
-        ends = [motion(0.3, point + aside, 60.0).y[0, -1] for aside in (-1e-6, 1e-6)]  # across the curve, which falls
-        assert [end > 2 * math.pi for end in ends] == ["cycle" in side for side in sides] == [False, True]
-    monkeypatch.setattr(basin_boundaries, "judged", lambda system, start: Verdict(Outcome(), start, 1.0))
+        ends = [
+            motion(0.3, point + aside, 60.0).y[0, -1] for aside in (-1e-6, 1e-6)
+        ]  # across the curve, which falls
+        assert (
+            [end > 2 * math.pi for end in ends]
+            == ["cycle" in side for side in sides]
+            == [False, True]
+        )
+    monkeypatch.setattr(
+        basin_boundaries, "judged", lambda system, start: Verdict(Outcome(), start, 1.0)
+    )
     undecided = ss.basin_boundary(p, step=0.2, points=1)
     assert not undecided.boundary.any()
     assert set(undecided.sides.flat) == {"nothing that is decided by t = 1"}

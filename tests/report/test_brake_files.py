@@ -9,9 +9,18 @@ import spragsym as ss
 from spragsym.report.brake_files import read_brake, read_friction
 
 GOOD = {
-    "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
-    "k_y": '"0 N/mm"', "k_c": '"1500 N/mm ± 15 %"', "F_L": '"420 N"', "mu0": '"[0.3, 0.6]"', "V": '"1.2 m/s"', "d": '"10 s/m"',
-}  # fmt: skip
+    "m": '"0.35 kg"',
+    "k": '"180 N/mm ± 15 %"',
+    "L_0": '"38 mm"',
+    "theta0": '"52 deg ± 1 deg"',
+    "k_x": '"9 N/mm ± 15 %"',
+    "k_y": '"0 N/mm"',
+    "k_c": '"1500 N/mm ± 15 %"',
+    "F_L": '"420 N"',
+    "mu0": '"[0.3, 0.6]"',
+    "V": '"1.2 m/s"',
+    "d": '"10 s/m"',
+}
 #: Line of a key: the table's name is line 1.
 LINES = {name: number for number, name in enumerate(GOOD, 2)}
 
@@ -24,7 +33,11 @@ VALUES = [
     ("m", '""', ["not a number with a point", '"0.35 kg"']),
     ("m", "true", ["True", "neither text nor a number"]),
     ("m", '"1e400 kg"', ["too large"]),
-    ("m", '"0.35 kg ± 120 %"', ["'0.35 kg ± 120 %'", "tolerance reaches what is not allowed: -0.07 kg is not above 0 kg"]),
+    (
+        "m",
+        '"0.35 kg ± 120 %"',
+        ["'0.35 kg ± 120 %'", "tolerance reaches what is not allowed: -0.07 kg is not above 0 kg"],
+    ),
     ("m", '"0.35 kg; import os"', ["the unit 'kg; import os' can't be read"]),
     ("m", '"' + "9" * 300 + ' kg"', ["303 characters are too many"]),
     ("k", '"180 N/mm ± 15"', ["tolerance has no unit", '"180 N/mm ± 15 %"']),
@@ -32,7 +45,15 @@ VALUES = [
     ("k", '"180 ± 15 %"', ["no unit"]),
     ("k", '"[210, 150] N/mm"', ["begins above its end", '"[150, 210] N/mm"']),
     ("k", '"[150, 180, 210] N/mm"', ["not a number with a point", '"[150, 210] N/mm"']),
-    ("k", '"[0, 210] N/mm"', ["reaches what is not allowed: 0 N/mm is not above 0 N/mm", "inclined spring", '"[150, 210] N/mm"']),
+    (
+        "k",
+        '"[0, 210] N/mm"',
+        [
+            "reaches what is not allowed: 0 N/mm is not above 0 N/mm",
+            "inclined spring",
+            '"[150, 210] N/mm"',
+        ],
+    ),
     ("L_0", '"38 degC"', ["zero point"]),
     ("theta0", '"52"', ["no unit", '"52 deg ± 1 deg"']),
     ("theta0", '"180 deg"', ["'180 deg'", "180 deg is not above 0 deg and below 180 deg"]),
@@ -46,18 +67,25 @@ VALUES = [
     ("V", '"-1.2 m/s"', ["'-1.2 m/s'", "mirror image"]),
     ("k", '"180 KN/m"', ["'KN/m' is not known"]),
     ("theta0", '"52 grad"', ["'grad' has two meanings, deg and gon", '"52 deg ± 1 deg"']),
-    ("mu0", '"45 % ± 10 %"', ["may be points or a share of the value", "(45 ± 5) %, for points", '"0.45 ± 10 %"']),
+    (
+        "mu0",
+        '"45 % ± 10 %"',
+        ["may be points or a share of the value", "(45 ± 5) %, for points", '"0.45 ± 10 %"'],
+    ),
     ("k_y", '"0 N/mm ± 10 %"', ["10 % of 0, which is 0", '"0 N/mm"']),
     ("k", '"180 N/mm sd 40 %"', ["reaches what is not allowed: -252 N/mm is not above 0 N/mm"]),
     ("k", '"180 N/mm sd 5 % in [200, 210] N/mm"', ["mean does not lie between"]),
     ("theta0", '"52° 30\'"', ["can't be read", '"52 deg ± 1 deg"']),
     ("d", '"10 m/s"', ["'m/s' (meter / second) does not measure what s/m does", '"10 s/m"']),
-]  # fmt: skip
+]
 
 
 def written(folder: Path, lines: dict[str, str], *more: str, head: str = "[brake]") -> Path:
     file = folder / "brake.toml"
-    file.write_text("\n".join([head, *(f"{key} = {value}" for key, value in lines.items()), *more]) + "\n", encoding="utf-8")
+    file.write_text(
+        "\n".join([head, *(f"{key} = {value}" for key, value in lines.items()), *more]) + "\n",
+        encoding="utf-8",
+    )
     return file
 
 
@@ -70,7 +98,9 @@ def message(file: Path) -> str:
     return text
 
 
-@pytest.mark.parametrize(("key", "value", "parts"), VALUES, ids=[f"{key}={value[:24]}" for key, value, _ in VALUES])
+@pytest.mark.parametrize(
+    ("key", "value", "parts"), VALUES, ids=[f"{key}={value[:24]}" for key, value, _ in VALUES]
+)
 def test_a_wrong_value(key: str, value: str, parts: list[str], tmp_path: Path) -> None:
     text = message(written(tmp_path, GOOD | {key: value}))
     assert f", line {LINES[key]}: {key} = " in text
@@ -83,20 +113,44 @@ def test_a_wrong_value(key: str, value: str, parts: list[str], tmp_path: Path) -
 
 #: What is done to the file: (lines, more lines, head, where, parts of the message).
 WHOLE = {
-    "a key is missing": ({k: v for k, v in GOOD.items() if k != "k_c"}, (), "[brake]", "line 1", ["k_c", '"1500 N/mm"']),
-    "all are missing": ({}, (), "[brake]", "line 1", ["m, k_c, L_0", "add lines", 'k_y = "0 N/mm"', 'k_c = "1500 N/mm"']),
+    "a key is missing": (
+        {k: v for k, v in GOOD.items() if k != "k_c"},
+        (),
+        "[brake]",
+        "line 1",
+        ["k_c", '"1500 N/mm"'],
+    ),
+    "all are missing": (
+        {},
+        (),
+        "[brake]",
+        "line 1",
+        ["m, k_c, L_0", "add lines", 'k_y = "0 N/mm"', 'k_c = "1500 N/mm"'],
+    ),
     "a misspelt key": (GOOD, ('kx = "9 N/mm"',), "[brake]", "line 13", ["kx", "did you mean k_x?"]),
     "an unknown key": (GOOD, ('colour = "red"',), "[brake]", "line 13", ["colour", "the keys are"]),
     "a key twice": (GOOD, ('m = "0.4 kg"',), "[brake]", "line 13", ["m is there twice"]),
     "no table": (GOOD, (), "# nothing", "line 2", ["[brake] is missing"]),
     "another table": (GOOD, (), "[brakes]", "line 1", ["'brakes'", "[brake] is missing"]),
-    "two tables": (GOOD, ("[extra]", "a = 1"), "[brake]", "line 13", ["'extra'", "below one line [brake]"]),
+    "two tables": (
+        GOOD,
+        ("[extra]", "a = 1"),
+        "[brake]",
+        "line 13",
+        ["'extra'", "below one line [brake]"],
+    ),
     "no quotes": (GOOD | {"m": "0.35 kg"}, (), "[brake]", "line 2", ["not TOML", 'm = "0.35 kg"']),
     "an open quote": (GOOD | {"k": '"180 N/mm'}, (), "[brake]", "line 3", ["not TOML", "quotes"]),
     "a colon": (GOOD, ('x: "1 m"',), "[brake]", "line 13", ["not TOML"]),
     "a bracket": (GOOD, (), "[brake", "line 1", ["not TOML"]),
     "an unknown model": (GOOD, ('model = "kang"',), "[brake]", "line 13", ["'kang'", "kang_nam"]),
-    "a model's number": (GOOD, ("model = 3",), "[brake]", "line 13", ["model = 3", 'model = "kang_nam"']),
+    "a model's number": (
+        GOOD,
+        ("model = 3",),
+        "[brake]",
+        "line 13",
+        ["model = 3", 'model = "kang_nam"'],
+    ),
     "friction twice": (GOOD, ('friction = "a.csv"',), "[brake]", "line 13", ["mu0 is given too"]),
     "friction a number": (GOOD, ("friction = 0.4",), "[brake]", "line 13", ["0.4", "measured.csv"]),
 }
@@ -117,14 +171,23 @@ MEASURED = {
     "words": ("v [m/s],mu\n0.1,0.2\nfast,0.4\n", ["line 3", "'fast,0.4'", "0.5;0.41"]),
     "no head": ("0.1,0.2\n0.2,0.3\n", ["line 1", "is no head", "v [m/s],mu"]),
     "no unit": ("v,mu\n0.1,0.2\n0.2,0.3\n", ["line 1", "'v' has no unit", "v [mm/s]"]),
-    "a unit of another quantity": ("v [Hz],mu\n0.1,0.2\n0.2,0.3\n", ["line 1", "'Hz'", "does not measure what m/s", "v [m/s]"]),
+    "a unit of another quantity": (
+        "v [Hz],mu\n0.1,0.2\n0.2,0.3\n",
+        ["line 1", "'Hz'", "does not measure what m/s", "v [m/s]"],
+    ),
     "any file": ("secret:x:0\n", ["line 1", "the sliding speed is not among the names"]),
     "one speed": ("v [m/s],mu\n0.1,0.2\n0.1,0.21\n", ["at least two", "different"]),
     "negative": ("v [m/s],mu\n0.1,0.2\n0.2,-0.3\n", ["line 3", "negative"]),
-    "decimal commas between commas": ("v [m/s],mu\n0,1,0,2\n0,2,0,3\n", ["line 2", "4 columns", "semicolons"]),
+    "decimal commas between commas": (
+        "v [m/s],mu\n0,1,0,2\n0,2,0,3\n",
+        ["line 2", "4 columns", "semicolons"],
+    ),
     "nothing but zeros": ("v [m/s],mu\n0.1,0\n0.2,0\n", ["all coefficients are 0"]),
     "not a number": ("v [m/s],mu\n0.1,0.2\n0.2,nan\n", ["line 3", "'0.2,nan'"]),
-    "percent without its sign": ("v [m/s],mu\n0.1,20\n0.2,40\n", ["line 2", "more than any brake has", "mu [%]"]),
+    "percent without its sign": (
+        "v [m/s],mu\n0.1,20\n0.2,40\n",
+        ["line 2", "more than any brake has", "mu [%]"],
+    ),
 }
 
 
@@ -133,7 +196,9 @@ def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
     content, parts = MEASURED[name]
     if content is not None:
         (tmp_path / "a.csv").write_text(content, encoding="utf-8")
-    lines = {key: value for key, value in GOOD.items() if key not in ("mu0", "d")} | {"friction": '"a.csv"'}
+    lines = {key: value for key, value in GOOD.items() if key not in ("mu0", "d")} | {
+        "friction": '"a.csv"'
+    }
     text = message(written(tmp_path, lines))
     assert ", line 11: friction = 'a.csv'" in text
     for part in parts:
@@ -143,7 +208,9 @@ def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
 @pytest.mark.parametrize("newline", ["\n", "\r\n"])
-def test_files_as_editors_and_shells_write_them(encoding: str, newline: str, tmp_path: Path) -> None:
+def test_files_as_editors_and_shells_write_them(
+    encoding: str, newline: str, tmp_path: Path
+) -> None:
     """Windows PowerShell's ``>`` writes UTF-16, Notepad a mark before UTF-8."""
     path = written(tmp_path, GOOD)
     plain = read_brake(path).quantities
@@ -204,11 +271,22 @@ def test_signs_of_a_tolerance(sign: str) -> None:
 
 
 def test_normal_distributions_and_their_correlation(tmp_path: Path) -> None:
-    lines = GOOD | {"k": '"180 N/mm sd 5 %"', "k_x": '"(9 sd 0.5) N/mm"', "k_c": '"1500 N/mm sd 100 N/mm in [1300, 1800] N/mm"'}
-    data = read_brake(written(tmp_path, lines, 'correlation = [["k", "k_x", 0.9], ["mu0", "theta0", -0.5]]'))
+    lines = GOOD | {
+        "k": '"180 N/mm sd 5 %"',
+        "k_x": '"(9 sd 0.5) N/mm"',
+        "k_c": '"1500 N/mm sd 100 N/mm in [1300, 1800] N/mm"',
+    }
+    data = read_brake(
+        written(tmp_path, lines, 'correlation = [["k", "k_x", 0.9], ["mu0", "theta0", -0.5]]')
+    )
     k, k_x, k_c = (data.quantities[name] for name in ("k", "k_x", "k_c"))
     # Three standard deviations on either side, or where it is cut off.
-    assert (k.sd, k.low, k.high, k.cut) == (pytest.approx(9e3), pytest.approx(153e3), pytest.approx(207e3), False)
+    assert (k.sd, k.low, k.high, k.cut) == (
+        pytest.approx(9e3),
+        pytest.approx(153e3),
+        pytest.approx(207e3),
+        False,
+    )
     assert (k_x.sd, k_x.low) == (pytest.approx(500.0), pytest.approx(7500.0))
     assert (k_c.sd, k_c.low, k_c.high, k_c.cut) == (pytest.approx(1e5), 1.3e6, 1.8e6, True)
     assert data.correlation == {("k", "k_x"): 0.9, ("mu0", "theta0"): -0.5}
@@ -223,7 +301,10 @@ def test_normal_distributions_and_their_correlation(tmp_path: Path) -> None:
         ('[["k", "k_x"]]', "two names and a number"),
         ("0.9", "two names and a number"),
         ('[["k", "k_x", 0.5], ["k_x", "k", 0.5]]', "has a pair twice"),
-        ('[["k", "k_x", 0.9], ["k_x", "k_c", 0.9], ["k", "k_c", -0.9]]', "can't all be true at once"),
+        (
+            '[["k", "k_x", 0.9], ["k_x", "k_c", 0.9], ["k", "k_c", -0.9]]',
+            "can't all be true at once",
+        ),
     ],
 )
 def test_a_wrong_correlation(value: str, part: str, tmp_path: Path) -> None:
@@ -237,22 +318,33 @@ def test_a_wrong_correlation(value: str, part: str, tmp_path: Path) -> None:
 PLAIN = "0.5;0.41\n1;0.43\n"
 
 
-@pytest.mark.parametrize("text", [
-    f"sep=;\nv [m/s];mu\n{PLAIN}", f"Test rig: X\nRun 7; 2.5 bar\nv [m/s];mu\n{PLAIN}", f"v [m/s];mu_k\n{PLAIN}",
-    f"v [m/s];Friction coefficient µ\n{PLAIN}", f"Gleitgeschwindigkeit v, m/s;Reibwert µ\n{PLAIN}",
-    "velocity_mm/s;mu\n500;0.41\n1000;0.43\n", "v / (mm/s);mu / 1\n500;0.41\n1'000;0.43\n",
-    "v [m/s];mu\n−5.0D-01;0.41\n-1;0.43\n",
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"sep=;\nv [m/s];mu\n{PLAIN}",
+        f"Test rig: X\nRun 7; 2.5 bar\nv [m/s];mu\n{PLAIN}",
+        f"v [m/s];mu_k\n{PLAIN}",
+        f"v [m/s];Friction coefficient µ\n{PLAIN}",
+        f"Gleitgeschwindigkeit v, m/s;Reibwert µ\n{PLAIN}",
+        "velocity_mm/s;mu\n500;0.41\n1000;0.43\n",
+        "v / (mm/s);mu / 1\n500;0.41\n1'000;0.43\n",
+        "v [m/s];mu\n−5.0D-01;0.41\n-1;0.43\n",
+    ],
+)
 def test_what_has_one_meaning_is_read(text: str, tmp_path: Path) -> None:
     (tmp_path / "mu.csv").write_text(text, encoding="utf-8")
     speed, friction = read_friction(tmp_path / "mu.csv")
     assert (speed.tolist(), friction.tolist()) == ([0.5, 1.0], [0.41, 0.43])
 
 
-@pytest.mark.parametrize(("text", "words"), [
-    ("v [m/s];mu;mu_k\n0.5;0.41;0.3\n1;0.43;0.3\n", "named 2 times"), ("v [mm/s];mu\n1,000;0.41\n2,000;0.43\n", "thousands"),
-    (f"Run 7; 2.5 bar\n{PLAIN}", "is no head"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("v [m/s];mu;mu_k\n0.5;0.41;0.3\n1;0.43;0.3\n", "named 2 times"),
+        ("v [mm/s];mu\n1,000;0.41\n2,000;0.43\n", "thousands"),
+        (f"Run 7; 2.5 bar\n{PLAIN}", "is no head"),
+    ],
+)
 def test_what_has_two_meanings_is_refused(text: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "mu.csv").write_text(text, encoding="utf-8")
     with pytest.raises(ss.ParameterError, match=words):

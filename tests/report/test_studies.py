@@ -21,9 +21,19 @@ from tests.support import few, written_brake
 
 #: A brake's file: quantity and value.
 BRAKE = {
-    "m": "0.35 kg", "k": "180 N/mm ± 15 %", "L_0": "38 mm", "theta0": "52 deg ± 1 deg", "k_x": "9 N/mm ± 15 %", "k_y": "0 N/mm",
-    "k_c": "1500 N/mm ± 15 %", "F_L": "420 N", "mu0": "[0.3, 0.6]", "V": "1.2 m/s", "d": "10 s/m", "model": "kang_nam",
-}  # fmt: skip
+    "m": "0.35 kg",
+    "k": "180 N/mm ± 15 %",
+    "L_0": "38 mm",
+    "theta0": "52 deg ± 1 deg",
+    "k_x": "9 N/mm ± 15 %",
+    "k_y": "0 N/mm",
+    "k_c": "1500 N/mm ± 15 %",
+    "F_L": "420 N",
+    "mu0": "[0.3, 0.6]",
+    "V": "1.2 m/s",
+    "d": "10 s/m",
+    "model": "kang_nam",
+}
 #: Without tolerances, as :func:`brake` has it.
 EXACT = {"k": "180 N/mm", "k_x": "9 N/mm", "k_c": "1500 N/mm", "theta0": "52 deg"}
 #: The article's model by its page and the search.
@@ -47,21 +57,53 @@ page.force(-2 * mu0 * k * h * y, along=phi)
 QUICKLY: dict[str, Any] = {"oscillation": False, "probability": False, "redesign": False}
 
 
-def written(folder: Path, rows: Mapping[str, str | None] = {}, brake: Mapping[str, str] = BRAKE) -> Path:  # read only
+def written(
+    folder: Path, rows: Mapping[str, str | None] = {}, brake: Mapping[str, str] = BRAKE
+) -> Path:  # read only
     """The file of a brake with some quantities replaced, or left out."""
-    return written_brake(folder, {name: value for name, value in {**brake, **rows}.items() if value is not None})
+    return written_brake(
+        folder, {name: value for name, value in {**brake, **rows}.items() if value is not None}
+    )
 
 
-def studied(folder: Path, rows: Mapping[str, str | None], brake: Mapping[str, str] = BRAKE) -> ss.Study:
+def studied(
+    folder: Path, rows: Mapping[str, str | None], brake: Mapping[str, str] = BRAKE
+) -> ss.Study:
     return ss.Study.from_file(written(folder, rows, brake))
 
 
 KEYS = [
-    "mu_jump", "theta0_jump_deg", "mu0_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective",
-    "margin_percent", "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation",
-    "certificate", "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump", "verdict", "folds",
-    "vary", "jump_at", "other_states", "next_steps", "about",
-]  # fmt: skip
+    "mu_jump",
+    "theta0_jump_deg",
+    "mu0_jump",
+    "mu_lowest",
+    "theta0_lowest_deg",
+    "kind_lowest",
+    "mu_cusp",
+    "mu_effective",
+    "margin_percent",
+    "states",
+    "frequencies_hz",
+    "spring_force_N",
+    "contact_force_N",
+    "displacement_mm",
+    "oscillation",
+    "certificate",
+    "probability",
+    "sobol",
+    "redesign",
+    "warnings",
+    "reach",
+    "speed_jump",
+    "jump",
+    "verdict",
+    "folds",
+    "vary",
+    "jump_at",
+    "other_states",
+    "next_steps",
+    "about",
+]
 
 
 @pytest.fixture(scope="module")
@@ -87,12 +129,16 @@ def redesigned(study: ss.Study) -> ss.Report:
 @pytest.mark.thorough
 def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) -> None:
     # By hand: k_c L_0 = 57 000 N; κ = 420/57000, α = 9/1500, σ = 180/1500, β = 0; time sqrt(0.35/1.5e6) s.
-    p = ss.Parameters(theta0=math.radians(52), mu0=0.45, kappa=420 / 57000, alpha=0.006, sigma=0.12, beta=0.0)
+    p = ss.Parameters(
+        theta0=math.radians(52), mu0=0.45, kappa=420 / 57000, alpha=0.006, sigma=0.12, beta=0.0
+    )
     assert report.mu_jump == pytest.approx(ss.jump_value(p), rel=1e-12)
     working = 0.45 * -math.expm1(-12.0)
     assert report.mu_effective == pytest.approx(working, rel=1e-12)
     at = p.replace(mu0=working)
-    assert report.theta0_jump_deg == pytest.approx(math.degrees(ss.jump_value(at, "theta0")), rel=1e-12)
+    assert report.theta0_jump_deg == pytest.approx(
+        math.degrees(ss.jump_value(at, "theta0")), rel=1e-12
+    )
     assert report.mu_cusp == pytest.approx(ss.cusp_friction(p), rel=1e-12)
     lowest = ss.critical_friction(p)
     assert report.mu_lowest == pytest.approx(float(lowest), rel=1e-12)
@@ -104,33 +150,60 @@ def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) 
         assert state.x_mm == pytest.approx(38 * eq.x[i], rel=1e-9)
         assert state.contact_force_N == pytest.approx(-57000 * eq.y[i], rel=1e-9)
         assert state.spring_force_N == pytest.approx(57000 * 0.12 * (eq.L[i] - 1), rel=1e-9)
-        hertz = np.sort(np.abs(eq.eigenvalues[i].imag))[::2] * math.sqrt(1.5e6 / 0.35) / (2 * math.pi)
-        assert np.allclose(state.frequencies_hz, hertz[hertz > 0], rtol=1e-3)  # the law's damping is left out here
+        hertz = (
+            np.sort(np.abs(eq.eigenvalues[i].imag))[::2] * math.sqrt(1.5e6 / 0.35) / (2 * math.pi)
+        )
+        assert np.allclose(
+            state.frequencies_hz, hertz[hertz > 0], rtol=1e-3
+        )  # the law's damping is left out here
 
 
 @pytest.mark.by_hand("True")
 @pytest.mark.parametrize("tolerances", few([True, False], False))
-def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_json_has_the_keys_of_the_contract(
+    tolerances: bool, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """And nothing else is written on stdout, be there a page too."""
     monkeypatch.setattr(ss.Report, "to_html", lambda *_: None)
     page = "--html", str(tmp_path / "a.html")
-    found = json.loads(run("report", str(written(tmp_path, {} if tolerances else EXACT | {"mu0": "0.45"})), "--json", *page))
+    found = json.loads(
+        run(
+            "report",
+            str(written(tmp_path, {} if tolerances else EXACT | {"mu0": "0.45"})),
+            "--json",
+            *page,
+        )
+    )
     assert list(found) == KEYS
     assert found["folds"][0]["friction"] == pytest.approx(found["mu_jump"], rel=1e-12)
     state = next(one for one in found["states"] if one["current"])
     way = found["folds"][0]
-    assert way["before"]["x_mm"] < way["after"]["x_mm"] < state["x_mm"]  # it has jumped, and friction has grown since
+    assert (
+        way["before"]["x_mm"] < way["after"]["x_mm"] < state["x_mm"]
+    )  # it has jumped, and friction has grown since
 
 
 def brake(**changes: float | None) -> ss.PhysicalParameters:
     values = dict(
-        m=0.35, k=180e3, k_x=9e3, k_y=0.0, k_c=1.5e6, F_L=420.0, L_0=0.038, theta0=math.radians(52), mu0=0.3, V=1.2, d=10.0
+        m=0.35,
+        k=180e3,
+        k_x=9e3,
+        k_y=0.0,
+        k_c=1.5e6,
+        F_L=420.0,
+        L_0=0.038,
+        theta0=math.radians(52),
+        mu0=0.3,
+        V=1.2,
+        d=10.0,
     )
     return ss.PhysicalParameters(**(values | changes))  # type: ignore[arg-type]  # None for V and d only
 
 
 @pytest.mark.thorough
-def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, redesigned: ss.Report) -> None:
+def test_changes_hold_for_all_brakes_within_the_tolerances(
+    study: ss.Study, redesigned: ss.Report
+) -> None:
     """Random brakes about each new design, every tolerance the same share of the new value: none jumps below 0.6."""
     rng = np.random.default_rng(11)
     off = {name: rng.uniform(-0.15, 0.15, 4000) for name in ("k", "k_x", "k_c")}
@@ -150,7 +223,9 @@ def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
     text = 'may_change = { k = "[100, 250] N/mm", theta0 = "[30, 60] deg" }'
     file = written(tmp_path, EXACT | {"mu0": "0.45"})
     file.write_text(file.read_text(encoding="utf-8") + text + "\n", encoding="utf-8")
-    assert ss.Study.from_file(file).may_change == {name: pytest.approx(two) for name, two in ends.items()}
+    assert ss.Study.from_file(file).may_change == {
+        name: pytest.approx(two) for name, two in ends.items()
+    }
     free = ss.Study(brake(mu0=0.45))
     bounded = ss.Study(brake(mu0=0.45), may_change=ends)
     for study in (free, bounded):
@@ -158,10 +233,19 @@ def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
         assert found
         for change in found:
             for name, value in change.after.items():
-                low, high = ends[name] if study is bounded else (study.values[name] / 3, study.values[name] * 3)
+                low, high = (
+                    ends[name]
+                    if study is bounded
+                    else (study.values[name] / 3, study.values[name] * 3)
+                )
                 assert low * (1 - 1e-9) <= value <= high * (1 + 1e-9)
-    low, high = math.radians(20.0), math.radians(33.0)  # in which the present inclination does not lie
-    (change,) = redesigns.changes(ss.Study(brake(mu0=0.45), may_change={"theta0": (low, high)}), 0.5)
+    low, high = (
+        math.radians(20.0),
+        math.radians(33.0),
+    )  # in which the present inclination does not lie
+    (change,) = redesigns.changes(
+        ss.Study(brake(mu0=0.45), may_change={"theta0": (low, high)}), 0.5
+    )
     assert low < change.after["theta0"] == pytest.approx(high)  # the nearest that it may be
     with pytest.raises(ss.ParameterError, match="no state depends on m"):
         ss.Study(brake(), may_change={"m": (0.1, 0.2)})
@@ -170,26 +254,36 @@ def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
 @pytest.mark.validate
 def test_a_change_that_a_brake_refutes_is_not_given() -> None:
     """Eight quantities with tolerances, of which corners used to be sampled: at every corner of every change nothing jumps."""
-    off = dict.fromkeys(("k", "k_x", "k_c", "F_L", "L_0"), "8 %") | {"theta0": "1 deg", "mu0": (0.3, 0.36), "V": "10 %"}
+    off = dict.fromkeys(("k", "k_x", "k_c", "F_L", "L_0"), "8 %") | {
+        "theta0": "1 deg",
+        "mu0": (0.3, 0.36),
+        "V": "10 %",
+    }
     study = ss.Study(brake(mu0=0.33), tolerance=off)
     found = redesigns.changes(study, 0.4)
     assert found
     for change in found:
         new = study.changed(change.after)
         corners = tolerances.corners(new)
-        assert len(corners) == 129  # the brake as drawn, at the largest friction, and all corners of seven others
+        assert (
+            len(corners) == 129
+        )  # the brake as drawn, at the largest friction, and all corners of seven others
         assert not tolerances.ending(new, tolerances.values_at(new, corners)).any()
         assert change.outcome in ("proved", "undecided")
 
 
 @pytest.mark.thorough
 def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off() -> None:
-    study = ss.Study(brake(mu0=0.36), tolerance={"k": "sd 5 %", "k_x": "sd 5 %"}, correlation={("k", "k_x"): 1.0})
+    study = ss.Study(
+        brake(mu0=0.36), tolerance={"k": "sd 5 %", "k_x": "sd 5 %"}, correlation={("k", "k_x"): 1.0}
+    )
     found, proof = tolerances.chance(study, 1 << 12), certificate(study)
     assert found is not None
     assert list(found.sobol) == ["k_x, k"]
     g = np.random.default_rng(5).normal(0, 0.05, 100_000)
-    holds_the_share(found, study.values | {"k": 180e3 * (1 + g), "k_x": 9e3 * (1 + g)}, study.friction[1])
+    holds_the_share(
+        found, study.values | {"k": 180e3 * (1 + g), "k_x": 9e3 * (1 + g)}, study.friction[1]
+    )
     # A brake with a soft strut and a stiff spring along the belt is no brake of one batch.
     assert proof.outcome == "refuted"
     assert proof.counterexample is not None
@@ -198,7 +292,11 @@ def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off() -> None:
 
 def holds_the_share(found: Any, values: Any, friction: Any) -> None:
     """That of 100 000 brakes whose jump comes at a friction or below it, within the bounds that are told."""
-    share = float((np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless())) <= friction).mean())
+    share = float(
+        (
+            np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless())) <= friction
+        ).mean()
+    )
     error = 3 * math.sqrt(share * (1 - share) / 1e5)
     assert found.low - error < share < found.high + error
 
@@ -210,7 +308,9 @@ def with_friction(folder: Path, speed: Any, friction: Any, head: str = "v [m/s],
     return studied(folder, {"mu0": None, "d": None, "friction": "measured.csv"})
 
 
-def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(report: ss.Report) -> None:
+def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(
+    report: ss.Report,
+) -> None:
     far = ss.Study(brake(mu0=0.2), tolerance={"k": "5 %", "k_c": "5 %", "mu0": 0.02})
     assert certificate(far).outcome == "proved"
     found = report.certificate
@@ -246,14 +346,21 @@ def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
 
 def test_folds_that_are_undecided_are_said_to_be_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     study = ss.Study(brake())
-    left = dataclasses.replace(ss.folds(study.at_work, "mu0"), undecided=np.zeros((1, 3, 2)), remarks=("one box is left",))
+    left = dataclasses.replace(
+        ss.folds(study.at_work, "mu0"), undecided=np.zeros((1, 3, 2)), remarks=("one box is left",)
+    )
     monkeypatch.setattr(reports, "folds", lambda p, vary: left)
-    assert any(one.endswith("may be missing: one box is left") for one in study.report(**QUICKLY).remarks)
+    assert any(
+        one.endswith("may be missing: one box is left") for one in study.report(**QUICKLY).remarks
+    )
 
 
 @pytest.mark.thorough
 def test_a_contact_that_holds_on_both_sides_may_be_as_soft_as_the_springs() -> None:
-    found = ss.Study({"m": 1.0, "k_c": 100.0, "k": 90.0, "k_x": 80.0, "k_y": 0.0, "F_L": 1.0, "mu0": 0.2}, model="mode_coupling")
+    found = ss.Study(
+        {"m": 1.0, "k_c": 100.0, "k": 90.0, "k_x": 80.0, "k_y": 0.0, "F_L": 1.0, "mu0": 0.2},
+        model="mode_coupling",
+    )
     told = found.report(**QUICKLY)
     assert not any("should be the stiffest" in one for one in told.warnings)
 
@@ -270,10 +377,24 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
 def test_no_text_of_a_page_is_taken_for_html() -> None:
     pytest.importorskip("jinja2")
     odd = "<b>&\"'"
-    words, rows = dict.fromkeys(("title", "about", "verdict", "mechanism"), odd), [(odd, [(odd, odd)]), ("nothing", iter(()))]
-    text = filled("spragsym.figures", "report.html", odd, **words, warnings=[odd], drawn=[("<svg></svg>", odd)], headed=rows)
+    words, rows = (
+        dict.fromkeys(("title", "about", "verdict", "mechanism"), odd),
+        [(odd, [(odd, odd)]), ("nothing", iter(()))],
+    )
+    text = filled(
+        "spragsym.figures",
+        "report.html",
+        odd,
+        **words,
+        warnings=[odd],
+        drawn=[("<svg></svg>", odd)],
+        headed=rows,
+    )
     assert odd not in text
-    assert (text.count("&lt;b&gt;&amp;&#34;&#39;"), text.count("<svg></svg>")) == (10, 1)  # ten, as the title stands twice
+    assert (text.count("&lt;b&gt;&amp;&#34;&#39;"), text.count("<svg></svg>")) == (
+        10,
+        1,
+    )  # ten, as the title stands twice
     assert "nothing" not in text
     assert text.endswith("</html>\n")
 
@@ -281,7 +402,9 @@ def test_no_text_of_a_page_is_taken_for_html() -> None:
 def test_friction_that_was_measured(tmp_path: Path) -> None:
     speed = np.linspace(0.02, 1.5, 30)
     noise = np.random.default_rng(3).normal(0, 0.004, speed.size)
-    found = with_friction(tmp_path, speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, "speed [m/s],friction")
+    found = with_friction(
+        tmp_path, speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, "speed [m/s],friction"
+    )
     for name, truth in (("mu0", 0.42), ("d", 8.0)):
         one = found.quantities[name]
         assert one.low < truth < one.high
@@ -298,7 +421,9 @@ def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
     assert lives.lifts_off
     # Periods counted by hand: upward passages of the mean in a motion of the dimensionless model.
     x, y, vx, vy = lives.motion.state
-    tr = ss.simulate(brake(mu0=0.45).dimensionless(), x0=x, y0=y, vx0=vx, vy0=vy, t_end=3.5 * lives.motion.period)
+    tr = ss.simulate(
+        brake(mu0=0.45).dimensionless(), x0=x, y0=y, vx0=vx, vy0=vy, t_end=3.5 * lives.motion.period
+    )
     second = math.sqrt(0.35 / 1.5e6)
     assert 1 / (lives.frequency_hz * second) == pytest.approx(lives.motion.period, rel=1e-12)
     again = tr(lives.motion.period)
@@ -308,17 +433,24 @@ def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
 
 
 @pytest.mark.parametrize(
-    ("friction", "outcome"), [(0.38, "refuted"), pytest.param(0.3, "proved", marks=pytest.mark.thorough), (0.0, "proved")]
+    ("friction", "outcome"),
+    [(0.38, "refuted"), pytest.param(0.3, "proved", marks=pytest.mark.thorough), (0.0, "proved")],
 )
-def test_with_another_model_the_brake_as_drawn_is_looked_at_first(tmp_path: Path, friction: float, outcome: str) -> None:
+def test_with_another_model_the_brake_as_drawn_is_looked_at_first(
+    tmp_path: Path, friction: float, outcome: str
+) -> None:
     """Its jump is at 0.366."""
-    found = certificate(studied(tmp_path, EXACT | CUBIC | {"mu0": f"[0, {friction}]" if friction else "0"}))
+    found = certificate(
+        studied(tmp_path, EXACT | CUBIC | {"mu0": f"[0, {friction}]" if friction else "0"})
+    )
     assert found.outcome == outcome
     assert (found.counterexample or {}).get("mu0") == (friction if outcome == "refuted" else None)
 
 
 @pytest.mark.thorough
-def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tmp_path: Path) -> None:
+def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(
+    tmp_path: Path,
+) -> None:
     """Friction of 0.35 does not reach the jump at 0.366 as drawn; with other springs within the tolerances it does."""
     loose = {name: BRAKE[name] for name in ("k", "k_x")}
     found = certificate(studied(tmp_path, EXACT | CUBIC | loose | {"mu0": "[0.3, 0.35]"}))
@@ -338,11 +470,15 @@ def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tm
     [
         pytest.param({}, id="at full slip, nearly"),
         pytest.param({"V": "0.2 m/s", "mu0": "[0.37, 0.47]"}, id="a slow belt"),
-        pytest.param({"V": "[0.2, 0.3] m/s", "mu0": "[0.36, 0.46]"}, id="a belt whose speed varies"),
+        pytest.param(
+            {"V": "[0.2, 0.3] m/s", "mu0": "[0.36, 0.46]"}, id="a belt whose speed varies"
+        ),
         pytest.param({"theta0": "52 deg sd 0.5 deg"}, id="a normal angle"),
     ],
 )
-def test_bounds_of_the_probability_hold_what_closed_forms_give(tmp_path: Path, rows: dict[str, str]) -> None:
+def test_bounds_of_the_probability_hold_what_closed_forms_give(
+    tmp_path: Path, rows: dict[str, str]
+) -> None:
     """The share of angles, speeds and frictions at which the article's brake jumps, each at the middles of many small steps."""
     study = studied(tmp_path, EXACT | {"theta0": BRAKE["theta0"], "mu0": "[0.34, 0.4]"} | rows)
     low, high = tolerances.bracket(study)
@@ -366,16 +502,24 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert any("no mu0" in one and 'vary = "theta0"' in one for one in found.warnings)
     assert found.states
     assert found.current is None
-    assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)
+    assert all(
+        state.contact_force_N is not None and math.isfinite(state.contact_force_N)
+        for state in found.states
+    )
 
 
 @pytest.mark.thorough
 def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None:
     """North's binary flutter rests where it begins, unstable; the picture of that motion is drawn."""
     linear = BINARY.replace("sin(phi)", "phi")
-    for page, said in ((BINARY, "Small disturbances grow; from far out"), (linear, "Rest is unstable: small disturbances grow.")):
+    for page, said in (
+        (BINARY, "Small disturbances grow; from far out"),
+        (linear, "Rest is unstable: small disturbances grow."),
+    ):
         folder = user_pages.derived(page, "binary")
-        found = ss.Study({"m": 0.35, "k": 1e6, "h": 0.04, "mu0": 0.4, "c": 100.0}, model=str(folder)).report()
+        found = ss.Study(
+            {"m": 0.35, "k": 1e6, "h": 0.04, "mu0": 0.4, "c": 100.0}, model=str(folder)
+        ).report()
         assert "no jump at any mu0" in found.verdict
         assert said in found.verdict
         assert all(row.friction is None for row in found.fold_rows)
@@ -384,7 +528,9 @@ def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None
             ss.cycle(p)
 
 
-def test_where_statics_takes_the_law_at_the_speed_of_the_belt_it_is_given_all_of_mu0(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_where_statics_takes_the_law_at_the_speed_of_the_belt_it_is_given_all_of_mu0(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     study = ss.Study(brake(d=1.0))
     works = tolerances.box(study)[0].mu0
     monkeypatch.setattr(study.kind, "law", {**study.kind.law, "at_rest": "speed"})
@@ -398,7 +544,10 @@ def test_a_belt_that_stands_still_is_refused_also_with_a_tolerance_of_the_fricti
 
 @pytest.mark.thorough
 def test_a_report_follows_the_state_that_was_chosen_and_names_the_other() -> None:
-    small, far = (ss.Study(brake(V=None, d=None), state=state).report(**QUICKLY) for state in (None, {"x": 0.05}))
+    small, far = (
+        ss.Study(brake(V=None, d=None), state=state).report(**QUICKLY)
+        for state in (None, {"x": 0.05})
+    )
     assert math.isfinite(small.mu_jump)
     assert math.isnan(far.mu_jump)
     ((place, end),) = small.others
@@ -421,7 +570,9 @@ def test_a_file_names_the_state(tmp_path: Path) -> None:
 
 
 def test_a_load_that_rises_is_told_in_its_unit(tmp_path: Path) -> None:
-    found = studied(tmp_path, EXACT | {"mu0": "0.4", "vary": "F_L", "begin": "50 N"}).report(**QUICKLY)
+    found = studied(tmp_path, EXACT | {"mu0": "0.4", "vary": "F_L", "begin": "50 N"}).report(
+        **QUICKLY
+    )
     (row,) = [row for row in found.fold_rows if row.value is not None]
     jump = ss.jump_value(found.study.at_work, "kappa", begin=50 / 57000)
     assert found.jump_at == pytest.approx(57000 * jump, rel=1e-9)

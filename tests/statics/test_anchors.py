@@ -29,8 +29,13 @@ def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool)
     assert eq.whole.all()
     for i in range(eq.count.size):
         with mp.workdps(50):
-            want = turned_spring(model.Parameters(**{name: values[i] for name, values in sets.items()}), contact)
-        assert eq.count[i] == len(want), (contact, {name: float(values[i]) for name, values in sets.items()})
+            want = turned_spring(
+                model.Parameters(**{name: values[i] for name, values in sets.items()}), contact
+            )
+        assert eq.count[i] == len(want), (
+            contact,
+            {name: float(values[i]) for name, values in sets.items()},
+        )
         for slot, (x, y) in enumerate(want):
             for value, exact in ((eq.x[i, slot], x), (eq.y[i, slot], y)):
                 assert abs(value - float(exact)) <= eq.error[i, slot] * max(1, abs(value)) + 1e-16
@@ -39,7 +44,9 @@ def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool)
 
 @pytest.mark.parametrize("number", few([2, 24], 2))
 @pytest.mark.parametrize("contact", [True, False])
-def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angle(model: Any, contact: bool, number: int) -> None:
+def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angle(
+    model: Any, contact: bool, number: int
+) -> None:
     rng = np.random.default_rng(14)
     base = model.base
     sets = {name: base[name] * 10.0 ** rng.uniform(-1.5, 1.5, 24)[:number] for name in NAMES[2:]}
@@ -66,9 +73,12 @@ def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> Non
     rng = np.random.default_rng(2)
     n = 40
     common = {
-        "theta0": rng.uniform(0.1, 3.0, n), "mu0": rng.uniform(0, 1.2, n), "kappa": 10.0 ** rng.uniform(-2.5, -0.5, n),
-        "alpha": 10.0 ** rng.uniform(-2.5, -0.5, n), "sigma": 10.0 ** rng.uniform(-1.5, 5.0, n),
-    }  # fmt: skip
+        "theta0": rng.uniform(0.1, 3.0, n),
+        "mu0": rng.uniform(0, 1.2, n),
+        "kappa": 10.0 ** rng.uniform(-2.5, -0.5, n),
+        "alpha": 10.0 ** rng.uniform(-2.5, -0.5, n),
+        "sigma": 10.0 ** rng.uniform(-1.5, 5.0, n),
+    }
     for contact in (True, False):
         eq = ss.equilibria(model.Parameters(**common, tau=0.0, gamma=0.0), contact=contact)
         known = ss.equilibria(ss.Parameters(**common, beta=0.0), contact=contact)
@@ -90,4 +100,7 @@ def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
             assert eq.whole.all()
             with mp.workdps(50):
                 for state in turned_spring(model.Parameters(**p), contact):
-                    assert all(low <= value <= high for value, (low, high) in zip(map(float, state), eq.region, strict=True))
+                    assert all(
+                        low <= value <= high
+                        for value, (low, high) in zip(map(float, state), eq.region, strict=True)
+                    )

@@ -11,7 +11,9 @@ import spragsym as ss
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled, solver
 from tests.oracles.families import EXTREMES, FAMILIES
 
-pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
+pytestmark = pytest.mark.skipif(
+    not compiled.available(), reason="the compiled solver was not built: no C compiler"
+)
 
 
 @pytest.fixture(autouse=True)
@@ -30,7 +32,9 @@ def test_same_counts_and_digits(contact: bool) -> None:
         other = ss.equilibria(p, contact=contact)
         assert (one.count == other.count).all(), name
         assert (one.stability == other.stability).all(), name
-        assert abs(one.escalated.mean() - other.escalated.mean()) < 0.02, name  # the ladder must not hide a mistake
+        assert abs(one.escalated.mean() - other.escalated.mean()) < 0.02, (
+            name
+        )  # the ladder must not hide a mistake
         for part in ("theta", "L", "x", "y"):
             a, b = getattr(one, part), getattr(other, part)
             gap = np.abs(a - b) / np.maximum(1, np.abs(a))
@@ -48,7 +52,9 @@ def test_where_digits_run_out(backend: str) -> None:
         assert eq.count[i] == len(truth)
         for place, exact in enumerate(truth):
             for name in ("theta", "L", "x", "y"):
-                gap = abs(getattr(eq, name)[i, place] - getattr(exact, name)) / max(1, abs(getattr(exact, name)))
+                gap = abs(getattr(eq, name)[i, place] - getattr(exact, name)) / max(
+                    1, abs(getattr(exact, name))
+                )
                 assert gap <= eq.error[i, place] <= 1e-12
 
 

@@ -31,17 +31,25 @@ def _points(number: int) -> Iterator[tuple[float, ...]]:
         yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*NAMES), strict=True))
 
 
-def _truth(state: PreciseEquilibrium, point: tuple[float, ...], contact: bool, digits: int) -> tuple[mpmath.mpf, ...]:
+def _truth(
+    state: PreciseEquilibrium, point: tuple[float, ...], contact: bool, digits: int
+) -> tuple[mpmath.mpf, ...]:
     return reference.refine(state.x, state.y, *point, contact=contact, digits=digits)
 
 
-def _holds(states: tuple[PreciseEquilibrium, ...], point: tuple[float, ...], contact: bool, digits: int) -> float:
+def _holds(
+    states: tuple[PreciseEquilibrium, ...], point: tuple[float, ...], contact: bool, digits: int
+) -> float:
     """Largest share of its bound that an error takes, of the numbers as they stand."""
     share = 0.0
     for state in states:
         with mpmath.workdps(2 * digits + 80):
-            for name, true in zip(NUMBERS, _truth(state, point, contact, 2 * digits + 80), strict=True):
-                share = max(share, float(abs(getattr(state, name) - true) / max(1, abs(true)) / state.error))
+            for name, true in zip(
+                NUMBERS, _truth(state, point, contact, 2 * digits + 80), strict=True
+            ):
+                share = max(
+                    share, float(abs(getattr(state, name) - true) / max(1, abs(true)) / state.error)
+                )
     return share
 
 
@@ -66,7 +74,9 @@ def test_counts_codes_and_errors_of_the_ladder(contact: bool) -> None:
         found = adaptive_precision.equilibria(*point, contact=contact)
         assert not any(state.fold for state in found)
         assert len(found.states) == count(*point)
-        assert [state.theta for state in found.states] == sorted(state.theta for state in found.states)
+        assert [state.theta for state in found.states] == sorted(
+            state.theta for state in found.states
+        )
         assert _holds(found.states, point, contact, 17) <= 1
         for state in found.states:
             assert state.error <= 1e-17
@@ -85,10 +95,16 @@ def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("few_bits")
 def test_a_fold_stands_in_two_slots_within_its_error() -> None:
     """Both folds of the base values, left and right: the double root, the simple one, and what is stable."""
-    fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)}
+    fixed = {
+        name: Fraction(value)
+        for name, value in zip(NAMES[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)
+    }
     with balls.precision(600):
         points = [
-            [_middle(value) for value in (point.parameters[0], point.theta, point.L, point.x, point.y)]
+            [
+                _middle(value)
+                for value in (point.parameters[0], point.theta, point.L, point.x, point.y)
+            ]
             for point in (fold.point for fold in folds.proved_folds("theta0", fixed, 600))
         ]
     assert len(points) == 2
@@ -96,41 +112,62 @@ def test_a_fold_stands_in_two_slots_within_its_error() -> None:
         found = adaptive_precision.equilibria(theta0, *fixed.values())
         assert all(state.fold for state in found)
         assert len(found.states) == 3
-        one, two = next(pair for pair in (found.states[:2], found.states[1:]) if pair[0].theta == pair[1].theta)
+        one, two = next(
+            pair for pair in (found.states[:2], found.states[1:]) if pair[0].theta == pair[1].theta
+        )
         for state in (one, two):
             assert state.error < 1e-17
             for name, value in zip(NUMBERS, true, strict=True):
-                assert abs(as_fraction(getattr(state, name)) - value) <= as_fraction(state.error) * max(1, abs(value))
+                assert abs(as_fraction(getattr(state, name)) - value) <= as_fraction(
+                    state.error
+                ) * max(1, abs(value))
             assert state.stability == 1
         [other] = [state for state in found.states if state.theta != one.theta]
         assert other.stability == 1
-        assert all(abs(value - state) > 0.1 for value, state in ((other.theta, one.theta), (other.x, one.x)))
+        assert all(
+            abs(value - state) > 0.1
+            for value, state in ((other.theta, one.theta), (other.x, one.x))
+        )
 
 
 @pytest.mark.usefixtures("few_bits")
 def test_a_boundary_that_no_bits_settle_is_an_error() -> None:
     """The mass at the anchor, θ = −π/2 and L = 0, but for a difference of preload and stiffness that 128 bits do not see."""
     stiffness = Fraction(1, 2) + Fraction(1, 10**60)
-    with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off"):
+    with pytest.raises(
+        ss.ConvergenceError,
+        match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off",
+    ):
         adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, stiffness, 0, contact=False)
 
 
 @pytest.mark.parametrize("power", [20, 34, 50])
 def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int) -> None:
     """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
-    fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)}
+    fixed = {
+        name: Fraction(value)
+        for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)
+    }
     with balls.precision(600):
-        places = sorted(_middle(fold.point.parameters[0]) for fold in folds.proved_folds("theta0", fixed, 600))
+        places = sorted(
+            _middle(fold.point.parameters[0]) for fold in folds.proved_folds("theta0", fixed, 600)
+        )
     assert len(places) == 2
     for place, side in zip(places, (1, -1), strict=True):
-        outside, inside = place + side * Fraction(1, 10**power), place - side * Fraction(1, 10**power)
+        outside, inside = (
+            place + side * Fraction(1, 10**power),
+            place - side * Fraction(1, 10**power),
+        )
         counts = []
         for theta0 in (outside, inside):
             for digits in (17, 60):
                 found = adaptive_precision.equilibria(theta0, *fixed.values(), digits=digits)
                 assert not any(state.fold for state in found)
                 with mpmath.workprec(700):
-                    point = (mpmath.mpf(theta0.numerator) / theta0.denominator, *map(float, fixed.values()))
+                    point = (
+                        mpmath.mpf(theta0.numerator) / theta0.denominator,
+                        *map(float, fixed.values()),
+                    )
                 assert _holds(found.states, point, True, digits + power) <= 1
                 allowed = mpmath.mpf(10) ** -digits
                 assert all(state.error <= allowed for state in found.states)
@@ -153,12 +190,17 @@ def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(adaptive_precision, "_state", lambda *given: 2 * plain(*given))
     rational = list(map(Fraction, BASE[1:]))
     with balls.precision(128):
-        assert len(adaptive_precision._settle(BASE[0], rational, False, 17, 128, False).states) % 2 == 0
+        assert (
+            len(adaptive_precision._settle(BASE[0], rational, False, 17, 128, False).states) % 2
+            == 0
+        )
         with pytest.raises(Undecided, match="even number"):
             adaptive_precision._settle(BASE[0], rational, True, 17, 128, False)
 
 
-def _states(monkeypatch: pytest.MonkeyPatch, given: list[Any], digits: int, fold: bool = False) -> Any:
+def _states(
+    monkeypatch: pytest.MonkeyPatch, given: list[Any], digits: int, fold: bool = False
+) -> Any:
     monkeypatch.setattr(kernel, "state", lambda *_: tuple(given))
     monkeypatch.setattr(adaptive_precision, "_stability", lambda *_: 1)
     t, values = balls.exact(Fraction(1, 2)), (*[balls.exact(Fraction(1))] * 7, 1)
@@ -166,8 +208,18 @@ def _states(monkeypatch: pytest.MonkeyPatch, given: list[Any], digits: int, fold
 
 
 def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
-    one, minus, open_one = balls.exact(Fraction(1)), balls.exact(Fraction(-1)), balls.between(Fraction(-1), Fraction(1))
-    for L, y, number in ((one, minus, 1), (minus, minus, 0), (one, one, 0), (minus, open_one, 0), (open_one, one, 0)):
+    one, minus, open_one = (
+        balls.exact(Fraction(1)),
+        balls.exact(Fraction(-1)),
+        balls.between(Fraction(-1), Fraction(1)),
+    )
+    for L, y, number in (
+        (one, minus, 1),
+        (minus, minus, 0),
+        (one, one, 0),
+        (minus, open_one, 0),
+        (open_one, one, 0),
+    ):
         assert len(_states(monkeypatch, [L, one, y], 0)) == number
     for L, y in ((open_one, minus), (one, open_one)):
         with pytest.raises(Undecided, match="L or y holds 0"):

@@ -54,13 +54,17 @@ def test_shapes_broadcast() -> None:
     assert one.theta.shape == (3,)
     np.testing.assert_array_equal(eq.theta[1, 2], one.theta)
     assert ss.equilibria(ss.Parameters.article(theta0=np.empty((0, 4)))).theta.shape == (0, 4, 3)
-    assert where(np.arange(2000)[:, None] % 2 > 0, np.ones((1, 1500)), 0.0).sum() == 1000 * 1500  # flags of another shape
+    assert (
+        where(np.arange(2000)[:, None] % 2 > 0, np.ones((1, 1500)), 0.0).sum() == 1000 * 1500
+    )  # flags of another shape
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.int64, np.float64])
 def test_number_types_are_taken_as_float64(dtype: type) -> None:
     eq = ss.equilibria(ss.Parameters(np.array([1, 2], dtype=dtype), 1, 1, 1, 1, 1))
-    np.testing.assert_array_equal(eq.theta, ss.equilibria(ss.Parameters([1.0, 2.0], 1.0, 1.0, 1.0, 1.0, 1.0)).theta)
+    np.testing.assert_array_equal(
+        eq.theta, ss.equilibria(ss.Parameters([1.0, 2.0], 1.0, 1.0, 1.0, 1.0, 1.0)).theta
+    )
 
 
 # ---------------------------------------------------------------------------------------------------- bad input
@@ -82,13 +86,23 @@ def test_number_types_are_taken_as_float64(dtype: type) -> None:
         ({"theta0": True}, ss.ParameterTypeError, ["booleans"]),
         ({"theta0": 1 + 0j}, ss.ParameterTypeError, ["complex"]),
         ({"theta0": [[1.0], [1.0, 2.0]]}, ss.ParameterTypeError, ["theta0", "regular array"]),
-        ({"theta0": np.ma.array([1.0, 2.0], mask=[0, 1])}, ss.ParameterTypeError, ["1 masked", "compressed"]),
-        ({"theta0": [1.0, 1.0], "mu0": [1.0, 1.0, 1.0]}, ss.ParameterError, ["theta0 (2,)", "mu0 (3,)"]),
+        (
+            {"theta0": np.ma.array([1.0, 2.0], mask=[0, 1])},
+            ss.ParameterTypeError,
+            ["1 masked", "compressed"],
+        ),
+        (
+            {"theta0": [1.0, 1.0], "mu0": [1.0, 1.0, 1.0]},
+            ss.ParameterError,
+            ["theta0 (2,)", "mu0 (3,)"],
+        ),
         ({"theta0": 1.0, "gamma": 1.0}, ss.ParameterTypeError, ["gamma", "did you mean sigma"]),
         ({"theta0": 1.0, "kappa": None}, ss.ParameterError, ["kappa is missing"]),
     ],
 )
-def test_bad_input_is_named(changes: dict[str, object], error: type[Exception], words: list[str]) -> None:
+def test_bad_input_is_named(
+    changes: dict[str, object], error: type[Exception], words: list[str]
+) -> None:
     with pytest.raises(error) as caught:
         ss.equilibria(ss.Parameters.article(**changes))
     assert isinstance(caught.value, ss.SpragsymError)
@@ -100,7 +114,9 @@ def test_bad_input_is_named(changes: dict[str, object], error: type[Exception], 
 
 
 def test_physical_parameters_come_back_to_newtons_and_metres() -> None:
-    brake = ss.PhysicalParameters(m=0.4, k=1e5, k_x=9e3, k_y=2e4, k_c=1e6, F_L=350, L_0=0.05, theta0=1.0, mu0=0.5, V=20, d=0.1)
+    brake = ss.PhysicalParameters(
+        m=0.4, k=1e5, k_x=9e3, k_y=2e4, k_c=1e6, F_L=350, L_0=0.05, theta0=1.0, mu0=0.5, V=20, d=0.1
+    )
     eq = ss.equilibria(brake.dimensionless())
     x, y = eq.x[0] * brake.scales.length, eq.y[0] * brake.scales.length
     # Newton's law with dimensions, (1) and (2), written out.
@@ -109,7 +125,9 @@ def test_physical_parameters_come_back_to_newtons_and_metres() -> None:
     N = -1e6 * y
     assert abs(0.5 * N - 1e5 * (0.05 - L) * dx / L - 9e3 * x) < 1e-9 * 350
     assert abs(N - 350 - 1e5 * (0.05 - L) * dy / L - 2e4 * y) < 1e-9 * 350
-    other = ss.PhysicalParameters(m=0.4e3, k=1e2, k_x=9, k_y=20, k_c=1e3, F_L=350, L_0=50, theta0=1.0, mu0=0.5)  # N/mm, mm
+    other = ss.PhysicalParameters(
+        m=0.4e3, k=1e2, k_x=9, k_y=20, k_c=1e3, F_L=350, L_0=50, theta0=1.0, mu0=0.5
+    )  # N/mm, mm
     np.testing.assert_allclose(ss.equilibria(other.dimensionless()).x, eq.x, rtol=1e-13)
     belt = brake.dimensionless()
     assert math.isclose(belt.V * brake.scales.length / brake.scales.time, 20, rel_tol=1e-14)

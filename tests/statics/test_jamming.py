@@ -21,13 +21,17 @@ def test_a_stiff_wall_is_jammed_at_the_closed_form(degrees: float) -> None:
     theta0 = math.radians(degrees)
     away = []
     for kappa in (1e-4, 1e-6, 1e-8):
-        found = ss.folds(ROD.Parameters(theta0=theta0, kappa=kappa), "mu0", between={"mu0": (0.0, 1.5)})
+        found = ss.folds(
+            ROD.Parameters(theta0=theta0, kappa=kappa), "mu0", between={"mu0": (0.0, 1.5)}
+        )
         assert found.complete
         assert len(found) == 1
         away.append(math.tan(theta0) - float(found.mu0[0]))
         assert abs(math.degrees(float(found.phi[0])) - degrees) < 200 * math.sqrt(kappa)
     assert 0 < away[2] < 2e-4
-    assert [one / other for one, other in itertools.pairwise(away)] == pytest.approx([10.0, 10.0], rel=0.05)
+    assert [one / other for one, other in itertools.pairwise(away)] == pytest.approx(
+        [10.0, 10.0], rel=0.05
+    )
 
 
 def test_the_normal_force_below_jamming() -> None:
@@ -52,7 +56,9 @@ def test_folds_of_the_rod_against_its_balance_by_hand() -> None:
             assert len(found) >= 1
             for phi, mu in zip(found.phi, found.mu0, strict=True):
 
-                def balance(angle: mpmath.mpf, mu: mpmath.mpf, theta0: float = theta0) -> mpmath.mpf:
+                def balance(
+                    angle: mpmath.mpf, mu: mpmath.mpf, theta0: float = theta0
+                ) -> mpmath.mpf:
                     push = mpmath.cos(angle) - mpmath.cos(theta0)
                     spring = mpmath.mpf(0.01) * (angle - theta0 + mpmath.mpf(0.1))
                     return spring - push * (mpmath.sin(angle) - mu * mpmath.cos(angle))
@@ -60,7 +66,9 @@ def test_folds_of_the_rod_against_its_balance_by_hand() -> None:
                 def slope(angle: mpmath.mpf, mu: mpmath.mpf) -> mpmath.mpf:
                     return mpmath.diff(lambda one: balance(one, mu), angle)
 
-                root = mpmath.findroot(lambda a, b: (balance(a, b), slope(a, b)), (float(phi), float(mu)))
+                root = mpmath.findroot(
+                    lambda a, b: (balance(a, b), slope(a, b)), (float(phi), float(mu))
+                )
                 assert abs(root[0] - phi) < 1e-11
                 assert abs(root[1] - mu) < 1e-11
 
@@ -80,10 +88,17 @@ def test_the_pad_rests_as_the_mass_of_the_article_on_both_stiffnesses() -> None:
         order, other = np.argsort(pad.x[place, :count]), np.argsort(mass.x[place, :count])
         for name in ("x", "y"):
             np.testing.assert_allclose(
-                getattr(pad, name)[place, order], getattr(mass, name)[place, other], rtol=1e-11, atol=1e-14
+                getattr(pad, name)[place, order],
+                getattr(mass, name)[place, other],
+                rtol=1e-11,
+                atol=1e-14,
             )
-        np.testing.assert_allclose(pad.w[place, order], mass.y[place, other] * row / 4.0, rtol=1e-11)
-        np.testing.assert_allclose(pad.z[place, order] - pad.y[place, order], -0.007 / 0.5, rtol=1e-11)
+        np.testing.assert_allclose(
+            pad.w[place, order], mass.y[place, other] * row / 4.0, rtol=1e-11
+        )
+        np.testing.assert_allclose(
+            pad.z[place, order] - pad.y[place, order], -0.007 / 0.5, rtol=1e-11
+        )
     ours = ss.folds(PAD.Parameters(), "theta0")
     theirs = ss.folds(article.Parameters(**changed), "theta0")
     np.testing.assert_allclose(np.sort(ours.theta0), np.sort(theirs.theta0), rtol=1e-11)

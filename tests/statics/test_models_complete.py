@@ -91,7 +91,15 @@ def test_a_box_that_makes_no_sense(within: Any, error: type[Exception]) -> None:
 @pytest.mark.parametrize(
     "name",
     few(
-        ["kang_nam", "stribeck", "hertz_contact", "trolley", "mode_coupling", "stick_slip", "damped"],
+        [
+            "kang_nam",
+            "stribeck",
+            "hertz_contact",
+            "trolley",
+            "mode_coupling",
+            "stick_slip",
+            "damped",
+        ],
         "stick_slip",
     ),
 )

@@ -32,7 +32,10 @@ def models() -> dict[str, Any]:
 def closed(hand: Any, found: Any, model: Any, p: Any, vary: tuple[str, ...]) -> bool:
     """Whether all gaps are."""
     q = [getattr(found, name) for name in model.coordinates]
-    at = {**{name: getattr(p, name) for name in model.parameters}, **{name: getattr(found, name) for name in vary}}
+    at = {
+        **{name: getattr(p, name) for name in model.parameters},
+        **{name: getattr(found, name) for name in vary},
+    }
     return bool((np.asarray(hand.gap(q, at)) <= 0).all())
 
 
@@ -95,7 +98,11 @@ def test_a_state_on_the_border_says_so(models: dict[str, Any]) -> None:
     p = model.Parameters(kappa=0.0, mu0=0.0)
     for contact in (True, False):
         eq = ss.equilibria(p, contact=contact)
-        at_zero = [box for box in eq.undecided if all(low <= 0 <= high for low, high in zip(box.low, box.high, strict=True))]
+        at_zero = [
+            box
+            for box in eq.undecided
+            if all(low <= 0 <= high for low, high in zip(box.low, box.high, strict=True))
+        ]
         assert at_zero
         assert not eq.complete
         assert any("just touches" in text for text in eq.remarks)
@@ -147,7 +154,9 @@ def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
     # 0.2 (phi − 0.5) = 0.2 (0.3 − 2 phi/(1 + phi²) − 0.3 phi²), times 1 + phi²; depth + depth³ = 0.2
     roots = np.roots([0.3, 1, 0.3 - 0.8, 3, -0.8])
     assert eq.decided
-    assert eq.phi[: int(eq.count)] == pytest.approx(np.sort(roots.real[np.abs(roots.imag) < 1e-9]), rel=1e-12)
+    assert eq.phi[: int(eq.count)] == pytest.approx(
+        np.sort(roots.real[np.abs(roots.imag) < 1e-9]), rel=1e-12
+    )
 
 
 @pytest.mark.thorough

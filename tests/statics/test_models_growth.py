@@ -23,7 +23,10 @@ def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[
 
     given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
     q = np.array([[eq.coordinates[name][slot]] for name in model.coordinates])
-    M, C, K = (mpmath.matrix(part[0].tolist()) for part in linearization(Balance(model, eq.contact), q, given))
+    M, C, K = (
+        mpmath.matrix(part[0].tolist())
+        for part in linearization(Balance(model, eq.contact), q, given)
+    )
     n = M.rows
     with mpmath.workdps(40):
         A = mpmath.zeros(2 * n)
@@ -47,8 +50,12 @@ def test_the_sign_of_the_growth_is_right(name: str, method: str) -> None:
     model, rng = ss.load(name), np.random.default_rng(5)
     seen = set()
     for _ in range(8):
-        values = {key: float(base * 10 ** rng.uniform(-0.7, 0.7)) for key, base in model.base.items()}
-        values |= {key: float(rng.uniform(0.1, 3.0)) for key in model.parameters if key.startswith("theta")}
+        values = {
+            key: float(base * 10 ** rng.uniform(-0.7, 0.7)) for key, base in model.base.items()
+        }
+        values |= {
+            key: float(rng.uniform(0.1, 3.0)) for key in model.parameters if key.startswith("theta")
+        }
         p = model.Parameters(**values)
         for contact in (True, False) if model.about["contact"]["unilateral"] else (True,):
             eq = ss.equilibria(p, contact=contact, method=method)
@@ -65,7 +72,9 @@ def test_the_sign_of_the_growth_is_right(name: str, method: str) -> None:
 def test_zieglers_paradox() -> None:
     """The article's states at 30°, by the command that docs/reproduction.md names beside each number."""
     for mu0, state, word, growth in PARADOX:
-        told = CliRunner().invoke(cli, ["equilibria", "--theta0", "30", "--mu0", str(mu0), "--json"])
+        told = CliRunner().invoke(
+            cli, ["equilibria", "--theta0", "30", "--mu0", str(mu0), "--json"]
+        )
         rows = [row for row in json.loads(told.stdout)["equilibria"] if row["state"] == "contact"]
         row = rows[0] if state == "before the jump" else rows[-1]
         assert (row["stability"], row["damped"]) == (word, "neutral")
@@ -114,11 +123,18 @@ def test_growth_is_proved_though_the_slope_of_the_law_is_not_told_from_0(mu0: fl
     page = shipped_page("mode_coupling", law, ("Abs, Page, exp, sgn", "Page, tanh"))
     eq = ss.equilibria(model_of(page, "mode_coupling_tanh").Parameters(mu0=[mu0], V=1.0, d=100.0))
     K = np.array([[1.3 + 0.25, mu0 - 0.25], [-0.25, 1.25]])
-    assert eq.growth[0, 0] == pytest.approx(np.sqrt(-np.linalg.eigvals(K).astype(complex)).real.max(), rel=1e-9)
+    assert eq.growth[0, 0] == pytest.approx(
+        np.sqrt(-np.linalg.eigvals(K).astype(complex)).real.max(), rel=1e-9
+    )
     assert (eq.growth_sign[0, 0], eq.damped[0, 0]) == (1, "grows")
 
 
 def test_what_no_float_holds_neither_grows_nor_decays() -> None:
     rates = np.array([np.nan, -1.0, 1.0, 1e-5])
     every = (rates + 1j)[:, None]
-    assert Linearized(rates, np.zeros(4, dtype=np.int8), every).damped.tolist() == ["", "decays", "grows", "neutral"]
+    assert Linearized(rates, np.zeros(4, dtype=np.int8), every).damped.tolist() == [
+        "",
+        "decays",
+        "grows",
+        "neutral",
+    ]

@@ -33,7 +33,11 @@ def padded(values, slots, empty=np.nan):
 
 
 @pytest.mark.parametrize(
-    "family", few(("random", "ends", "right_angle", "frictionless", "false_double_root", "equal_stiffness"), "right_angle")
+    "family",
+    few(
+        ("random", "ends", "right_angle", "frictionless", "false_double_root", "equal_stiffness"),
+        "right_angle",
+    ),
 )
 def test_the_articles_model_through_the_general_way(family):
     p = getattr(families, family)(np.random.default_rng(1), 60)
@@ -54,32 +58,47 @@ def test_the_articles_model_through_the_general_way(family):
 DEGREES = np.radians(np.linspace(5, 175, 20))
 FOLD = float(ss.folds(ss.Parameters.article()).theta0[0])
 ALIKE = [
-    ("kang_nam", {"theta0": DEGREES}, {}, True), ("kang_nam", {"theta0": DEGREES, "alpha": 0.7, "mu0": 0.9}, {}, True),
-    ("two_springs", {"theta0": DEGREES}, {"sigma_2": 0.0}, True), ("cubic_contact", {"theta0": DEGREES}, {"gamma": 0.0}, True),
+    ("kang_nam", {"theta0": DEGREES}, {}, True),
+    ("kang_nam", {"theta0": DEGREES, "alpha": 0.7, "mu0": 0.9}, {}, True),
+    ("two_springs", {"theta0": DEGREES}, {"sigma_2": 0.0}, True),
+    ("cubic_contact", {"theta0": DEGREES}, {"gamma": 0.0}, True),
     ("inclined_belt", {"theta0": DEGREES}, {"gamma_g": 0.0}, True),
     ("damped", {"theta0": DEGREES}, {"zeta_x": 0.0, "zeta_y": 0.0, "zeta_s": 0.0}, True),
     ("kang_nam", {"theta0": np.radians([20.0, 90.0, 160.0]), "kappa": 1e-4}, {}, False),
     ("hertz_contact", {"theta0": 0.8, "alpha": 0.0}, {}, False),
-    *(("kang_nam", {"theta0": FOLD * np.array([1 - off, 1 + off])}, {}, True) for off in (1e-6, 1e-10, 1e-14)),
-]  # fmt: skip
+    *(
+        ("kang_nam", {"theta0": FOLD * np.array([1 - off, 1 + off])}, {}, True)
+        for off in (1e-6, 1e-10, 1e-14)
+    ),
+]
 
 
 @pytest.mark.parametrize(("name", "given", "more", "contact"), ALIKE)
 def test_states_are_those_of_the_closed_forms(name, given, more, contact):
     p = ss.Parameters.article(**given)
-    eq, known = ss.equilibria(same_parameters(name, p, **more), contact=contact), ss.equilibria(p, contact=contact)
+    eq, known = (
+        ss.equilibria(same_parameters(name, p, **more), contact=contact),
+        ss.equilibria(p, contact=contact),
+    )
     assert eq.complete
     assert eq.whole.all()
     assert (eq.count == known.count).all()
     slots = known.x.shape[-1]
     order = np.argsort(known.x, axis=-1)
-    assert np.allclose(padded(eq.x, slots), np.take_along_axis(known.x, order, axis=-1), atol=1e-12, equal_nan=True)
+    assert np.allclose(
+        padded(eq.x, slots), np.take_along_axis(known.x, order, axis=-1), atol=1e-12, equal_nan=True
+    )
     assert np.nanmax(eq.error) <= 1e-12
     if name == "hertz_contact":  # K in contact is not the article's
         return
-    assert (padded(eq.stability, slots, 0) == np.take_along_axis(known.stability, order, axis=-1)).all()
+    assert (
+        padded(eq.stability, slots, 0) == np.take_along_axis(known.stability, order, axis=-1)
+    ).all()
     if name == "kang_nam":
-        got, want = (np.sort_complex(np.nan_to_num(one.eigenvalues.reshape(-1)).round(9)) for one in (eq, known))
+        got, want = (
+            np.sort_complex(np.nan_to_num(one.eigenvalues.reshape(-1)).round(9))
+            for one in (eq, known)
+        )
         assert np.allclose(got[got != 0], want[want != 0], atol=1e-8)
         assert "alpha" not in given or (known.stability == ss.Stability.FLUTTER).any()
 
@@ -88,10 +107,14 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", ["cubic_contact", "hertz_contact", "inclined_belt", "trolley", "two_springs"])
+@pytest.mark.parametrize(
+    "name", ["cubic_contact", "hertz_contact", "inclined_belt", "trolley", "two_springs"]
+)
 def test_pages_against_forces_by_hand_in_40_digits(name):
     for changes in ({"theta0": 0.6}, {"theta0": 1.3, "mu0": 0.22, "beta": 0.1}):
-        outcome = by_hand.equilibria(model(name), DRAWN[name], model(name).base | changes, True, np.random.default_rng(1))
+        outcome = by_hand.equilibria(
+            model(name), DRAWN[name], model(name).base | changes, True, np.random.default_rng(1)
+        )
         assert (outcome["wrong"], outcome["undecided"]) == ([], 0)
 
 
@@ -112,21 +135,40 @@ def test_linear_models_in_closed_form():
 # ----------------------------------------------------------------------------------------- folds, cusps, flutter
 
 
-@pytest.mark.parametrize(("ask", "vary", "fixed", "options"), [
-    ("folds", "theta0", {"mu0": 0.5}, {}), ("folds", "mu0", {"theta0": 1.0472}, {}), ("folds", "kappa", {"theta0": 1.0}, {}),
-    pytest.param("folds", "theta0", {"mu0": 1e-7, "alpha": 0.0}, {}, marks=pytest.mark.thorough),  # its pitchforks are folds
-    ("flutter_onsets", "theta0", {"alpha": 0.7}, {"damping": False}),
-    pytest.param("cusps", ("theta0", "mu0"), {}, {"between": {"mu0": (0.0, 2.0)}}, marks=pytest.mark.thorough),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("ask", "vary", "fixed", "options"),
+    [
+        ("folds", "theta0", {"mu0": 0.5}, {}),
+        ("folds", "mu0", {"theta0": 1.0472}, {}),
+        ("folds", "kappa", {"theta0": 1.0}, {}),
+        pytest.param(
+            "folds", "theta0", {"mu0": 1e-7, "alpha": 0.0}, {}, marks=pytest.mark.thorough
+        ),  # its pitchforks are folds
+        ("flutter_onsets", "theta0", {"alpha": 0.7}, {"damping": False}),
+        pytest.param(
+            "cusps",
+            ("theta0", "mu0"),
+            {},
+            {"between": {"mu0": (0.0, 2.0)}},
+            marks=pytest.mark.thorough,
+        ),
+    ],
+)
 def test_points_are_those_of_the_closed_forms(ask, vary, fixed, options):
     p, names = ss.Parameters.article(**fixed), [vary] if isinstance(vary, str) else [*vary]
     known = ss.cusps(p) if ask == "cusps" else getattr(ss, ask)(p, vary, **options)
-    found = getattr(ss, ask)(model("kang_nam").Parameters(**{"theta0": 1.0} | fixed), vary, **options)
-    wanted = np.logical_and.reduce([(getattr(known, name) > 0) & (getattr(known, name) < 10) for name in names])
+    found = getattr(ss, ask)(
+        model("kang_nam").Parameters(**{"theta0": 1.0} | fixed), vary, **options
+    )
+    wanted = np.logical_and.reduce(
+        [(getattr(known, name) > 0) & (getattr(known, name) < 10) for name in names]
+    )
     assert found.decided
     assert found.whole
     for name in (*names, "x", "y"):
-        assert np.allclose(getattr(found, name), getattr(known, name)[wanted], atol=2e-12, rtol=1e-12)
+        assert np.allclose(
+            getattr(found, name), getattr(known, name)[wanted], atol=2e-12, rtol=1e-12
+        )
     assert set(found.kind) == {{"folds": "fold", "flutter_onsets": "flutter", "cusps": "cusp"}[ask]}
     assert found.error.max() < 1e-12
 
@@ -145,7 +187,11 @@ def test_cusps_of_a_law_whose_stiffness_has_no_slope_at_the_border():
 
 @pytest.mark.thorough
 def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
-    family = Family.of(model("kang_nam").Parameters(), ("theta0", "mu0"), {"theta0": (0.0, np.pi), "mu0": (0.0, 2.0)})
+    family = Family.of(
+        model("kang_nam").Parameters(),
+        ("theta0", "mu0"),
+        {"theta0": (0.0, np.pi), "mu0": (0.0, 2.0)},
+    )
     found = points.search(family, cusp(column=1))
     assert found.roots.point.size == 2
     cusps = singularities.told_apart(family, found, column=1)
@@ -171,10 +217,12 @@ def test_hopf_points_with_dampers_are_where_a_pair_crosses():
 @pytest.mark.parametrize(
     ("name", "more", "to"),  # each takes seconds, and the first lies before 1.5
     [
-        ("kang_nam", {}, np.pi), ("inclined_belt", {"gamma_g": 0.0}, 1.5), ("trolley", {}, 1.5),
+        ("kang_nam", {}, np.pi),
+        ("inclined_belt", {"gamma_g": 0.0}, 1.5),
+        ("trolley", {}, 1.5),
         ("two_springs", {"sigma_2": 0.0}, 1.5),
     ],
-)  # fmt: skip
+)
 def test_pitchforks_of_a_mirrored_model_are_the_articles(name, more, to):
     known = ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0))
     assert known.kind.tolist() == ["pitchfork"] * 2
@@ -190,21 +238,34 @@ def test_pitchforks_of_a_mirrored_model_are_the_articles(name, more, to):
 
 def forces_without_friction(name, p, q):
     """Forces and the image of the state, by the generated functions alone."""
-    values = dict(zip(Balance(model(name), contact=True).codes, model(name).arguments(p, "motion"), strict=True))
-    statics, given = model(name).algebra, [values[part] for part in model(name).about["arguments"]["statics"]]
+    values = dict(
+        zip(
+            Balance(model(name), contact=True).codes,
+            model(name).arguments(p, "motion"),
+            strict=True,
+        )
+    )
+    statics, given = (
+        model(name).algebra,
+        [values[part] for part in model(name).about["arguments"]["statics"]],
+    )
     directions = []
     for dx, dy, _ in statics.geometry(*q, *given):
         directions += [dx / np.hypot(dx, dy), dy / np.hypot(dx, dy), np.hypot(dx, dy)]
     return np.array(statics.forces(*q, *directions, *given, 0.0, 1)), statics.mirror(*q, *given)
 
 
-@pytest.mark.parametrize("name", ["kang_nam", "trolley", "hertz_contact", "inclined_belt", "two_springs"])
+@pytest.mark.parametrize(
+    "name", ["kang_nam", "trolley", "hertz_contact", "inclined_belt", "two_springs"]
+)
 def test_the_mirror_turns_the_forces(name):
     about = model(name).about["mirror"]
     signs = np.array([-1 if part in about["turned"] else 1 for part in model(name).coordinates])
     q = np.random.default_rng(3).uniform(-0.4, -0.1, signs.size)
     for zero in about["zero"]:
-        p = model(name).Parameters(theta0=0.9, **dict.fromkeys((part for part in zero if part != "mu"), 0.0))
+        p = model(name).Parameters(
+            theta0=0.9, **dict.fromkeys((part for part in zero if part != "mu"), 0.0)
+        )
         here, image = forces_without_friction(name, p, q)
         there, _ = forces_without_friction(name, p, image)
         assert np.allclose(there, signs * here, atol=1e-14)
@@ -222,10 +283,15 @@ def growth_beside(name, p, vary, found, row, off=1e-5):
 
 @pytest.mark.parametrize(
     ("name", "vary", "number"),
-    [("kang_nam", "mu0", 3), ("kang_nam", "kappa", 0), ("kang_nam", "d", 0),
-     pytest.param("two_springs", "theta0", 3, marks=pytest.mark.thorough),
-     ("stribeck", "theta0", 0), pytest.param("trolley", "mu0", 7, marks=pytest.mark.thorough)],
-)  # fmt: skip
+    [
+        ("kang_nam", "mu0", 3),
+        ("kang_nam", "kappa", 0),
+        ("kang_nam", "d", 0),
+        pytest.param("two_springs", "theta0", 3, marks=pytest.mark.thorough),
+        ("stribeck", "theta0", 0),
+        pytest.param("trolley", "mu0", 7, marks=pytest.mark.thorough),
+    ],
+)
 def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, number):
     # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
     more = {"mu_s": 0.0, "mu_k": 0.0} if name == "stribeck" else {"d": 1.0} if vary != "d" else {}
@@ -233,7 +299,11 @@ def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, n
     found = ss.flutter_onsets(p, vary)
     assert found.decided
     assert len(found) == number
-    crossed = [growth_beside(name, p, vary, found, row) for row in range(number) if getattr(found, vary)[row] > 1e-3]
+    crossed = [
+        growth_beside(name, p, vary, found, row)
+        for row in range(number)
+        if getattr(found, vary)[row] > 1e-3
+    ]
     # One of the pairs crosses; where another grows already, the largest growth says nothing.
     assert number == 0 or any(before * behind < 0 for before, behind in crossed)
 
@@ -254,15 +324,22 @@ def same_path(vary, values, start, **changes):
     found = ss.quasi_static_path(p, vary, values, start=start)
     assert np.allclose(found.x, known.x, atol=1e-9)
     assert (found.stability == known.stability).all()
-    assert np.allclose([jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12)
+    assert np.allclose(
+        [jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12
+    )
     return found
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("mu0", "start", "beside"), [
-    (0.7, "small", (-0.5, 0.0, 0.4)), (0.7, "large", (-0.1, -1e-10, 1e-10)),
-    (0.0, "small", (-1e-9, 0.0, 1e-9)), (0.0, "small", (1e-9, 0.0, -1e-9)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("mu0", "start", "beside"),
+    [
+        (0.7, "small", (-0.5, 0.0, 0.4)),
+        (0.7, "large", (-0.1, -1e-10, 1e-10)),
+        (0.0, "small", (-1e-9, 0.0, 1e-9)),
+        (0.0, "small", (1e-9, 0.0, -1e-9)),
+    ],
+)
 def test_a_value_on_a_fold_is_the_fold_not_passed_yet(mu0, start, beside):
     # The state that arrives at the fold is the one in which two have met; the jump comes beyond it. The search finds the closed
     # form's value within its error only, and takes it for the fold all the same. At a pitchfork nothing jumps.

@@ -23,21 +23,31 @@ def test_bounds_hold_at_any_precision() -> None:
         shares = worst_shares(point, (1, 2, 15, 16, 17, 40, 50, 333))
         assert max(shares.values()) <= 1, (point, shares)
     for point, precisions, contact in (
-        ((0.5, 0.5, 0.007, 0.007, 0.1, 0.0), (1, 1000), True), ((0.5, 0.5, 0.008, 0.008, 0.125, 0.0), (1, 8, 40, 150), False),
+        ((0.5, 0.5, 0.007, 0.007, 0.1, 0.0), (1, 1000), True),
+        ((0.5, 0.5, 0.008, 0.008, 0.125, 0.0), (1, 8, 40, 150), False),
         ((1.25, 0.0, 0.5, 0.25, 1.0, 0.5), (1, 8, 40, 150), False),
-    ):  # fmt: skip
+    ):
         assert max(worst_shares(point, precisions, contact=contact).values()) <= 1
 
 
 @pytest.mark.parametrize(
     ("mu0", "alpha", "contact"),
     [(0, 0, True), (0, "0.3", False), ("0.5", 0, False), (0, 1, True)],
-    ids=["no friction, no stiffness along the belt", "a = 0 in lift-off", "lift-off without it", "alpha = 1 + beta"],
+    ids=[
+        "no friction, no stiffness along the belt",
+        "a = 0 in lift-off",
+        "lift-off without it",
+        "alpha = 1 + beta",
+    ],
 )
-def test_more_digits_where_a_factor_is_even(mu0: int | str, alpha: int | str, contact: bool) -> None:
+def test_more_digits_where_a_factor_is_even(
+    mu0: int | str, alpha: int | str, contact: bool
+) -> None:
     """Where one factor of the quartic in t is t² − 1 or another without a linear term."""
     sigma, beta = 1, "0.3" if alpha == "0.3" else 0
-    assert precise.equilibria(theta0=1, mu0=mu0, kappa="0.4", alpha=alpha, sigma=sigma, beta=beta, contact=contact, dps=30)
+    assert precise.equilibria(
+        theta0=1, mu0=mu0, kappa="0.4", alpha=alpha, sigma=sigma, beta=beta, contact=contact, dps=30
+    )
 
 
 # ----------------------------------------------------------------------------------------------- global precisions
@@ -48,11 +58,13 @@ def _everything() -> dict[str, Any]:
     p = ss.Parameters.article(theta0=0.8)
     wedge = cusp_wedge(np.random.default_rng(5), 12)
     found = {
-        "escalated": [ss.equilibria(wedge)], "sums": [ss.equilibria(wedge, contact=False)], "cusps": [ss.cusps(p)],
+        "escalated": [ss.equilibria(wedge)],
+        "sums": [ss.equilibria(wedge, contact=False)],
+        "cusps": [ss.cusps(p)],
         "folds": [ss.folds(p, "theta0"), ss.folds(p, "mu0")],
         **{f"precise {dps}": precise.equilibria(theta0_deg=30, dps=dps) for dps in (5, 50, 200)},
         "precise cusps": precise.cusps(dps=33).cusps,
-    }  # fmt: skip
+    }
     return {name: repr([_bits(one) for one in many]) for name, many in found.items()}
 
 
@@ -60,7 +72,10 @@ def _bits(value: Any) -> Any:
     if isinstance(value, mpmath.mpf):
         return value._mpf_
     if isinstance(value, ss.Equilibria):
-        return [_bits(getattr(value, name)) for name in ("count", "theta", "L", "x", "y", "error", "stability")]
+        return [
+            _bits(getattr(value, name))
+            for name in ("count", "theta", "L", "x", "y", "error", "stability")
+        ]
     if dataclasses.is_dataclass(value):
         return [_bits(part) for part in vars(value).values()]
     if isinstance(value, dict):
@@ -80,7 +95,11 @@ def test_no_precision_is_touched(monkeypatch: pytest.MonkeyPatch) -> None:
         for name in ("prec", "dps"):
             owner = next(one for one in type(context).__mro__ if name in vars(one))
             getter = vars(owner)[name]
-            monkeypatch.setattr(owner, name, property(getattr(getter, "fget", None) or (lambda _, value=getter: value), refuse))
+            monkeypatch.setattr(
+                owner,
+                name,
+                property(getattr(getter, "fget", None) or (lambda _, value=getter: value), refuse),
+            )
     with pytest.raises(AssertionError, match="is set"):
         mpmath.mp.prec = 70
     assert _everything() == expected

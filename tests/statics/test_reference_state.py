@@ -23,7 +23,11 @@ def test_the_rod_is_followed_from_the_state_whose_spring_is_turned_least(angle: 
     theta0 = math.radians(angle)
     p = model.Parameters(theta0=theta0, mu0=0.0)
     eq = ss.equilibria(p)
-    stable = [float(phi) for phi, kind in zip(eq.phi, eq.stability, strict=True) if kind == ss.Stability.STABLE]
+    stable = [
+        float(phi)
+        for phi, kind in zip(eq.phi, eq.stability, strict=True)
+        if kind == ss.Stability.STABLE
+    ]
     least = min(stable, key=lambda phi: strained(theta0, phi, p))
     assert least > 0 > min(stable, key=abs)
     path = ss.quasi_static_path(p, "mu0", [0.0])
@@ -36,10 +40,12 @@ def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float
     rng = np.random.default_rng(7)
     size = 400
     given = {
-        "theta0": rng.uniform(0.01, 3.13, size), "kappa": 10 ** rng.uniform(-4, 0.5, size),
-        "alpha": rng.choice([0.0, 0.01], size), "sigma": 10 ** rng.uniform(-3, 1, size),
+        "theta0": rng.uniform(0.01, 3.13, size),
+        "kappa": 10 ** rng.uniform(-4, 0.5, size),
+        "alpha": rng.choice([0.0, 0.01], size),
+        "sigma": 10 ** rng.uniform(-3, 1, size),
         "beta": 10 ** rng.uniform(-4, 1, size),
-    }  # fmt: skip
+    }
     p = ss.Parameters(mu0=friction, **given)
     eq = ss.equilibria(p)
     slot = reference_state(eq)
@@ -62,6 +68,8 @@ def test_another_state_is_followed_where_it_is_chosen() -> None:
     assert ss.certify(other, other, "no jump").outcome == "proved"
     article = ss.Parameters.article(theta0=0.5, mu0=0.6)
     far = article.following(x=1.8)
-    assert ss.quasi_static_path(far, "mu0", [0.0, 0.3]).x[0] == pytest.approx(ss.equilibria(article.replace(mu0=0.0)).x[2])
+    assert ss.quasi_static_path(far, "mu0", [0.0, 0.3]).x[0] == pytest.approx(
+        ss.equilibria(article.replace(mu0=0.0)).x[2]
+    )
     assert pickle.loads(pickle.dumps(far)) == far  # noqa: S301  # written here
     assert far != article

@@ -34,6 +34,11 @@ def test_slots_are_the_same_alone_within_an_array_and_for_motions() -> None:
     assert (eq.count == 3).all()
     assert (np.diff(eq.y) > 0.1).all()  # x = 0 in all of them, to rounding
     for row in range(12):
-        np.testing.assert_allclose(ss.equilibria(p.replace(h=float(p.h[row]))).y, eq.y[row], atol=1e-12)
+        np.testing.assert_allclose(
+            ss.equilibria(p.replace(h=float(p.h[row]))).y, eq.y[row], atol=1e-12
+        )
     for slot in (0, 2):
-        assert ss.rms_sweep(p, x0=0.0, y0=eq.y[:, slot], t_end=20.0).equilibrium.tolist() == [slot] * 12
+        assert (
+            ss.rms_sweep(p, x0=0.0, y0=eq.y[:, slot], t_end=20.0).equilibrium.tolist()
+            == [slot] * 12
+        )

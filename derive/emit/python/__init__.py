@@ -12,11 +12,18 @@ _RUNTIME = Path(__file__).parent / "runtime"
 
 
 def render(
-    modules: tuple[Module, ...], quantities: Mapping[str, Quantity], solver: Source, arithmetic: Source, digest: str, header: str
+    modules: tuple[Module, ...],
+    quantities: Mapping[str, Quantity],
+    solver: Source,
+    arithmetic: Source,
+    digest: str,
+    header: str,
 ) -> dict[str, str]:
     """A package: one module for each of the catalogue's, double-double numbers, and what stands beside them."""
     return {
-        "__init__.py": _package(modules, {"kernel": solver, "double_double": arithmetic}, digest, header),
+        "__init__.py": _package(
+            modules, {"kernel": solver, "double_double": arithmetic}, digest, header
+        ),
         "py.typed": "",
         **{f"{module.name}.py": algebra.render(module, quantities, header) for module in modules},
         **{name: beside(name, header) for name in ("_broadcast.py", "_cube_root.py", "_where.py")},
@@ -29,11 +36,15 @@ def beside(name: str, header: str) -> str:
     return (_RUNTIME / name).read_text(encoding="utf-8").replace("@header@", header)
 
 
-def _package(modules: tuple[Module, ...], sources: Mapping[str, Source], digest: str, header: str) -> str:
+def _package(
+    modules: tuple[Module, ...], sources: Mapping[str, Source], digest: str, header: str
+) -> str:
     """The package's docstring, which lists its modules, and the hash by which results say what they were computed with."""
     summaries = {module.name: module.summary for module in modules}
     summaries |= {name: source.summary for name, source in sources.items()}
-    summaries["quantities"] = "What every name stands for, its unit, its allowed values and its value in the article."
+    summaries["quantities"] = (
+        "What every name stands for, its unit, its allowed values and its value in the article."
+    )
     listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
     return (
         f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n\n{header}\n"""\n\n'

@@ -18,9 +18,16 @@ from ..statements import Body, straight_line
 #: What is printed: algebra, and functions by their names.
 KNOWN = (sp.Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
-    sp.exp: "exp", sp.log: "log", sp.tanh: "tanh", sp.atan: "atan", sp.cos: "cos", sp.sin: "sin", sp.atan2: "atan2",
-    sp.Abs: "abs", sp.sign: "sign",
-}  # fmt: skip
+    sp.exp: "exp",
+    sp.log: "log",
+    sp.tanh: "tanh",
+    sp.atan: "atan",
+    sp.cos: "cos",
+    sp.sin: "sin",
+    sp.atan2: "atan2",
+    sp.Abs: "abs",
+    sp.sign: "sign",
+}
 
 _WIDTH = 126
 
@@ -67,16 +74,24 @@ class AlgebraPrinter(StrPrinter):
     def _print(self, expression: Any, **options: Any) -> str:
         # The printer of SymPy writes whatever it is given, under SymPy's name for it.
         if not isinstance(expression, (*KNOWN, *BY_NAME)):
-            raise ArithmeticError(f"{type(expression).__name__} is no function that code is written for: {expression}")
+            raise ArithmeticError(
+                f"{type(expression).__name__} is no function that code is written for: {expression}"
+            )
         return str(super()._print(expression, **options))
 
     def _print_Rational(self, expression: sp.Rational) -> str:
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float, which some are exactly.
-        if expression.q & (expression.q - 1) == 0 and abs(expression.p) < 2**53 and expression.q < 2**53:
+        if (
+            expression.q & (expression.q - 1) == 0
+            and abs(expression.p) < 2**53
+            and expression.q < 2**53
+        ):
             return repr(expression.p / expression.q)
         if self.one:
             return f"({expression.p}*{self.one}/{expression.q})"
-        raise RoundedError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
+        raise RoundedError(
+            f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator"
+        )
 
     def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:
         constant, rest = expression.as_coeff_Add()
@@ -89,9 +104,13 @@ class AlgebraPrinter(StrPrinter):
         if expression.exp == -1:
             return str(super()._print_Pow(expression, rational=rational))
         if abs(expression.exp.p) != 1 or not expression.exp.is_Rational:
-            raise ArithmeticError(f"{expression} is not a reciprocal or a root: powers are products by now")
+            raise ArithmeticError(
+                f"{expression} is not a reciprocal or a root: powers are products by now"
+            )
         base, order = expression.base, expression.exp.q  # of what is not negative; of 0, exp(−∞)
-        root = self.call("sqrt", base) if order == 2 else f"xp.exp({self.call('log', base)}/{order})"
+        root = (
+            self.call("sqrt", base) if order == 2 else f"xp.exp({self.call('log', base)}/{order})"
+        )
         return root if expression.exp > 0 else f"1/{root}"
 
     def _print_Function(self, expression: sp.Function) -> str:
@@ -109,25 +128,53 @@ class AlgebraPrinter(StrPrinter):
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
     """Source text of one generated module: its symbols with meanings and units once, then its functions."""
-    meanings = {name: it.meaning + (f" [{it.unit}]" if it.unit != "1" else "") for name, it in quantities.items()}
-    return whole(module, meanings, header, ["from ._broadcast import broadcasting"], map(definition, module.functions))
+    meanings = {
+        name: it.meaning + (f" [{it.unit}]" if it.unit != "1" else "")
+        for name, it in quantities.items()
+    }
+    return whole(
+        module,
+        meanings,
+        header,
+        ["from ._broadcast import broadcasting"],
+        map(definition, module.functions),
+    )
 
 
-def whole(module: Module, meanings: Mapping[str, str], header: str, imports: list[str], definitions: Iterable[str]) -> str:
+def whole(
+    module: Module,
+    meanings: Mapping[str, str],
+    header: str,
+    imports: list[str],
+    definitions: Iterable[str],
+) -> str:
     """A module: what it is, what its symbols are, imports and functions; at its foot these get the shape of their results."""
     body = list(definitions)
     if any("xp=numpy" in text for text in body):
         imports = ["import numpy", "", *imports]
-    symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
-    table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ") for name in symbols)
-    summary, table = (text.replace("\\", r"\\").replace('""', r'"\"') for text in (module.summary, table))
+    symbols = dict.fromkeys(
+        str(symbol) for function in module.functions for symbol in function.accepted
+    )
+    table = "\n".join(
+        textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ")
+        for name in symbols
+    )
+    summary, table = (
+        text.replace("\\", r"\\").replace('""', r'"\"') for text in (module.summary, table)
+    )
     said = f'"""{summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""\n\n'
-    return said + "\n\n\n".join(["\n".join(imports), *body, "__all__ = broadcasting(globals())"]) + "\n"
+    return (
+        said
+        + "\n\n\n".join(["\n".join(imports), *body, "__all__ = broadcasting(globals())"])
+        + "\n"
+    )
 
 
 def listed(opening: str, items: Iterable[str], closing: str) -> str:
     """A list between brackets, on as many lines as it needs."""
-    inside = textwrap.fill(", ".join(items), _WIDTH - 2, initial_indent="    ", subsequent_indent="    ")
+    inside = textwrap.fill(
+        ", ".join(items), _WIDTH - 2, initial_indent="    ", subsequent_indent="    "
+    )
     return f"{opening}\n{inside},\n{closing}"
 
 
@@ -141,7 +188,9 @@ def definition(function: Function, called: str = "") -> str:
     signature = f"def {function.name}({', '.join(arguments)}):"
     if len(signature) > _WIDTH:
         signature = listed(f"def {function.name}(", arguments, "):")
-    return "\n".join([signature, textwrap.indent(_docstring(function, body.operations), "    "), *statements])
+    return "\n".join(
+        [signature, textwrap.indent(_docstring(function, body.operations), "    "), *statements]
+    )
 
 
 def _statements(function: Function, body: Body) -> list[str]:
@@ -152,13 +201,18 @@ def _statements(function: Function, body: Body) -> list[str]:
         if not function.accepted:
             raise
     printer = AlgebraPrinter(body, "_one")
-    return [_wrap(f"    {printer.one} = 0*({' + '.join(map(str, function.accepted))}) + 1"), *_printed(printer)]
+    return [
+        _wrap(f"    {printer.one} = 0*({' + '.join(map(str, function.accepted))}) + 1"),
+        *_printed(printer),
+    ]
 
 
 def _printed(printer: AlgebraPrinter) -> list[str]:
     assigned = [
         # A square is always a whole right side.
-        _wrap(f"    {symbol} = {printer.square(it.base) if it.is_Pow and it.exp == 2 else printer.doprint(it)}")
+        _wrap(
+            f"    {symbol} = {printer.square(it.base) if it.is_Pow and it.exp == 2 else printer.doprint(it)}"
+        )
         for symbol, it in printer.body.statements
     ]
     return [*assigned, _return(printer.body.results, printer)]
@@ -169,7 +223,11 @@ def _return(results: Results, printer: AlgebraPrinter) -> str:
     line = f"    return {nested(results, '()', printer.doprint)}"
     if len(line) <= _WIDTH or not isinstance(results, tuple):
         return _wrap(line)
-    return "    return (\n" + "".join(f"{_wrap(' ' * 8 + nested(item, '()', printer.doprint))},\n" for item in results) + "    )"
+    return (
+        "    return (\n"
+        + "".join(f"{_wrap(' ' * 8 + nested(item, '()', printer.doprint))},\n" for item in results)
+        + "    )"
+    )
 
 
 def _wrap(line: str) -> str:
@@ -180,8 +238,14 @@ def _wrap(line: str) -> str:
     head, separator, rest = line.strip().rpartition(" = ")
     if line.strip().startswith("return "):
         head, separator, rest = "return", " ", line.strip().removeprefix("return ")
-    pieces = textwrap.wrap(rest, _WIDTH - len(indent) - 4, break_long_words=False, break_on_hyphens=False)
-    return f"{indent}{head}{separator}(\n" + "\n".join(f"{indent}    {piece}" for piece in pieces) + f"\n{indent})"
+    pieces = textwrap.wrap(
+        rest, _WIDTH - len(indent) - 4, break_long_words=False, break_on_hyphens=False
+    )
+    return (
+        f"{indent}{head}{separator}(\n"
+        + "\n".join(f"{indent}    {piece}" for piece in pieces)
+        + f"\n{indent})"
+    )
 
 
 def _docstring(function: Function, operations: int) -> str:

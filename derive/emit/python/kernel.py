@@ -11,7 +11,9 @@ from ..language import Kinds, Source, definitions
 _PRIMITIVES = {"maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt"}
 
 
-def render(source: Source, counts: Mapping[str, float], modules: Iterable[Module], header: str) -> str:
+def render(
+    source: Source, counts: Mapping[str, float], modules: Iterable[Module], header: str
+) -> str:
     """``generated/kernel.py``: functions of floats and of arrays of any float type."""
     tree = ast.parse(source.text)
     kinds = Kinds(source)
@@ -19,10 +21,14 @@ def render(source: Source, counts: Mapping[str, float], modules: Iterable[Module
     homes = {function.name: module.name for module in modules for function in module.functions}
     used = sorted((homes[name], name) for name in called if name in homes)
     bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
-    imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
+    imports = "\n".join(
+        f"from . import {home} as _{home}" for home in sorted({home for home, _ in used})
+    )
     counted = "\n".join(f"{name} = {value!r}" for name, value in counts.items())
     leading = ast.unparse(source.routines["rough"].body[-1])
-    code = definitions(source.text).replace(f"    {leading}\n", '    return getattr(x, "high", x)\n', 1)
+    code = definitions(source.text).replace(
+        f"    {leading}\n", '    return getattr(x, "high", x)\n', 1
+    )
     return (
         f"{_docstring(tree, header)}"
         "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
@@ -36,7 +42,11 @@ def render(source: Source, counts: Mapping[str, float], modules: Iterable[Module
 
 def arithmetic(source: Source, header: str) -> str:
     """``generated/double_double.py``: operations on numbers of two floats each, or arrays of such."""
-    used = [name for name in _PRIMITIVES if any(name in Kinds(source).calls(it) for it in source.routines.values())]
+    used = [
+        name
+        for name in _PRIMITIVES
+        if any(name in Kinds(source).calls(it) for it in source.routines.values())
+    ]
     return (
         f"{_docstring(ast.parse(source.text), header)}"
         "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"

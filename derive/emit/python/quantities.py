@@ -27,9 +27,16 @@ class Quantity(NamedTuple):
 '''
 
 
-def render(quantities: Mapping[str, Quantity], parameters: tuple[str, ...], base_values: Mapping[str, float], header: str) -> str:
+def render(
+    quantities: Mapping[str, Quantity],
+    parameters: tuple[str, ...],
+    base_values: Mapping[str, float],
+    header: str,
+) -> str:
     """``generated/quantities.py``."""
-    entries = "".join(f"    {name!r}: {_entry(quantity)},\n" for name, quantity in quantities.items())
+    entries = "".join(
+        f"    {name!r}: {_entry(quantity)},\n" for name, quantity in quantities.items()
+    )
     base = "".join(f"    {name!r}: {value!r},\n" for name, value in base_values.items())
     return (
         f'"""What every name stands for, its unit, its allowed values and its value in the article.\n\n{header}\n"""\n'
@@ -42,7 +49,9 @@ def render(quantities: Mapping[str, Quantity], parameters: tuple[str, ...], base
 
 def _entry(quantity: Quantity) -> str:
     allowed = quantity.interval
-    ends = f"{_number(allowed.low)}, {_number(allowed.high)}, {allowed.low_open}, {allowed.high_open}"
+    ends = (
+        f"{_number(allowed.low)}, {_number(allowed.high)}, {allowed.low_open}, {allowed.high_open}"
+    )
     return f"Quantity({quantity.article!r}, {quantity.meaning!r}, {quantity.scale or quantity.unit!r}, {ends})"
 
 

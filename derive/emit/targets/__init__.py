@@ -34,7 +34,9 @@ class Variable:
     name: str
     meaning: str
     unit: str = ""
-    dimension: tuple[Fraction, ...] = (Fraction(0),) * 4  #: of the unit: powers of kilogram, metre, second and radian
+    dimension: tuple[Fraction, ...] = (
+        Fraction(0),
+    ) * 4  #: of the unit: powers of kilogram, metre, second and radian
     factor: float = 1.0  #: one of the unit in SI
     powers: tuple[float, ...] = ()  #: of the units of measure in what is 1 inside
     nominal: float = 1.0  #: what is 1 inside, in its unit
@@ -49,9 +51,13 @@ class Motion:
     time: Variable
     states: tuple[Variable, ...]  #: coordinates, then their rates
     accelerations: tuple[Variable, ...]
-    given: tuple[Variable, ...]  #: parameters in their order, then units of measure where there are any
+    given: tuple[
+        Variable, ...
+    ]  #: parameters in their order, then units of measure where there are any
     step: float  #: between two samples, in the unit of time
-    borders: tuple[str, ...]  #: where it is not smooth: ``gap`` that opens, ``slip``, ``ahead``, ``behind`` of friction, turnings
+    borders: tuple[
+        str, ...
+    ]  #: where it is not smooth: ``gap`` that opens, ``slip``, ``ahead``, ``behind`` of friction, turnings
     rooted: bool  #: whether the contact law has no values without contact
 
 
@@ -61,20 +67,28 @@ class Material:
 
     modules: tuple[tuple[Definition, ...], ...]
     quantities: Mapping[str, Quantity]  #: by their names in code
-    parameters: tuple[str, ...]  #: of the dimensionless model, in the order in which functions take them
+    parameters: tuple[
+        str, ...
+    ]  #: of the dimensionless model, in the order in which functions take them
     base_values: Mapping[str, float]
-    public: tuple[str, ...]  #: functions of the algebra that a library in another language offers to its callers
+    public: tuple[
+        str, ...
+    ]  #: functions of the algebra that a library in another language offers to its callers
     digest: str  #: SHA-256 of what it is made of
     header: str  #: one sentence for the head of every file: where it comes from
     library: str = "spragsym"  #: names of files and functions begin with it in languages without modules of their own
     summary: str = ""  #: one sentence: what the library computes
     kernel: Source = NOTHING
-    counts: Mapping[str, float] = field(default_factory=dict)  #: counts of roundings that the kernel's error bounds name
+    counts: Mapping[str, float] = field(
+        default_factory=dict
+    )  #: counts of roundings that the kernel's error bounds name
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     angles: Angles = field(default_factory=dict)
     of_a_page: bool = False  #: whether names are a page's, each of which ends with an underscore, and not known here
-    asked: tuple[str, ...] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
+    asked: tuple[
+        str, ...
+    ] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
     motion: Motion | None = None  #: of a page
@@ -133,4 +147,7 @@ def taken(function: Definition, angles: Angles) -> list[str]:
 def ranges(material: Material) -> dict[str, Interval]:
     """The allowed values of the parameters, and of what the algebra takes besides."""
     further = symbols(material.algebra.values()).keys() - set(material.parameters)
-    return {name: material.quantities[name].interval for name in (*material.parameters, *sorted(further))}
+    return {
+        name: material.quantities[name].interval
+        for name in (*material.parameters, *sorted(further))
+    }

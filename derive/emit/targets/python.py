@@ -29,10 +29,21 @@ def _abs(u):
 def render(material: Material, module: str, where: str, names: Mapping[str, str]) -> dict[str, str]:
     """A module of the library's name."""
     functions = material.algebra.values()
-    known = {name: material.quantities[name].meaning for it in functions for name in taken(it, material.angles)}
-    table = "\n".join(textwrap.fill(f"{name} : {known[name]}", _WIDTH, subsequent_indent="    ") for name in sorted(known))
-    said = f"{material.summary}\n\n{table}\n\n{material.header}".replace("\\", r"\\").replace('""', r'"\"')
-    head = _HEAD.format(module=module, where=where, parameters=material.parameters, base=dict(material.base_values))
+    known = {
+        name: material.quantities[name].meaning
+        for it in functions
+        for name in taken(it, material.angles)
+    }
+    table = "\n".join(
+        textwrap.fill(f"{name} : {known[name]}", _WIDTH, subsequent_indent="    ")
+        for name in sorted(known)
+    )
+    said = f"{material.summary}\n\n{table}\n\n{material.header}".replace("\\", r"\\").replace(
+        '""', r'"\"'
+    )
+    head = _HEAD.format(
+        module=module, where=where, parameters=material.parameters, base=dict(material.base_values)
+    )
     called = {"abs": "_abs", "sign": "_sign"}
     ports = {name: called.get(name, f"xp.{name}") for name in NAMES} | dict(names)
     body = "\n\n\n".join(_function(function, material.angles, ports) for function in functions)
@@ -42,14 +53,21 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
 def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) -> str:
     names = taken(function, angles)
     given = [*names, *(f"{name}=0" for name in function.further)]
-    said = (
-        f'"""{function.summary} Returns {function.returns}. Source: {function.equations}. Operations: {function.operations}."""'
-    )
-    turned = [(parts[-2:], angle) for angle, parts in angles.items() if angle in names and {*parts[-2:]} & function.read]
+    said = f'"""{function.summary} Returns {function.returns}. Source: {function.equations}. Operations: {function.operations}."""'
+    turned = [
+        (parts[-2:], angle)
+        for angle, parts in angles.items()
+        if angle in names and {*parts[-2:]} & function.read
+    ]
     lines = [
         f"def {function.name}({', '.join(given)}):",
-        textwrap.indent(textwrap.fill(said, _WIDTH, break_long_words=False, break_on_hyphens=False), "    "),
-        *(f"    {cosine}, {sine} = xp.cos({angle}), xp.sin({angle})" for (cosine, sine), angle in turned),
+        textwrap.indent(
+            textwrap.fill(said, _WIDTH, break_long_words=False, break_on_hyphens=False), "    "
+        ),
+        *(
+            f"    {cosine}, {sine} = xp.cos({angle}), xp.sin({angle})"
+            for (cosine, sine), angle in turned
+        ),
         *(f"    {name} = {ported(value, ports)}" for name, value in function.statements),
         f"    return {nested(function.results, '[]', lambda leaf: ported(leaf, ports))}",
     ]

@@ -8,4 +8,6 @@ __all__ = ["Function", "Module", "modules"]
 
 def modules() -> tuple[Module, ...]:
     """Everything that is generated."""
-    return tuple(part.module() for part in (equilibrium, stability, catastrophe, linear_sprag, laws))
+    return tuple(
+        part.module() for part in (equilibrium, stability, catastrophe, linear_sprag, laws)
+    )

@@ -37,4 +37,6 @@ def in_contact() -> Names:
 def further(listed: Symbols, result: sp.Expr) -> Symbols:
     """Speeds, and parameters of a changed model, on which the result depends and which are not among the arguments ``listed``."""
     free = result.free_symbols - set(listed)
-    return tuple(symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free)
+    return tuple(
+        symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free
+    )

@@ -7,7 +7,15 @@ from ...emit.function import Function, Module
 from .. import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
 from . import lowest_fold
-from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, POINT, WITHOUT_FRICTION, require_same, in_contact
+from .arrangement import (
+    ANGLE,
+    ANGLE0,
+    F_COEFFICIENTS,
+    POINT,
+    WITHOUT_FRICTION,
+    require_same,
+    in_contact,
+)
 
 
 def _line(relation: sp.Expr, symbol: sp.Symbol) -> Pair:
@@ -21,8 +29,13 @@ def _line(relation: sp.Expr, symbol: sp.Symbol) -> Pair:
 def module() -> Module:
     contact = in_contact()
     s0, c0 = catastrophe.fold_angles()
-    spelled = [sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()]
-    friction = tuple(value.subs(nm.M, nm.mu0) for value in (sp.factor_terms(s0), c0.subs(nm.s0, s0)))
+    spelled = [
+        sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT))
+        for relation in catastrophe.fold_residuals()
+    ]
+    friction = tuple(
+        value.subs(nm.M, nm.mu0) for value in (sp.factor_terms(s0), c0.subs(nm.s0, s0))
+    )
     quartic, quartic_names = catastrophe.fold_quartic()
     events, events_without_alpha, conic_names, line_names = _fold_events()
     sextic, sextic_names = _fold_sextic()
@@ -33,61 +46,182 @@ def module() -> Module:
         "catastrophe",
         "The equilibrium surface, its folds (f = f′ = 0) and cusps (f″ = 0 as well), in contact.",
         (
-            Function("surface", "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.", "(14), (15)",
-                     (*ANGLE, *ANGLE0, *WITHOUT_FRICTION), catastrophe.surface_in_coefficients(), "mu0",
-                     contact),
-            Function("fold_lines_mu0", "The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0.", "f = f′ = 0",
-                     (*ANGLE, *ANGLE0, *WITHOUT_FRICTION), tuple(part for it in spelled for part in _line(it, nm.mu0)),
-                     "u1, w1, u2, w2"),
-            Function("fold_angles", "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.", "f = f′ = 0",
-                     (*ANGLE, *nm.PARAMETERS), friction, "sin0, cos0", contact),
-            Function("fold_sine", "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.", "f = f′ = 0",
-                     (*ANGLE, *nm.PARAMETERS), friction[0], "sin0", contact),
-            Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
-                     "f = f′ = 0", (*ANGLE, *WITHOUT_FRICTION), quartic, "e0, e1, e2, e3, e4",
-                     {**contact, **quartic_names}),
-            Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
-                     "f = f′ = 0", (*ANGLE, *WITHOUT_FRICTION), catastrophe.fold_conic(), "E0, E1, E2, Ec", contact),
-            Function("fold_events", "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
-                     "where one has μ₀ = 0. Needs α > 0.", "f = f′ = 0", (nm.s, *WITHOUT_FRICTION), events,
-                     "meeting, border, frictionless", {**contact, **conic_names}),
-            Function("fold_events_without_alpha", "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where "
-                     "they meet at π/2.", "f = f′ = 0", (nm.s, nm.kappa, nm.sigma, nm.beta), events_without_alpha,
-                     "meeting, border, middle",
-                     {name: sp.sympify(value).subs({nm.p: nm.sigma, nm.alpha: 0}) for name, value in {**contact, **line_names}.items()}),
-            Function("fold_quadratic", "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.", "f = f′ = 0",
-                     (*ANGLE, nm.kappa, nm.sigma, nm.beta),
-                     tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
-                     "e0, e1, e2", contact),
-            Function("f_changes", "Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.", "(12), (13) eliminated",
-                     POINT, _changes(), "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
-                     contact),
-            Function("f_in_differences", "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
-                     "together: over a box of parameters, or near small deformation, little is lost.", "(12), (13) eliminated",
-                     (*ANGLE, *POINT), _in_differences(), "f, f′, f_μ₀, f′_μ₀", contact),
-            Function("fold_sextic", "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
-                     "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.", "f = f′ = 0",
-                     (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v), sextic, "e0, …, e6", sextic_names),
-            Function("fold_cubics", "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold "
-                     "through θ at friction μ₀.", "f = f′ = 0", nm.PARAMETERS, _fold_cubics(), "(S0, …, S6), (C0, …, C6)",
-                     contact),
-            Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
-                     "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", WITHOUT_FRICTION,
-                     cusp_polynomial, "e0, …, e9", cusp_names),
-            Function("cusp_cubic", "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.", "f = f′ = f″ = 0",
-                     (nm.kappa, nm.sigma, nm.beta), tuple(map(sp.factor, catastrophe.cusp_cubic())), "e0, e1, e2, e3",
-                     contact),
-            Function("cusp_point", "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
-                     "f = f′ = f″ = 0", (nm.s, *WITHOUT_FRICTION), (cusp_s0, cusp_ratio, cusp_mu),
-                     "sin0, cos0/cos, mu0/cos", contact),
-            Function("unfolding", "∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.", "f = f′ = 0",
-                     (*ANGLE, *POINT), _unfolding(), "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
-                     contact),
-            Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
-                     (nm.s, *WITHOUT_FRICTION), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
+            Function(
+                "surface",
+                "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.",
+                "(14), (15)",
+                (*ANGLE, *ANGLE0, *WITHOUT_FRICTION),
+                catastrophe.surface_in_coefficients(),
+                "mu0",
+                contact,
+            ),
+            Function(
+                "fold_lines_mu0",
+                "The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0.",
+                "f = f′ = 0",
+                (*ANGLE, *ANGLE0, *WITHOUT_FRICTION),
+                tuple(part for it in spelled for part in _line(it, nm.mu0)),
+                "u1, w1, u2, w2",
+            ),
+            Function(
+                "fold_angles",
+                "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.",
+                "f = f′ = 0",
+                (*ANGLE, *nm.PARAMETERS),
+                friction,
+                "sin0, cos0",
+                contact,
+            ),
+            Function(
+                "fold_sine",
+                "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.",
+                "f = f′ = 0",
+                (*ANGLE, *nm.PARAMETERS),
+                friction[0],
+                "sin0",
+                contact,
+            ),
+            Function(
+                "fold_quartic",
+                "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
+                "f = f′ = 0",
+                (*ANGLE, *WITHOUT_FRICTION),
+                quartic,
+                "e0, e1, e2, e3, e4",
+                {**contact, **quartic_names},
+            ),
+            Function(
+                "fold_conic",
+                "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
+                "f = f′ = 0",
+                (*ANGLE, *WITHOUT_FRICTION),
+                catastrophe.fold_conic(),
+                "E0, E1, E2, Ec",
+                contact,
+            ),
+            Function(
+                "fold_events",
+                "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
+                "where one has μ₀ = 0. Needs α > 0.",
+                "f = f′ = 0",
+                (nm.s, *WITHOUT_FRICTION),
+                events,
+                "meeting, border, frictionless",
+                {**contact, **conic_names},
+            ),
+            Function(
+                "fold_events_without_alpha",
+                "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where "
+                "they meet at π/2.",
+                "f = f′ = 0",
+                (nm.s, nm.kappa, nm.sigma, nm.beta),
+                events_without_alpha,
+                "meeting, border, middle",
+                {
+                    name: sp.sympify(value).subs({nm.p: nm.sigma, nm.alpha: 0})
+                    for name, value in {**contact, **line_names}.items()
+                },
+            ),
+            Function(
+                "fold_quadratic",
+                "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.",
+                "f = f′ = 0",
+                (*ANGLE, nm.kappa, nm.sigma, nm.beta),
+                tuple(
+                    sp.factor(value.subs({nm.p: nm.sigma}))
+                    for value in catastrophe.fold_quadratic()
+                ),
+                "e0, e1, e2",
+                contact,
+            ),
+            Function(
+                "f_changes",
+                "Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.",
+                "(12), (13) eliminated",
+                POINT,
+                _changes(),
+                "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
+                contact,
+            ),
+            Function(
+                "f_in_differences",
+                "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
+                "together: over a box of parameters, or near small deformation, little is lost.",
+                "(12), (13) eliminated",
+                (*ANGLE, *POINT),
+                _in_differences(),
+                "f, f′, f_μ₀, f′_μ₀",
+                contact,
+            ),
+            Function(
+                "fold_sextic",
+                "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
+                "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.",
+                "f = f′ = 0",
+                (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v),
+                sextic,
+                "e0, …, e6",
+                sextic_names,
+            ),
+            Function(
+                "fold_cubics",
+                "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold "
+                "through θ at friction μ₀.",
+                "f = f′ = 0",
+                nm.PARAMETERS,
+                _fold_cubics(),
+                "(S0, …, S6), (C0, …, C6)",
+                contact,
+            ),
+            Function(
+                "cusp_polynomial",
+                "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
+                "Needs α > 0 and α ≠ 1 + β.",
+                "f = f′ = f″ = 0",
+                WITHOUT_FRICTION,
+                cusp_polynomial,
+                "e0, …, e9",
+                cusp_names,
+            ),
+            Function(
+                "cusp_cubic",
+                "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.",
+                "f = f′ = f″ = 0",
+                (nm.kappa, nm.sigma, nm.beta),
+                tuple(map(sp.factor, catastrophe.cusp_cubic())),
+                "e0, e1, e2, e3",
+                contact,
+            ),
+            Function(
+                "cusp_point",
+                "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
+                "f = f′ = f″ = 0",
+                (nm.s, *WITHOUT_FRICTION),
+                (cusp_s0, cusp_ratio, cusp_mu),
+                "sin0, cos0/cos, mu0/cos",
+                contact,
+            ),
+            Function(
+                "unfolding",
+                "∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.",
+                "f = f′ = 0",
+                (*ANGLE, *POINT),
+                _unfolding(),
+                "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
+                contact,
+            ),
+            Function(
+                "cusp_sine",
+                "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.",
+                "f = f′ = f″ = 0",
+                (nm.s, *WITHOUT_FRICTION),
+                (cusp_s0, cusp_mu),
+                "sin0, mu0/cos",
+                contact,
+            ),
             *lowest_fold.functions(),
         ),
-    )  # fmt: skip
+    )
 
 
 def _fold_events() -> tuple[Row, Row, Names, Names]:
@@ -105,16 +239,28 @@ def _fold_events() -> tuple[Row, Row, Names, Names]:
         Q: 72 * product * middle + 36 * e1**2 * middle - 216 * e1**2 * e0 - 2 * middle**3,
     }
     sine, cosine = nm.fa * nm.s**3 - nm.kappa * nm.p, nm.fa * (1 - nm.s**2)
-    rest = (nm.q * nm.alpha * sine) ** 2 + (1 - nm.s**2) * (nm.p * nm.B * cosine) ** 2 - (nm.p * nm.B * nm.q * nm.alpha) ** 2
+    rest = (
+        (nm.q * nm.alpha * sine) ** 2
+        + (1 - nm.s**2) * (nm.p * nm.B * cosine) ** 2
+        - (nm.p * nm.B * nm.q * nm.alpha) ** 2
+    )
     names = {**kept, square: (last / nm.c) ** 2 * (1 - nm.s**2), **parts}
     events = (4 * P**3 - Q**2, product, rest)
     derived = catastrophe.fold_events((e0, e1, e2, square))
     require_same("meetings of folds, and their borders", events[:2], derived[:2], parts)
     require_same("folds without friction", events[2:], derived[2:], elimination.f_coefficients())
     s, k, B = nm.s, nm.kappa, nm.B  # e0 + e1 + e2, in which little is lost
-    at_middle = nm.sigma * (k**2 + (1 - s) * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s)))
+    at_middle = nm.sigma * (
+        k**2
+        + (1 - s)
+        * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s))
+    )
     spelled = {**kept, nm.fa: nm.sigma * nm.B, nm.p: nm.sigma}
-    require_same("folds at θ₀ = π/2", (at_middle,), ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(nm.alpha, 0),))
+    require_same(
+        "folds at θ₀ = π/2",
+        (at_middle,),
+        ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(nm.alpha, 0),),
+    )
     without_alpha = (e1**2 - 4 * e0 * e2, e0, at_middle)
     return events, without_alpha, names, kept
 
@@ -125,8 +271,14 @@ def _changes() -> tuple[Row, ...]:
     for parameter in (nm.theta0, *nm.PARAMETERS):
         row = []
         for symbol in F_COEFFICIENTS:
-            value = equilibrium.spell_out(elimination.f_coefficients()[symbol]).subs(equilibrium.CONTACT)
-            change = unit_circles.by_inclination(value) if parameter == nm.theta0 else sp.diff(value, parameter)
+            value = equilibrium.spell_out(elimination.f_coefficients()[symbol]).subs(
+                equilibrium.CONTACT
+            )
+            change = (
+                unit_circles.by_inclination(value)
+                if parameter == nm.theta0
+                else sp.diff(value, parameter)
+            )
             row.append(sp.factor_terms(change))
         rows.append(tuple(row))
     return tuple(rows)
@@ -135,7 +287,9 @@ def _changes() -> tuple[Row, ...]:
 def _in_differences() -> Row:
     """q sin θ F_x as a sum over springs: the inclined one, the one along the belt, and friction."""
     if not all(step.holds for step in theorem.smallest_without_friction()):
-        raise ArithmeticError("the reference state without friction is not what certificates over boxes take it to be")
+        raise ArithmeticError(
+            "the reference state without friction is not what certificates over boxes take it to be"
+        )
     c, s, c0, s0, B = nm.c, nm.s, nm.c0, nm.s0, nm.B
     rise, push = B * (s - s0) - nm.kappa, -(nm.sigma * (s - s0) + nm.kappa)
     along = B * (s * c0 - c * s0) + nm.sigma * s * (c0 - c) - nm.kappa * c
@@ -145,7 +299,12 @@ def _in_differences() -> Row:
     slope = nm.sigma * (B * c**2 - s * rise) + nm.alpha * along_slope + nm.mu0 * friction_slope
     f = equilibrium.spell_out(elimination.f_in_parameters()).subs(equilibrium.CONTACT)
     by_friction = sp.diff(f, nm.mu0)
-    derived = (f, unit_circles.rotate_derivative(f), by_friction, unit_circles.rotate_derivative(by_friction))
+    derived = (
+        f,
+        unit_circles.rotate_derivative(f),
+        by_friction,
+        unit_circles.rotate_derivative(by_friction),
+    )
     arranged = (value, slope, friction, friction_slope)
     require_same("f in differences", arranged, derived, in_contact())
     return arranged
@@ -153,11 +312,19 @@ def _in_differences() -> Row:
 
 def _fold_sextic() -> tuple[Row, Names]:
     """In the six minors of the coefficients of f and of f_v: c³ ab − s³ ad + s² am − bd + s (2 − s²) bm + s² c dm."""
-    pairs = (("ab", nm.fa, nm.fb), ("ad", nm.fa, nm.fd), ("am", nm.fa, nm.fm), ("bd", nm.fb, nm.fd), ("bm", nm.fb, nm.fm),
-             ("dm", nm.fd, nm.fm))  # fmt: skip
+    pairs = (
+        ("ab", nm.fa, nm.fb),
+        ("ad", nm.fa, nm.fd),
+        ("am", nm.fa, nm.fm),
+        ("bd", nm.fb, nm.fd),
+        ("bm", nm.fb, nm.fm),
+        ("dm", nm.fd, nm.fm),
+    )
     change = catastrophe.CHANGE
     ab, ad, am, bd, bm, dm = (sp.Symbol(name) for name, _, _ in pairs)
-    names = {sp.Symbol(name): one * change[other] - other * change[one] for name, one, other in pairs}
+    names = {
+        sp.Symbol(name): one * change[other] - other * change[one] for name, one, other in pairs
+    }
     sextic = (
         ab - bd,
         4 * bm,
@@ -189,9 +356,13 @@ def _unfolding() -> tuple[Pair, ...]:
     """How f and f′ in contact change with each parameter: what makes a cusp a versal one."""
     pairs = []
     for row in _changes():
-        change = elimination.f_form.subs(dict(zip(F_COEFFICIENTS, row, strict=True)), simultaneous=True)
+        change = elimination.f_form.subs(
+            dict(zip(F_COEFFICIENTS, row, strict=True)), simultaneous=True
+        )
         pair = change, unit_circles.rotate_derivative(change)
-        pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair))
+        pairs.append(
+            tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair)
+        )
     return tuple(pairs)
 
 
@@ -210,11 +381,15 @@ def _cusp_polynomial() -> tuple[Row, Names]:
     }
     S, first = 3 * s**2 - 2, nm.fa * s**3 - k * (3 * s**2 - 2)
     second = g0 * (1 - s**2) + g1 * (s - sp.Rational(3, 2) * s**3) + g4 * s**4
-    expanded = sp.expand((r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4)
+    expanded = sp.expand(
+        (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4
+    )
     coefficients = sp.Poly(expanded, s).all_coeffs()[::-1]
     local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
     derived = catastrophe.cusp_polynomial()
     require_same("cusp polynomial", tuple(coefficients), (*derived, sp.S.Zero), local)
     # Each as a polynomial with integer coefficients over an integer.
     quotients = (sp.fraction(sp.together(value)) for value in coefficients[:10])
-    return tuple(sp.factor_terms(sp.expand(numerator)) / denominator for numerator, denominator in quotients), names
+    return tuple(
+        sp.factor_terms(sp.expand(numerator)) / denominator for numerator, denominator in quotients
+    ), names

@@ -13,9 +13,23 @@ def module() -> Module:
         "laws",
         "The length of the inclined spring, and the friction law.",
         (
-            Function("spring_length", "Length of the inclined spring.", "(6) corrected", (nm.x, nm.y, *ANGLE0), length, "L",
-                     further=further((nm.x, nm.y), length)),
-            Function("friction", "The friction coefficient at the speed x' of the mass.", "(10)", speeds, friction, "mu",
-                     further=further(speeds, friction)),
+            Function(
+                "spring_length",
+                "Length of the inclined spring.",
+                "(6) corrected",
+                (nm.x, nm.y, *ANGLE0),
+                length,
+                "L",
+                further=further((nm.x, nm.y), length),
+            ),
+            Function(
+                "friction",
+                "The friction coefficient at the speed x' of the mass.",
+                "(10)",
+                speeds,
+                friction,
+                "mu",
+                further=further(speeds, friction),
+            ),
         ),
-    )  # fmt: skip
+    )

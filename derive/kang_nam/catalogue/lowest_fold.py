@@ -21,11 +21,32 @@ def functions() -> tuple[Function, ...]:
     weight, constant, along = lowest_fold.turning_line()
     cosine = sp.factor_terms(constant + along * nm.s0) / weight
     return (
-        Function("turning_polynomial", "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at which the "
-                 "curve of folds turns back in μ₀. Needs α > 0.", "f = f′ = f_θ₀ = 0", WITHOUT_FRICTION,
-                 lowest_fold.turning_polynomial(), "e0, …, e9", in_contact()),
-        Function("turning_sine", "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.", "f = f′ = f_θ₀ = 0",
-                 (nm.s, *WITHOUT_FRICTION), (-outer, upper), "numerator, denominator", names),
-        Function("turning_cosine", "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.", "f = f_θ₀ = 0",
-                 (nm.s, nm.s0, *WITHOUT_FRICTION), cosine, "cos cos0", in_contact()),
-    )  # fmt: skip
+        Function(
+            "turning_polynomial",
+            "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at which the "
+            "curve of folds turns back in μ₀. Needs α > 0.",
+            "f = f′ = f_θ₀ = 0",
+            WITHOUT_FRICTION,
+            lowest_fold.turning_polynomial(),
+            "e0, …, e9",
+            in_contact(),
+        ),
+        Function(
+            "turning_sine",
+            "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.",
+            "f = f′ = f_θ₀ = 0",
+            (nm.s, *WITHOUT_FRICTION),
+            (-outer, upper),
+            "numerator, denominator",
+            names,
+        ),
+        Function(
+            "turning_cosine",
+            "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.",
+            "f = f_θ₀ = 0",
+            (nm.s, nm.s0, *WITHOUT_FRICTION),
+            cosine,
+            "cos cos0",
+            in_contact(),
+        ),
+    )

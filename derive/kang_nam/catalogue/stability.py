@@ -6,17 +6,28 @@ from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
 from .. import stability
 from .. import nomenclature as nm
-from .arrangement import ANGLE, ANGLE0, STIFFNESS, WITHOUT_FRICTION, further, require_same, in_contact, shorthands
+from .arrangement import (
+    ANGLE,
+    ANGLE0,
+    STIFFNESS,
+    WITHOUT_FRICTION,
+    further,
+    require_same,
+    in_contact,
+    shorthands,
+)
 
 
 def module() -> Module:
     contact = in_contact()
     K = stability.stiffness()
     pull = nm.sigma / nm.L
-    arranged = sp.Matrix([
-        [nm.p - pull * nm.s**2, pull * nm.s * nm.c + nm.M],
-        [pull * nm.s * nm.c, nm.q - pull * nm.c**2],
-    ])  # fmt: skip
+    arranged = sp.Matrix(
+        [
+            [nm.p - pull * nm.s**2, pull * nm.s * nm.c + nm.M],
+            [pull * nm.s * nm.c, nm.q - pull * nm.c**2],
+        ]
+    )
     require_same("K (28)", tuple(arranged), tuple(K))
     entries = (nm.K11, nm.K12, nm.K21, nm.K22)
     generic, C = sp.Matrix(2, 2, entries), stability.damping()
@@ -31,40 +42,122 @@ def module() -> Module:
         "stability",
         "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
         (
-            Function("stiffness", "K, the Jacobian of (F_x, F_y).", "(28)",
-                     (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar), rows(arranged), "((K11, K12), (K21, K22))",
-                     shorthands()),
-            Function("invariants", "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
-                     "(27)", entries, (generic.trace(), determinant, stability.flutter_discriminant(generic)),
-                     "trace, determinant, discriminant"),
-            Function("damping", "∂F_x/∂x' at steady sliding.", "(8), (10) linearized",
-                     tuple(symbol for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar) if C[0, 0].has(symbol)),
-                     C[0, 0], "C11", further=further((), C[0, 0])),
-            Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
-                     "(27) with damping", (*entries, nm.C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
-            Function("reference_lines", "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",
-                     "(14), (15)", at_friction, stability.reference_lines(), "u1, w1, u2, w2", contact),
-            Function("flutter_quadratic", "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.",
-                     "(27)", (*ANGLE, nm.mu0, *STIFFNESS), stability.flutter_quadratic(), "e0, e1, e2", contact),
-            Function("flutter_elimination", "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.",
-                     "(27), (14), (15)", at_friction, stability.flutter_elimination(), "X, Y, Z", {**contact, **_flutter_names()}),
-            Function("flutter_without_alpha", "The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2.",
-                     "(27), (14), (15)", (*ANGLE, nm.mu0, nm.kappa, nm.sigma, nm.beta), stability.flutter_without_alpha(),
-                     "condition", {name: value.subs(nm.alpha, 0) for name, value in {**contact, **_flutter_names()}.items()}),
-            Function("flutter_crossing", "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
-                     "(27), (14), (15)", (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS), crossing, "N, J", {**contact, **crossing_names}),
-            Function("flutter_cubic", "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
-                     "(27), (14), (15)", (*ANGLE, *WITHOUT_FRICTION), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
-            Function("flutter_friction", "μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27)",
-                     (*ANGLE, nm.L, *STIFFNESS), stability.flutter_friction(), "mu0", contact),
+            Function(
+                "stiffness",
+                "K, the Jacobian of (F_x, F_y).",
+                "(28)",
+                (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar),
+                rows(arranged),
+                "((K11, K12), (K21, K22))",
+                shorthands(),
+            ),
+            Function(
+                "invariants",
+                "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
+                "(27)",
+                entries,
+                (generic.trace(), determinant, stability.flutter_discriminant(generic)),
+                "trace, determinant, discriminant",
+            ),
+            Function(
+                "damping",
+                "∂F_x/∂x' at steady sliding.",
+                "(8), (10) linearized",
+                tuple(
+                    symbol
+                    for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar)
+                    if C[0, 0].has(symbol)
+                ),
+                C[0, 0],
+                "C11",
+                further=further((), C[0, 0]),
+            ),
+            Function(
+                "characteristic",
+                "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
+                "(27) with damping",
+                (*entries, nm.C11),
+                tuple(characteristic),
+                "e4, e3, e2, e1, e0",
+            ),
+            Function(
+                "reference_lines",
+                "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",
+                "(14), (15)",
+                at_friction,
+                stability.reference_lines(),
+                "u1, w1, u2, w2",
+                contact,
+            ),
+            Function(
+                "flutter_quadratic",
+                "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.",
+                "(27)",
+                (*ANGLE, nm.mu0, *STIFFNESS),
+                stability.flutter_quadratic(),
+                "e0, e1, e2",
+                contact,
+            ),
+            Function(
+                "flutter_elimination",
+                "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.",
+                "(27), (14), (15)",
+                at_friction,
+                stability.flutter_elimination(),
+                "X, Y, Z",
+                {**contact, **_flutter_names()},
+            ),
+            Function(
+                "flutter_without_alpha",
+                "The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2.",
+                "(27), (14), (15)",
+                (*ANGLE, nm.mu0, nm.kappa, nm.sigma, nm.beta),
+                stability.flutter_without_alpha(),
+                "condition",
+                {
+                    name: value.subs(nm.alpha, 0)
+                    for name, value in {**contact, **_flutter_names()}.items()
+                },
+            ),
+            Function(
+                "flutter_crossing",
+                "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
+                "(27), (14), (15)",
+                (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS),
+                crossing,
+                "N, J",
+                {**contact, **crossing_names},
+            ),
+            Function(
+                "flutter_cubic",
+                "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
+                "(27), (14), (15)",
+                (*ANGLE, *WITHOUT_FRICTION),
+                cubic,
+                "g0, g1, k0, k1, k2, k3",
+                cubic_names,
+            ),
+            Function(
+                "flutter_friction",
+                "μ₀ at a flutter onset with spring length L in direction θ, in contact.",
+                "(27)",
+                (*ANGLE, nm.L, *STIFFNESS),
+                stability.flutter_friction(),
+                "mu0",
+                contact,
+            ),
         ),
-    )  # fmt: skip
+    )
 
 
 def _flutter_names() -> Names:
     """The coefficients in terms of which the elimination is written."""
     return dict(
-        zip((*stability.LINES, *stability.QUADRATIC), (*stability.reference_lines(), *stability.flutter_quadratic()), strict=True)
+        zip(
+            (*stability.LINES, *stability.QUADRATIC),
+            (*stability.reference_lines(), *stability.flutter_quadratic()),
+            strict=True,
+        )
     )
 
 
@@ -78,7 +171,13 @@ def _flutter_cubic() -> tuple[Row, Names]:
         l1: nm.B / (nm.q * s),
         y0: -(sigma * s + nm.kappa) / nm.q,
         y1: sigma / nm.q,
-        **dict(zip((e0, e1, e2), (value.subs(nm.M, 0) for value in stability.flutter_quadratic()), strict=True)),
+        **dict(
+            zip(
+                (e0, e1, e2),
+                (value.subs(nm.M, 0) for value in stability.flutter_quadratic()),
+                strict=True,
+            )
+        ),
         m1: -pull * sigma,
         m2: pull * nm.p,
     }

@@ -30,4 +30,12 @@ def solve_widely(
     first: tuple[Buffer, ...],
     further: tuple[Buffer, ...],
 ) -> int: ...
-def count(theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, counts: Buffer) -> None: ...
+def count(
+    theta0: Buffer,
+    mu0: Buffer,
+    kappa: Buffer,
+    alpha: Buffer,
+    sigma: Buffer,
+    beta: Buffer,
+    counts: Buffer,
+) -> None: ...

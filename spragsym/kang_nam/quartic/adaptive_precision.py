@@ -25,7 +25,9 @@ from .. import kernel
 FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
 
 
-def precise_equilibria(_p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int) -> PreciseEquilibria:
+def precise_equilibria(
+    _p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int
+) -> PreciseEquilibria:
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
     return equilibria(*(exact[name] for name in NAMES), contact=contact, digits=digits)
 
@@ -38,7 +40,10 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
     """
     theta0, rational = exact[0], [Fraction(value) for value in exact[1:]]
     spread = _spread(theta0, rational)
-    bits, most = max(FIRST_BITS, ROOM + spread, int(3.4 * digits) + 64), MAXIMUM_BITS + BITS_A_SPREAD * spread
+    bits, most = (
+        max(FIRST_BITS, ROOM + spread, int(3.4 * digits) + 64),
+        MAXIMUM_BITS + BITS_A_SPREAD * spread,
+    )
     while True:
         with balls.precision(bits):
             try:
@@ -59,11 +64,15 @@ def named(point: Iterable[Any]) -> str:
 def _spread(theta0: Any, rational: list[Fraction]) -> int:
     """Powers of two between the parameters."""
     given = [Fraction(1), *rational, *([] if callable(theta0) else [Fraction(theta0)])]
-    powers = [value.numerator.bit_length() - value.denominator.bit_length() for value in given if value]
+    powers = [
+        value.numerator.bit_length() - value.denominator.bit_length() for value in given if value
+    ]
     return max(powers) - min(powers)
 
 
-def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool) -> PreciseEquilibria:
+def _settle(
+    theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool
+) -> PreciseEquilibria:
     angle = theta0() if callable(theta0) else balls.exact(Fraction(theta0))
     values = (*balls.cos_sin(angle), *map(balls.exact, rational), int(contact))
     trig = kernel.f_coefficients(*values)
@@ -73,7 +82,11 @@ def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, b
     if fold and not last:
         raise Undecided("the discriminant holds 0")
     quartic = kernel.t_quartic(*trig)
-    roots = _fold_roots(trig, quartic, bits) if fold else _enclosed_roots(quartic, bits, all_real=discriminant < 0)
+    roots = (
+        _fold_roots(trig, quartic, bits)
+        if fold
+        else _enclosed_roots(quartic, bits, all_real=discriminant < 0)
+    )
     # With rational parameters equality is exact where θ₀ drops out: off the belt without other springs L = 1 ± κ/σ at θ = ±90°.
     _, kappa, alpha, sigma, beta = rational
     shrunk = not contact and alpha == beta == 0 and kappa == sigma
@@ -115,13 +128,18 @@ def _enclose(quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[
     raise Undecided("no change of sign around a root")
 
 
-def _fold_roots(trig: tuple[Interval, ...], quartic: tuple[Interval, ...], bits: int) -> list[Interval]:
+def _fold_roots(
+    trig: tuple[Interval, ...], quartic: tuple[Interval, ...], bits: int
+) -> list[Interval]:
     """Roots at a fold: the two that can't be told apart share one interval, twice. All four multiply to −1."""
     slope = derivative(quartic)
     bend = derivative(slope)
     flat = [*_places(slope, bits), *_places(bend, bits)]
     place = min(flat, key=lambda t: max(map(abs, balls.ends(evaluate(quartic, t)))))
-    three, two = (place * balls.between(1 - off, 1 + off) for off in (Fraction(16, 1 << bits // alike) for alike in (3, 2)))
+    three, two = (
+        place * balls.between(1 - off, 1 + off)
+        for off in (Fraction(16, 1 << bits // alike) for alike in (3, 2))
+    )
     double = two if balls.sign(evaluate(bend, three)) else three  # at a cusp three are alike
     third = kernel.landing(double, trig, balls.sqrt)
     return [double, double, third, -1 / (double * double * third)]
@@ -131,9 +149,13 @@ def _fold_roots(trig: tuple[Interval, ...], quartic: tuple[Interval, ...], bits:
 
 
 def _state(
-    t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool,
+    t: Interval,
+    trig: tuple[Interval, ...],
+    values: tuple[Any, ...],
+    digits: int,
+    fold: bool,
     shrunk: bool,
-) -> list[PreciseEquilibrium]:  # fmt: skip
+) -> list[PreciseEquilibrium]:
     """The equilibrium at t, none if the root is not one; nor is it where the spring has the length 0, ``shrunk``."""
     cos0, sin0, _, kappa, _, *springs, nbar = values
     c, s, _ = on_circle(t)
@@ -145,10 +167,21 @@ def _state(
         raise Undecided("L or y holds 0")
     found, error, _ = as_numbers((2 * balls.atan(t), *state), None if fold else digits)
     numbers = dict(zip(("theta", "L", "x", "y"), found, strict=True))
-    return [PreciseEquilibrium(numbers, Stability(_stability(c, s, state[0], trig, values, fold)), as_mpf(error), fold)]
+    return [
+        PreciseEquilibrium(
+            numbers, Stability(_stability(c, s, state[0], trig, values, fold)), as_mpf(error), fold
+        )
+    ]
 
 
-def _stability(c: Interval, s: Interval, L: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], fold: bool) -> int:
+def _stability(
+    c: Interval,
+    s: Interval,
+    L: Interval,
+    trig: tuple[Interval, ...],
+    values: tuple[Any, ...],
+    fold: bool,
+) -> int:
     _, _, mu0, _, *others = values
     trace, _, flutter = map(balls.sign, kernel.invariants(c, s, L, mu0, *others))
     slope = balls.sign(kernel.f_slope(c, s, *trig))

@@ -39,12 +39,16 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β, arrays of length ``size`` or 1.
     """
     point = _point(values, contact)
-    line = kernel.Balance(*(value if value.ndim else np.full(size, value) for value in kernel.balance(point)))
+    line = kernel.Balance(
+        *(value if value.ndim else np.full(size, value) for value in kernel.balance(point))
+    )
     return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
 
 
 @quiet()
-def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
+def solve_widely(
+    values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int
+) -> IntArray:
     """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
     point = kernel.Point(*cosine_and_sine(theta0), *[*map(DoubleDouble, others), int(contact)])
@@ -53,7 +57,14 @@ def solve_widely(values: list[FloatArray], contact: bool, out: Slots, begin: int
     return _solved(point, line, np.float64(kernel.WIDE_ROUNDOFF), out, begin, safe)
 
 
-def _solved(point: kernel.Point, line: kernel.Balance, u: np.floating[Any], out: Slots, begin: int, safe: Any) -> IntArray:
+def _solved(
+    point: kernel.Point,
+    line: kernel.Balance,
+    u: np.floating[Any],
+    out: Slots,
+    begin: int,
+    safe: Any,
+) -> IntArray:
     """First the roots that every point has, one in contact and two in lift-off, then all of points that have two more."""
     found, least = kernel.guesses(point, line, u), 1 if point.nbar else 2
     safe = safe & found.certain
@@ -79,7 +90,9 @@ def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
 
 def _stacked(values: Sequence[Any]) -> Any:
     if isinstance(values[0], DoubleDouble):
-        return DoubleDouble(np.array([value.high for value in values]), np.array([value.low for value in values]))
+        return DoubleDouble(
+            np.array([value.high for value in values]), np.array([value.low for value in values])
+        )
     return np.array(values)
 
 
@@ -90,12 +103,27 @@ def rows_of(record: Any, rows: IntArray) -> Any:
 
 def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
     wide = isinstance(t, DoubleDouble)
-    theta, error = 2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t)), root.error + _STORED if wide else root.error
-    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": error, "stability": root.code}
+    theta, error = (
+        2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t)),
+        root.error + _STORED if wide else root.error,
+    )
+    return {
+        "theta": theta,
+        "L": root.L,
+        "x": root.x,
+        "y": root.y,
+        "error": error,
+        "stability": root.code,
+    }
 
 
 def _some(
-    roots: Sequence[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: IntArray | slice, u: np.floating[Any]
+    roots: Sequence[Any],
+    point: kernel.Point,
+    line: kernel.Balance,
+    out: Slots,
+    rows: IntArray | slice,
+    u: np.floating[Any],
 ) -> BoolArray:
     """Which points have all of these roots settled, one array of each in ascending order; all are examined in one call."""
     t, alone = _stacked(roots), len(roots) == 1
@@ -106,7 +134,9 @@ def _some(
     # An equilibrium that has its digits, or certainly none.
     sure = root.member & root.known & (candidates["error"] <= TOLERANCE) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
-    settled: BoolArray = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
+    settled: BoolArray = sure.all(axis=0) & kernel.apart(
+        t[:-1], root.radius[:-1], t[1:], root.radius[1:]
+    ).all(axis=0)
     count, packed = gathered(root.member, candidates)
     if point.nbar > 0:
         settled &= (count % 2 == 1) & (t[0] > 0.0)

@@ -34,14 +34,29 @@ def solve(
     """
     from . import _compiled
 
-    settled, rows, here = np.empty(size, dtype=np.bool_), np.empty(size, dtype=np.int64), slice(begin, begin + size)
+    settled, rows, here = (
+        np.empty(size, dtype=np.bool_),
+        np.empty(size, dtype=np.int64),
+        slice(begin, begin + size),
+    )
     first = tuple(out.first[name][here] for name in COLUMNS)
     shape = size, out.slots - 1
-    further = *np.empty((len(COLUMNS) - 1, *shape)), np.empty(shape, dtype=np.int8)  # of the stability, the last
-    used = getattr(_compiled, how)(*values, int(contact), settled, out.count[here], first, (rows, *further))
+    further = (
+        *np.empty((len(COLUMNS) - 1, *shape)),
+        np.empty(shape, dtype=np.int8),
+    )  # of the stability, the last
+    used = getattr(_compiled, how)(
+        *values, int(contact), settled, out.count[here], first, (rows, *further)
+    )
     if used:
         out.further.append(
-            (begin + rows[:used], {name: column[:used].T.copy() for name, column in zip(COLUMNS, further, strict=True)})
+            (
+                begin + rows[:used],
+                {
+                    name: column[:used].T.copy()
+                    for name, column in zip(COLUMNS, further, strict=True)
+                },
+            )
         )
     return np.flatnonzero(~settled)
 

@@ -15,7 +15,14 @@ from numpy.typing import NDArray
 from ...errors import BackendError, ConvergenceError, one_of
 from ...models.parameters import NAMES, Parameters, as_count
 from ...numerics.columns import reuse_memory
-from ...numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Int8Array, IntArray, quiet
+from ...numerics.interval_arrays import (
+    BoolArray,
+    ComplexArray,
+    FloatArray,
+    Int8Array,
+    IntArray,
+    quiet,
+)
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
@@ -59,7 +66,9 @@ class _Closed(Linearizing):
         return flags.reshape(self.p.shape)
 
     def _padded(self, name: str) -> NDArray[Any]:
-        return np.moveaxis(self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1)
+        return np.moveaxis(
+            self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1
+        )
 
     def _marginal(self) -> BoolArray:
         """At a fold the two slots that hold one state."""
@@ -73,7 +82,9 @@ class _Closed(Linearizing):
         others = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
         theta, L = map(self._padded, ("theta", "L"))
         with quiet():  # empty slots; parameters near the largest floats overflow
-            trace, determinant, discriminant = kernel.invariants(*kernel.cos_sin(theta), L, *others, int(self.contact))
+            trace, determinant, discriminant = kernel.invariants(
+                *kernel.cos_sin(theta), L, *others, int(self.contact)
+            )
             # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
             root = np.sqrt(discriminant.astype(complex))
             large = 0.5 * (trace + np.where(trace < 0, -root, root))
@@ -96,7 +107,9 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     out = Slots(math.prod(p.shape), 3 if contact else 4)
     backend = chosen()
     unsettled = _in_blocks(
-        p, backend.A_THREAD, lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size)
+        p,
+        backend.A_THREAD,
+        lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size),
     )
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
@@ -105,12 +118,22 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     decided = np.ones(p.shape, dtype=np.bool_)
     decided.flat[list(reasons)] = False
     undecided = tuple(
-        Undecided(tuple(map(int, np.unravel_index(number, p.shape))), (-math.inf,) * 2, (math.inf,) * 2, reason)
+        Undecided(
+            tuple(map(int, np.unravel_index(number, p.shape))),
+            (-math.inf,) * 2,
+            (math.inf,) * 2,
+            reason,
+        )
         for number, reason in reasons.items()
     )
-    remarks = (f"{len(reasons)} of {decided.size} points have no answer; the first: {one.reason}" for one in undecided[:1])
+    remarks = (
+        f"{len(reasons)} of {decided.size} points have no answer; the first: {one.reason}"
+        for one in undecided[:1]
+    )
     source = _Closed(p, contact, out, left, fold)
-    return Equilibria(p, contact, out.count.reshape(p.shape), decided, undecided, tuple(remarks), source)
+    return Equilibria(
+        p, contact, out.count.reshape(p.shape), decided, undecided, tuple(remarks), source
+    )
 
 
 def count(p: Parameters) -> Int8Array:
@@ -123,7 +146,9 @@ def count(p: Parameters) -> Int8Array:
     """
     p.require("theta0", "mu0")
     backend = chosen()
-    blocks = _in_blocks(p, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size))
+    blocks = _in_blocks(
+        p, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size)
+    )
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
@@ -135,7 +160,9 @@ def count(p: Parameters) -> Int8Array:
 # ----------------------------------------------------------------------------------------------------- float64
 
 
-def _in_blocks(p: Parameters, a_thread: int, work: Callable[[list[FloatArray], int, int], T]) -> list[T]:
+def _in_blocks(
+    p: Parameters, a_thread: int, work: Callable[[list[FloatArray], int, int], T]
+) -> list[T]:
     """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
 
     No more threads than have ``a_thread`` points each.
@@ -149,7 +176,11 @@ def _in_blocks(p: Parameters, a_thread: int, work: Callable[[list[FloatArray], i
 
     def one(begin: int) -> T:
         part = slice(begin, begin + length)
-        return work([values if values.size == 1 else values[part] for values in given], begin, min(length, size - begin))
+        return work(
+            [values if values.size == 1 else values[part] for values in given],
+            begin,
+            min(length, size - begin),
+        )
 
     reuse_memory()
     begins = range(0, size, length)
@@ -162,13 +193,17 @@ def _in_blocks(p: Parameters, a_thread: int, work: Callable[[list[FloatArray], i
 def _column(p: Parameters, name: str) -> FloatArray:
     """A parameter in C order, contiguous: one number as it is, an array of the common shape."""
     value: FloatArray = getattr(p, name)
-    return np.ascontiguousarray(value if value.size == 1 else np.broadcast_to(value, p.shape)).reshape(-1)
+    return np.ascontiguousarray(
+        value if value.size == 1 else np.broadcast_to(value, p.shape)
+    ).reshape(-1)
 
 
 # -------------------------------------------------------------------------------------------------- more digits
 
 
-def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple[IntArray, dict[int, str]]:
+def _escalate(
+    p: Parameters, contact: bool, out: Slots, rows: IntArray
+) -> tuple[IntArray, dict[int, str]]:
     """Solve the given points again, in double-double arithmetic and then, what that can't settle, in intervals.
 
     Returns which of them are folds, and why points are left without an answer, by row.
@@ -194,9 +229,7 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: IntArray) -> tuple
     return np.array(folds, dtype=np.int64), reasons
 
 
-def _solve_widely(
-    given: list[FloatArray], contact: bool, out: Slots, rows: IntArray
-) -> IntArray:  # fmt: skip
+def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntArray) -> IntArray:
     """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
     backend = chosen()
     again = Slots(rows.size, out.slots)
@@ -218,7 +251,9 @@ def _columns(found: Sequence[Any], point: str) -> dict[str, NDArray[Any]]:
                 f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of {point} is beyond float64; "
                 "spragsym.precise carries it"
             )
-    columns = {name: np.array([[float(getattr(state, name))] for state in found]) for name in COLUMNS}
+    columns = {
+        name: np.array([[float(getattr(state, name))] for state in found]) for name in COLUMNS
+    }
     return columns | {"error": columns["error"] + 1.2e-16}
 
 

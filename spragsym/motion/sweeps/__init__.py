@@ -6,4 +6,13 @@ from .jumps import Sensitivity, sensitivity
 from .many import Sweep, rms_sweep
 from .workers import Workers
 
-__all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "Workers", "basin", "rms_sweep", "sensitivity"]
+__all__ = [
+    "Basin",
+    "Regime",
+    "Sensitivity",
+    "Sweep",
+    "Workers",
+    "basin",
+    "rms_sweep",
+    "sensitivity",
+]

@@ -101,11 +101,15 @@ def basin(
     plane = tuple(name for name in starts if name in names)
     if len(plane) != 2:
         given = ", ".join(starts) or "none"
-        raise ParameterTypeError(f"starts are two axes of {', '.join(names)}, as {names[0]}=[0.0, 1.0]; given: {given}")
+        raise ParameterTypeError(
+            f"starts are two axes of {', '.join(names)}, as {names[0]}=[0.0, 1.0]; given: {given}"
+        )
     axes = {name: np.atleast_1d(as_numbers(name, starts.pop(name))) for name in plane}
     for name, values in axes.items():
         if values.ndim != 1:
-            raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
+            raise ParameterTypeError(
+                f"{name} has the shape {values.shape}; give one axis of numbers"
+            )
     (one, first), (other, second) = axes.items()
     options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
     sweep = rms_sweep(p, **options)
@@ -118,8 +122,14 @@ def _attractors(sweep: Sweep) -> tuple[IntArray, tuple[tuple[Regime, int, float,
     known: list[Outcome] = []
     for index in np.argwhere(sweep.regime != Regime.FAILED):
         outcome = sweep.outcome(tuple(index))
-        same = (i for i, other in enumerate(known) if same_limit(other, outcome, sweep.model.field.around))
+        same = (
+            i
+            for i, other in enumerate(known)
+            if same_limit(other, outcome, sweep.model.field.around)
+        )
         labels[tuple(index)] = label = next(same, len(known))
         if label == len(known):
             known.append(outcome)
-    return labels, tuple((one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known)
+    return labels, tuple(
+        (one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known
+    )

@@ -45,7 +45,12 @@ class Sensitivity(Result):
 
 
 def sensitivity(
-    p: Parameters, V: ArrayLike | None = None, d: ArrayLike | None = None, *, refine: int = 6, **options: Any
+    p: Parameters,
+    V: ArrayLike | None = None,
+    d: ArrayLike | None = None,
+    *,
+    refine: int = 6,
+    **options: Any,
 ) -> Sensitivity:
     """Sensitivity of the jump in the article's Figure 7b to V and d, which it does not state.
 
@@ -87,13 +92,19 @@ def sensitivity(
     model = model_of(p)
     missing = [name for name in ("theta0", "V", "d") if name not in model.parameters]
     if missing:
-        raise ModelError(f"{model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes")
+        raise ModelError(
+            f"{model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes"
+        )
     p.require("theta0")
     angles = p.theta0
     if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
-        raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
+        raise ParameterError(
+            "theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))"
+        )
     p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
-    speeds, creeps = np.atleast_1d(p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d))
+    speeds, creeps = np.atleast_1d(
+        p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d)
+    )
     p = p.replace(V=speeds[:, None, None], d=creeps[None, :, None])
     sweep = rms_sweep(p, **options)
     ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]

@@ -18,7 +18,15 @@ from ...errors import ConvergenceError, ParameterError
 from ...files import storage
 from ...files.journal import Record
 from ...models.field import field_of
-from ...models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_count, as_number, degrees
+from ...models.parameters import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    FloatArray,
+    ParameterSet,
+    as_count,
+    as_number,
+    degrees,
+)
 from ...numerics.interval_arrays import Int8Array, Shape
 from ...questions import model_of
 from ...results.result import Named
@@ -44,8 +52,15 @@ PACKAGE = Path(__file__).parents[2]
 
 #: What a motion's record is made by: rooms, and single modules. ``test_sweeps`` compares them with what is imported.
 DECIDING = (
-    "generated", "kang_nam", "models", "motion", "numerics", "results", "statics", "questions.py",
-)  # fmt: skip
+    "generated",
+    "kang_nam",
+    "models",
+    "motion",
+    "numerics",
+    "results",
+    "statics",
+    "questions.py",
+)
 
 
 def rms_sweep(
@@ -125,19 +140,34 @@ def rms_sweep(
     """
     model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
-    inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
+    inputs = {
+        **{name: getattr(p, name) for name in model.parameters},
+        **initial_state(model, None, initial),
+    }
     t_end = as_number("t_end", t_end, POSITIVE)
-    transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
+    transient = (
+        0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
+    )
     if transient >= t_end:
-        raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
+        raise ParameterError(
+            f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure"
+        )
     settings = {
-        "t_end": t_end, "transient": transient, "rtol": as_number("rtol", rtol, RELATIVE_TOLERANCE),
-        "backend": integrators.choose(backend, integrators.offered_for(model)), "max_steps": as_count("max_steps", max_steps),
-    }  # fmt: skip
+        "t_end": t_end,
+        "transient": transient,
+        "rtol": as_number("rtol", rtol, RELATIVE_TOLERANCE),
+        "backend": integrators.choose(backend, integrators.offered_for(model)),
+        "max_steps": as_count("max_steps", max_steps),
+    }
     work, together = partial(measured, model, settings), partial(_together, settings)
-    made, key = partial(_made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
+    made, key = (
+        partial(_made_of, model, inputs, settings),
+        partial(fingerprint, model, inputs, settings),
+    )
     columns = (*reported(model.coordinates, model.rates), "regime")
-    return made_or_loaded(inputs, work, made, columns, "reason", key, workers, progress, store, together)
+    return made_or_loaded(
+        inputs, work, made, columns, "reason", key, workers, progress, store, together
+    )
 
 
 def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
@@ -208,7 +238,9 @@ class Sweep(Named):
             tuple(told[f"{what}_{name}"] for name in places if not np.isnan(told[f"{what}_{name}"]))
             for what, places in (("rest", self.model.coordinates), ("cycle", self.model.components))
         )
-        known = {name: told[name] for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")}
+        known = {
+            name: told[name] for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")
+        }
         regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
         return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **known)
 
@@ -225,24 +257,36 @@ class Sweep(Named):
         dims = _dimensions(self.inputs, self.rms.shape)
         # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
         inputs = {
-            name: ((), float(values.flat[0])) if values.size == 1
-            else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
+            name: ((), float(values.flat[0]))
+            if values.size == 1
+            else (name.removesuffix("_deg"), values.ravel())
+            if name.removesuffix("_deg") in dims
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
             for name, values in with_degrees(self.model, self.inputs).items()
-        }  # fmt: skip
+        }
         columns = {**self._told(), "reason": self.reason.astype(object)}
         results = {name: (dims, values) for name, values in columns.items()}
-        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, {"regime": Regime})
+        return storage.dataset(
+            results, inputs, self._attributes(), self.model.quantities, {"regime": Regime}
+        )
 
     def _told(self) -> dict[str, NDArray[Any]]:
-        return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
+        return {
+            **self.measured,
+            "regime": self.regime,
+            "equilibrium": self.equilibrium,
+            "reason": self.reason,
+        }
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         columns = with_degrees(self.model, self.inputs) | self._told()
         return {name: np.broadcast_to(values, self.rms.shape) for name, values in columns.items()}
 
     def _attributes(self) -> dict[str, Any]:
-        settings = {name: getattr(self, name) for name in ("t_end", "transient", "rtol", "backend", "max_steps")}
+        settings = {
+            name: getattr(self, name)
+            for name in ("t_end", "transient", "rtol", "backend", "max_steps")
+        }
         key = fingerprint(self.model, self.inputs, settings)
         return {**storage.provenance(), "model": self.model.name, **settings, "fingerprint": key}
 
@@ -254,23 +298,45 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
     by its place, a cycle by one state.
     """
     return (
-        "rms", "spread", "largest", "mean", *(f"mean_{name}" for name in coordinates[1:]), "contact_lost", "slip_reversed",
-        "period", "rate", "distance", "cycle_mean", "cycle_rms", *(f"rest_{name}" for name in coordinates),
+        "rms",
+        "spread",
+        "largest",
+        "mean",
+        *(f"mean_{name}" for name in coordinates[1:]),
+        "contact_lost",
+        "slip_reversed",
+        "period",
+        "rate",
+        "distance",
+        "cycle_mean",
+        "cycle_rms",
+        *(f"rest_{name}" for name in coordinates),
         *(f"cycle_{name}" for name in (*coordinates, *rates)),
-    )  # fmt: skip
+    )
 
 
-def measured(model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]) -> list[Record]:
+def measured(
+    model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
+) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     count, names = len(model.parameters), ("t_end", "rtol", "max_steps")
-    given = {"t_record": settings["transient"], "field_of": partial(field_of, model), **{name: settings[name] for name in names}}
-    problems = [Problem(model.field.constants(point[:count]), point[count:], **given) for point in points]
+    given = {
+        "t_record": settings["transient"],
+        "field_of": partial(field_of, model),
+        **{name: settings[name] for name in names},
+    }
+    problems = [
+        Problem(model.field.constants(point[:count]), point[count:], **given) for point in points
+    ]
     errors = [undirected(model, problem.constants, problem.start) for problem in problems]
     good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]
     with np.errstate(all="ignore"):  # numbers out of range show in the result
         courses = iter(integrators.measure(good, settings["backend"]) if good else ())
         pairs = zip(problems, errors, strict=True)
-        return [_record(error or next(courses), problem, settings["backend"]) for problem, error in pairs]
+        return [
+            _record(error or next(courses), problem, settings["backend"])
+            for problem, error in pairs
+        ]
 
 
 def _record(course: Course | Exception, problem: Problem, backend: str) -> Record:
@@ -278,7 +344,14 @@ def _record(course: Course | Exception, problem: Problem, backend: str) -> Recor
     if isinstance(course, Exception):
         return _no_result(course)
     (mean, spread), (lost, _, *reversals) = course.moments(), course.events[: Event.STICK]
-    values = [math.hypot(mean, spread), spread, max(map(abs, course.reach)), *course.means, lost, sum(reversals)]
+    values = [
+        math.hypot(mean, spread),
+        spread,
+        max(map(abs, course.reach)),
+        *course.means,
+        lost,
+        sum(reversals),
+    ]
     if not np.isfinite(values).all():
         return _no_result(out_of_range())
     try:
@@ -296,8 +369,12 @@ def _no_result(error: Exception) -> Record:
 
 
 def _made_of(
-    model: Any, inputs: dict[str, FloatArray], settings: Mapping[str, Any], columns: dict[str, Any], known: Mapping[str, Any]
-) -> Sweep:  # fmt: skip
+    model: Any,
+    inputs: dict[str, FloatArray],
+    settings: Mapping[str, Any],
+    columns: dict[str, Any],
+    known: Mapping[str, Any],
+) -> Sweep:
     """The sweep of these columns; of a file the slots of equilibria are ``known``, which are searched for otherwise."""
     reason, regime = columns.pop("reason"), columns.pop("regime")
     if "equilibrium" in known:
@@ -306,7 +383,15 @@ def _made_of(
         p = model.Parameters(**{name: inputs[name] for name in model.parameters})
         which = rest_index(p, np.array([columns[f"rest_{name}"] for name in model.coordinates]))
     regime = np.nan_to_num(regime, nan=Regime.FAILED).astype(np.int8)
-    return Sweep(inputs, **settings, measured=columns, regime=regime, equilibrium=which, reason=reason, model=model)
+    return Sweep(
+        inputs,
+        **settings,
+        measured=columns,
+        regime=regime,
+        equilibrium=which,
+        reason=reason,
+        model=model,
+    )
 
 
 def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
@@ -321,21 +406,31 @@ def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, Floa
 
 def _dimensions(inputs: dict[str, FloatArray], shape: Shape) -> tuple[str, ...]:
     """A name for every axis: the input that alone varies along it, and along no other axis."""
-    sizes = {name: (*[1] * (len(shape) - values.ndim), *values.shape) for name, values in inputs.items()}
+    sizes = {
+        name: (*[1] * (len(shape) - values.ndim), *values.shape) for name, values in inputs.items()
+    }
     names = []
     for axis, size in enumerate(shape):
         along = [name for name, own in sizes.items() if own[axis] > 1]
-        names.append(along[0] if len(along) == 1 and inputs[along[0]].size == size else f"axis_{axis}")
+        names.append(
+            along[0] if len(along) == 1 and inputs[along[0]].size == size else f"axis_{axis}"
+        )
     return tuple(names)
 
 
-def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any], *rooms: str) -> str:
+def fingerprint(
+    model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any], *rooms: str
+) -> str:
     """A hash of everything that decides the bits of a result, the code of further ``rooms`` too."""
     decides = {
-        "integrator": integrators.version(settings["backend"]), "code": digest(*rooms),
+        "integrator": integrators.version(settings["backend"]),
+        "code": digest(*rooms),
         "numpy": np.__version__,  # its eigenvalues tell what is approached
-        "model": model.name, "files": model.about["files"], "page": model.about["source"], "own": sorted(model.closed),
-    }  # fmt: skip
+        "model": model.name,
+        "files": model.about["files"],
+        "page": model.about["source"],
+        "own": sorted(model.closed),
+    }
     return storage.fingerprint(inputs, {**settings, **decides})
 
 
@@ -343,7 +438,9 @@ def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[
 def digest(*further: str) -> str:
     """SHA-256 of the text of all modules that decide a record, whatever their line ends are; ``further`` places among them."""
     total, places = hashlib.sha256(), [PACKAGE / place for place in (*DECIDING, *further)]
-    for module in sorted(found for there in places for found in ([there] if there.is_file() else there.rglob("*.py"))):
+    for module in sorted(
+        found for there in places for found in ([there] if there.is_file() else there.rglob("*.py"))
+    ):
         name = module.relative_to(PACKAGE).as_posix()
         total.update(f"{name}\n".encode() + module.read_bytes().replace(b"\r\n", b"\n"))
     return total.hexdigest()

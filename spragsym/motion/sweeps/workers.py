@@ -48,10 +48,17 @@ Work: TypeAlias = Callable[[Sequence[Point]], list[Record]]
 
 
 def made_or_loaded(
-    inputs: Mapping[str, FloatArray], work: Work, made: Callable[[dict[str, Any], Mapping[str, Any]], R], names: Sequence[str],
-    text: str, key: Callable[[], str], workers: Workers, progress: bool, store: str | os.PathLike[str] | None,
+    inputs: Mapping[str, FloatArray],
+    work: Work,
+    made: Callable[[dict[str, Any], Mapping[str, Any]], R],
+    names: Sequence[str],
+    text: str,
+    key: Callable[[], str],
+    workers: Workers,
+    progress: bool,
+    store: str | os.PathLike[str] | None,
     together: Callable[[int, int], int] = lambda *_: 1,
-) -> R:  # fmt: skip
+) -> R:
     """The result for a broadcast of ``inputs``: computed, or gone on with, or loaded, if its file is there.
 
     ``work(points)`` gives a record each, in other processes too, ``made(columns, known)`` the result, of ``known`` columns of the
@@ -65,7 +72,13 @@ def made_or_loaded(
 
     def told(numbers: Any, words: Iterable[str], known: Mapping[str, Any]) -> R:
         table = np.asarray(numbers, dtype=float).reshape(len(names), *shape)
-        return made({**dict(zip(names, table, strict=True)), text: np.array([*words], dtype=np.str_).reshape(shape)}, known)
+        return made(
+            {
+                **dict(zip(names, table, strict=True)),
+                text: np.array([*words], dtype=np.str_).reshape(shape),
+            },
+            known,
+        )
 
     def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> R:
         left = [i for i in range(len(points)) if i not in done]
@@ -105,8 +118,12 @@ def made_or_loaded(
 
 
 def _told(names: Iterable[str], points: Sequence[Point]) -> str:
-    first = ", ".join(f"{name} = {value:.17g}" for name, value in zip(names, points[0], strict=True))
-    return first if len(points) == 1 else f"one of {len(points)} points, of which the first is {first}"
+    first = ", ".join(
+        f"{name} = {value:.17g}" for name, value in zip(names, points[0], strict=True)
+    )
+    return (
+        first if len(points) == 1 else f"one of {len(points)} points, of which the first is {first}"
+    )
 
 
 def count(workers: int) -> int:
@@ -116,12 +133,17 @@ def count(workers: int) -> int:
     if workers == -1:
         return os.cpu_count() or 1
     if workers < 1:
-        raise ParameterError(f"workers = {workers} is neither positive nor -1, which stands for one a core")
+        raise ParameterError(
+            f"workers = {workers} is neither positive nor -1, which stands for one a core"
+        )
     return workers
 
 
 def results(
-    workers: Workers, function: Callable[[Any], Any], points: Mapping[int, Any], told: Callable[[Any], str]
+    workers: Workers,
+    function: Callable[[Any], Any],
+    points: Mapping[int, Any],
+    told: Callable[[Any], str],
 ) -> Generator[tuple[int, Any], None, None]:
     """Every number with the result of its point, once, in the order in which they are done; ``told`` names a point in an error.
 
@@ -145,7 +167,9 @@ def results(
             yield index, result
         check()
     if missing:
-        raise SweepError(f"the map given as workers left out {len(missing)} of {len(points)} points; give one that maps all")
+        raise SweepError(
+            f"the map given as workers left out {len(missing)} of {len(points)} points; give one that maps all"
+        )
 
 
 def _attempt(function: Callable[[Any], Any], task: Task) -> Answer:
@@ -154,7 +178,11 @@ def _attempt(function: Callable[[Any], Any], task: Task) -> Answer:
     try:
         return index, function(point), ""
     except Exception as error:
-        return index, None, f"{type(error).__name__}: {' '.join(str(error).split())}\n{traceback.format_exc()}"
+        return (
+            index,
+            None,
+            f"{type(error).__name__}: {' '.join(str(error).split())}\n{traceback.format_exc()}",
+        )
 
 
 def _failed(point: str, trouble: str) -> SweepError:
@@ -167,7 +195,12 @@ def _failed(point: str, trouble: str) -> SweepError:
 
 
 def _checked(answer: Any, missing: set[int]) -> Answer:
-    if not (isinstance(answer, tuple) and len(answer) == 3 and isinstance(answer[0], int) and answer[0] in missing):
+    if not (
+        isinstance(answer, tuple)
+        and len(answer) == 3
+        and isinstance(answer[0], int)
+        and answer[0] in missing
+    ):
         raise SweepError(
             f"the map given as workers gave {answer!r:.80}, which the function that it was given did not return, "
             "or returned once only; give a map that returns every result"
@@ -175,7 +208,9 @@ def _checked(answer: Any, missing: set[int]) -> Answer:
     return answer
 
 
-def _answers(workers: Workers, function: Callable[[Task], Answer], tasks: list[Task]) -> Iterator[Any]:
+def _answers(
+    workers: Workers, function: Callable[[Task], Answer], tasks: list[Task]
+) -> Iterator[Any]:
     if not callable(workers) and (size := min(count(workers), len(tasks))) > 1:
         with pool(size) as own:
             yield from own(function, tasks)
@@ -186,7 +221,9 @@ def _answers(workers: Workers, function: Callable[[Task], Answer], tasks: list[T
     except SweepError:
         raise
     except Exception as error:
-        raise SweepError(f"the map given as workers stopped with {type(error).__name__}: {error}") from error
+        raise SweepError(
+            f"the map given as workers stopped with {type(error).__name__}: {error}"
+        ) from error
 
 
 # ---------------------------------------------------------------------------------------------- processes: parent
@@ -211,15 +248,24 @@ def pool(size: int) -> Iterator[Map]:
             for _ in range(size):
                 children.append(_begun())
         except OSError as error:
-            raise SweepError(f"a worker process cannot be started: {error}; use fewer workers") from error
+            raise SweepError(
+                f"a worker process cannot be started: {error}; use fewer workers"
+            ) from error
         yield partial(_map, children)
     finally:
         _end(children)
 
 
-def _map(children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
+def _map(
+    children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any], items: Iterable[Any]
+) -> Iterator[Any]:
     """Whoever is free takes the next item; the results come as they are done."""
-    free, left, asked, found = [*children], iter(items), dict[Future[Any], subprocess.Popen[bytes]](), list[Future[Any]]()
+    free, left, asked, found = (
+        [*children],
+        iter(items),
+        dict[Future[Any], subprocess.Popen[bytes]](),
+        list[Future[Any]](),
+    )
     with ThreadPoolExecutor(len(children)) as threads:
         try:
             while True:
@@ -230,7 +276,9 @@ def _map(children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any]
                     yield each.result()
                 if not asked:
                     return
-                found = list(wait(asked, timeout=1.0, return_when=FIRST_COMPLETED).done)  # Windows notices Ctrl-C in between only
+                found = list(
+                    wait(asked, timeout=1.0, return_when=FIRST_COMPLETED).done
+                )  # Windows notices Ctrl-C in between only
                 free += map(asked.pop, found)
         except BaseException:
             _end(children)
@@ -267,7 +315,9 @@ def _end(children: list[subprocess.Popen[bytes]]) -> None:
 
 def _begun() -> subprocess.Popen[bytes]:
     if not sys.executable:
-        raise SweepError("this Python does not know its own executable, so it starts no others; use workers=1")
+        raise SweepError(
+            "this Python does not know its own executable, so it starts no others; use workers=1"
+        )
     call, pipe = [sys.executable, "-P", "-c", _BOOT], subprocess.PIPE
     # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the others.
     group: dict[str, Any] = {"process_group": 0}
@@ -292,7 +342,9 @@ def _epitaph(code: int, said: str) -> str:
     except ValueError:
         name = f"signal {-code}"
     why = ", as the system does when memory is short" if name == "SIGKILL" else ""
-    return f"a worker process was ended by {name}{why}{words}; with fewer workers each has more memory"
+    return (
+        f"a worker process was ended by {name}{why}{words}; with fewer workers each has more memory"
+    )
 
 
 def _packed(message: Any) -> bytes:

@@ -15,7 +15,9 @@ r"""A mass on a belt whose inclined spring is held by a heavy head: four coordin
 
 from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
 
-page = Page("A mass on a belt, leaned on by a spring whose upper end is a mass on springs of its own.")
+page = Page(
+    "A mass on a belt, leaned on by a spring whose upper end is a mass on springs of its own."
+)
 
 m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
@@ -38,7 +40,10 @@ x_h = page.coordinate("x_h", "m", "displacement of the head along the belt")
 y_h = page.coordinate("y_h", "m", "displacement of the head across the belt")
 head = (L_0 * cos(theta0) + x_h, L_0 * sin(theta0) + y_h)
 
-page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2 + m_h * (page.rate(x_h) ** 2 + page.rate(y_h) ** 2) / 2)
+page.kinetic(
+    m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2
+    + m_h * (page.rate(x_h) ** 2 + page.rate(y_h) ** 2) / 2
+)
 page.spring(k_x, along=x)
 page.spring(k_g, along=x_h)
 page.spring(k_g, along=y_h)

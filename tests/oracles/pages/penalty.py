@@ -25,7 +25,9 @@ mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.5)
 F_L = page.parameter("F_L", "N", "preload", "> 0", 0.007, becomes="kappa")
 k_x = page.parameter("k_x", "N/m", "stiffness to ground", ">= 0", 0.007, becomes="alpha")
 k = page.parameter("k", "N/m", "stiffness of the spring", "> 0", 0.1, becomes="sigma")
-l = page.parameter("l", "m", "depth over which the belt gets e times as hard", "> 0", 0.05, becomes="depth_e")
+l = page.parameter(
+    "l", "m", "depth over which the belt gets e times as hard", "> 0", 0.05, becomes="depth_e"
+)
 V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
 d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 10.0)
 

@@ -12,7 +12,9 @@ r"""Two masses in a row, of which the first rubs on the belt with a friction tha
 
 from spragsym.derive.model import Abs, Page, exp, sgn
 
-page = Page("Two masses in a row: one rubs with a falling friction, the other is towed by a spring and a damper.")
+page = Page(
+    "Two masses in a row: one rubs with a falling friction, the other is towed by a spring and a damper."
+)
 
 m = page.unit("m", "kg", "mass that rubs")
 k_c = page.unit("k_c", "N/m", "contact stiffness")

@@ -22,12 +22,20 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
 
     The algebra alone is ``function.__wrapped__``, for compilers.
     """
-    functions = {name: it for name, it in module.items() if isinstance(it, FunctionType) and it.__module__ != __name__}
-    module |= {name: _shaped(it) for name, it in functions.items() if it.__module__ == module["__name__"]}
+    functions = {
+        name: it
+        for name, it in module.items()
+        if isinstance(it, FunctionType) and it.__module__ != __name__
+    }
+    module |= {
+        name: _shaped(it) for name, it in functions.items() if it.__module__ == module["__name__"]
+    }
     return list(functions)
 
 
-def everywhere(borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any) -> Any:
+def everywhere(
+    borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any
+) -> Any:
     """What a function of regimes gives at a place by the regime there, with all exponentials felt; on a border of two by their mean."""
     level, smooth = unwrap(borders), unwrap(regime)
     gap, slip = level(*at, xp=xp) if level.__kwdefaults__ else level(*at)
@@ -57,12 +65,20 @@ def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
 def _documentation(function: Callable[..., Any]) -> str:
     """What ``help`` shows: the function's own text, and its arguments by the table at the head of its module."""
-    table = dict(line.split(" : ", 1) for line in (function.__globals__["__doc__"] or "").splitlines() if " : " in line)
+    table = dict(
+        line.split(" : ", 1)
+        for line in (function.__globals__["__doc__"] or "").splitlines()
+        if " : " in line
+    )
     code = function.__code__
     names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-    described = "".join(f"{name} : number or array\n    {table[name]}\n" for name in names if name in table)
+    described = "".join(
+        f"{name} : number or array\n    {table[name]}\n" for name in names if name in table
+    )
     if "xp" in names:
-        described += "xp : module\n    namespace of the functions for the number type: numpy, mpmath\n"
+        described += (
+            "xp : module\n    namespace of the functions for the number type: numpy, mpmath\n"
+        )
     return f"{' '.join((function.__doc__ or '').split())}\n\nParameters\n----------\n{described}"
 
 
@@ -71,7 +87,9 @@ def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:
         return tuple(_fill(item, shape, dtype) for item in result)
     if np.shape(result) == shape:
         return np.asarray(result)
-    filled = np.empty(shape, dtype=np.result_type(dtype, result) if dtype != np.dtype(object) else object)
+    filled = np.empty(
+        shape, dtype=np.result_type(dtype, result) if dtype != np.dtype(object) else object
+    )
     filled[...] = result
     return filled
 

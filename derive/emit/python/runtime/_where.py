@@ -15,8 +15,15 @@ _MANY, _RARE = 1024, 1 / 16
 
 def where(flag: Any, one: Any, other: Any) -> Any:
     """As ``numpy.where``, bit for bit; of many doubles with mixed flags by their bits, ((one ^ other) & mask) ^ other."""
-    if _is_mixed(flag) and (ones := _bits(one)) is not None and (others := _bits(other)) is not None:
-        mask, change = numpy.negative(flag.view(numpy.int8)).astype(numpy.int64), ones ^ others  # all bits set, or none
+    if (
+        _is_mixed(flag)
+        and (ones := _bits(one)) is not None
+        and (others := _bits(other)) is not None
+    ):
+        mask, change = (
+            numpy.negative(flag.view(numpy.int8)).astype(numpy.int64),
+            ones ^ others,
+        )  # all bits set, or none
         chosen = numpy.bitwise_and(mask, change, out=mask if mask.shape == change.shape else None)
         chosen ^= others
         return chosen.view(numpy.float64)

@@ -17,10 +17,18 @@ def render(material: Material) -> dict[str, str]:
     """The header and the source, and for a model that has an example the example with its makefile."""
     library = material.library
     own = material.runtime.get("c", {})
-    definitions = "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE)
+    definitions = "\n".join(
+        text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE
+    )
     known = material.algebra
-    calls = {name for it in material.kernel.routines.values() for name in Kinds(material.kernel).calls(it)}
-    used = (calls & known.keys()) | {name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known}
+    calls = {
+        name
+        for it in material.kernel.routines.values()
+        for name in Kinds(material.kernel).calls(it)
+    }
+    used = (calls & known.keys()) | {
+        name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known
+    }
     inside = {f"algebra_{name}": function for name, function in known.items() if name in used}
     public = [known[name] for name in material.public]
     parts = {
@@ -29,14 +37,22 @@ def render(material: Material) -> dict[str, str]:
         "kernel": _kernel(material, definitions) if material.kernel.routines else "",
         "declarations": own.get("declarations.h", ""),
         "definitions": definitions,
-        "public": "\n".join(algebra.public(it, library, material.angles, inside=it.name in used) for it in public),
-        "prototypes": "".join(algebra.prototype(function, library, material.angles) for function in public),
+        "public": "\n".join(
+            algebra.public(it, library, material.angles, inside=it.name in used) for it in public
+        ),
+        "prototypes": "".join(
+            algebra.prototype(function, library, material.angles) for function in public
+        ),
     }
     names = {"library": library, "LIBRARY": library.upper()}
     header, source = (
-        spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n" for name in ("library.h", "library.c")
+        spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n"
+        for name in ("library.h", "library.c")
     )
-    words = {**_words(material), **_costs(header + source, {name: it.operations for name, it in inside.items()})}
+    words = {
+        **_words(material),
+        **_costs(header + source, {name: it.operations for name, it in inside.items()}),
+    }
     files = {f"{library}.h": header, f"{library}.c": source}
     if _EXAMPLE in own:
         files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), _EXAMPLE: own[_EXAMPLE]}
@@ -51,18 +67,28 @@ def _words(material: Material) -> dict[str, str]:
         "summary": textwrap.fill(plain(material.summary), WIDTH, subsequent_indent=" * "),
         "bad": "a null pointer, a NaN or an infinity"
         + ("; of the solver, a parameter out of its range too" if material.kernel.routines else ""),
-        "symbols": algebra.symbols((material.algebra[name] for name in material.public), material.quantities, material.angles),
+        "symbols": algebra.symbols(
+            (material.algebra[name] for name in material.public),
+            material.quantities,
+            material.angles,
+        ),
     }
     for name, quantity in material.quantities.items():
         words[f"meaning:{name}"] = plain(quantity.meaning)
-        words[f"range:{name}"] = f"in {quantity.domain}" if quantity.domain[0] in "([{" else quantity.domain
+        words[f"range:{name}"] = (
+            f"in {quantity.domain}" if quantity.domain[0] in "([{" else quantity.domain
+        )
     return words
 
 
 def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
     """What every function costs, and whole numbers that the source defines."""
-    words = {f"cost:{name}": cost.describe(value) for name, value in cost.costs(source, emitted).items()}
-    return words | {f"constant:{name}": str(value) for name, value in cost.constants(source).items()}
+    words = {
+        f"cost:{name}": cost.describe(value) for name, value in cost.costs(source, emitted).items()
+    }
+    return words | {
+        f"constant:{name}": str(value) for name, value in cost.constants(source).items()
+    }
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
@@ -79,11 +105,16 @@ def _kernel(material: Material, definitions: str) -> str:
     asked = source.routines.keys() & {*called, *material.asked}
     numbers = {item.name: (item.value, item.comment) for item in source.constants}
     numbers |= {name: (value, "") for name, value in material.counts.items()}
-    return "\n".join([
-        kernel.constants(numbers),
-        *(kernel.structure(record) for record in source.records.values()),
-        *(kernel.routine(it, Kinds(source), "algebra_") for it in _in_order(source, printed(source, asked))),
-    ])  # fmt: skip
+    return "\n".join(
+        [
+            kernel.constants(numbers),
+            *(kernel.structure(record) for record in source.records.values()),
+            *(
+                kernel.routine(it, Kinds(source), "algebra_")
+                for it in _in_order(source, printed(source, asked))
+            ),
+        ]
+    )
 
 
 def _in_order(source: Source, routines: Iterable[Routine]) -> list[Routine]:

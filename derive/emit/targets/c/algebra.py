@@ -15,7 +15,9 @@ _LARGEST_EXACT = 2**53
 
 def _expression(text: str) -> str:
     """The expression in C: whole numbers are doubles, and a square is a call."""
-    text = re.sub(r"(?<!\w)\((\w+)\*\1\)|\b(\w+)\*\2\b", lambda found: f"square({found[1] or found[2]})", text)
+    text = re.sub(
+        r"(?<!\w)\((\w+)\*\1\)|\b(\w+)\*\2\b", lambda found: f"square({found[1] or found[2]})", text
+    )
     text = re.sub(r"(?<![\w.])(\d+)(?![\w.])", _whole, text)
     text = re.sub(r"(?<![\w.])(cos|sin)\b(?!\()", lambda found: SPELLED[found[1]], text)
     return re.sub(r"([*/])", r" \1 ", ported(text, _FUNCTIONS))
@@ -33,7 +35,11 @@ def c_name(name: str) -> str:
 
 
 def _result(function: Definition) -> str:
-    return f"double result[{len(function.leaves)}]" if isinstance(function.results, tuple) else "double *result"
+    return (
+        f"double result[{len(function.leaves)}]"
+        if isinstance(function.results, tuple)
+        else "double *result"
+    )
 
 
 def _signature(start: str, names: Iterable[str], result: str | None) -> str:
@@ -44,10 +50,14 @@ def _signature(start: str, names: Iterable[str], result: str | None) -> str:
 def static(name: str, function: Definition) -> str:
     """The algebra itself, unchecked: one result is returned, several are written to an array."""
     several = isinstance(function.results, tuple)
-    said = comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.")
+    said = comment(
+        f"{function.summary} Source: {function.equations}. Operations: {function.operations}."
+    )
     start = f"INLINE {'void' if several else 'double'} {name}"
     head = f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} {{"
-    unused = [f"    (void){c_name(name)};" for name in function.arguments if name not in function.read]
+    unused = [
+        f"    (void){c_name(name)};" for name in function.arguments if name not in function.read
+    ]
     lines = [*unused, *_statements(function, "result" if several else "return"), ""]
     return said + definition(head, "\n".join(lines))
 
@@ -58,8 +68,13 @@ def _statements(function: Definition, result: str) -> list[str]:
         results = [(f"{result}[{place}] =", value) for place, value in enumerate(function.leaves)]
     else:
         results = [(result, function.results)]
-    named = [(f"const double {c_name(name)} =", expression) for name, expression in function.statements]
-    return [broken(f"    {target} {_expression(expression)};") for target, expression in (*named, *results)]
+    named = [
+        (f"const double {c_name(name)} =", expression) for name, expression in function.statements
+    ]
+    return [
+        broken(f"    {target} {_expression(expression)};")
+        for target, expression in (*named, *results)
+    ]
 
 
 def public(function: Definition, library: str, angles: Angles, *, inside: bool) -> str:
@@ -74,34 +89,49 @@ def public(function: Definition, library: str, angles: Angles, *, inside: bool) 
     else:
         computed = _statements(function, "value" if several else "const double value =")
     asked = "\n".join(computed)
-    return "\n".join([
-        _signature(f"{library}_status {library}_{function.name}", names, _result(function)) + " {",
-        broken(f"    const double given[] = {{{', '.join(names)}}};"),
-        *([f"    double value[{count}];"] if several else []),
-        f"    if (!result || !finite_all({len(names)}, given)) {{",
-        f"        return {library.upper()}_BAD_INPUT;",
-        "    }",
-        *(
-            f"    const double {part} = {turn}({angle});"
-            for angle, parts in angles.items() if angle in names
-            for turn, part in zip(("cos", "sin"), parts[-2:], strict=True) if re.search(rf"\b{part}\b", asked)
-        ),
-        *computed,
-        f"    return deliver({count}, {'value' if several else '&value'}, result);",
-        "}\n",
-    ])  # fmt: skip
+    return "\n".join(
+        [
+            _signature(f"{library}_status {library}_{function.name}", names, _result(function))
+            + " {",
+            broken(f"    const double given[] = {{{', '.join(names)}}};"),
+            *([f"    double value[{count}];"] if several else []),
+            f"    if (!result || !finite_all({len(names)}, given)) {{",
+            f"        return {library.upper()}_BAD_INPUT;",
+            "    }",
+            *(
+                f"    const double {part} = {turn}({angle});"
+                for angle, parts in angles.items()
+                if angle in names
+                for turn, part in zip(("cos", "sin"), parts[-2:], strict=True)
+                if re.search(rf"\b{part}\b", asked)
+            ),
+            *computed,
+            f"    return deliver({count}, {'value' if several else '&value'}, result);",
+            "}\n",
+        ]
+    )
 
 
 def prototype(function: Definition, library: str, angles: Angles) -> str:
     """The declaration of the public function."""
     text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {function.operations}."
-    said = textwrap.fill(plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * ")
+    said = textwrap.fill(
+        plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * "
+    )
     start = f"{library}_status {library}_{function.name}"
-    return f"\n{said} */\n" + _signature(start, map(c_name, taken(function, angles)), _result(function)) + ";\n"
+    return (
+        f"\n{said} */\n"
+        + _signature(start, map(c_name, taken(function, angles)), _result(function))
+        + ";\n"
+    )
 
 
-def symbols(functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles) -> str:
+def symbols(
+    functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles
+) -> str:
     """What every argument of the public functions is, as lines of a comment."""
     known = {c_name(name): quantity for name, quantity in quantities.items()}
-    names = dict.fromkeys(c_name(name) for function in functions for name in taken(function, angles))
+    names = dict.fromkeys(
+        c_name(name) for function in functions for name in taken(function, angles)
+    )
     return "\n * ".join(f"{name}: {plain(known[name].meaning)}" for name in names)

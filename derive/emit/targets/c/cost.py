@@ -26,7 +26,9 @@ def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     for match in _FUNCTION.finditer(source):
         name, body = match[1], source[match.end() : _closing(source, match.end())]
         if name in emitted:
-            known[name] = Counter({"operations": emitted[name]}) + _calls(body, {key: known[key] for key in LIBM})
+            known[name] = Counter({"operations": emitted[name]}) + _calls(
+                body, {key: known[key] for key in LIBM}
+            )
         else:
             known[name] = _block(body, known, named)
     return known
@@ -34,7 +36,10 @@ def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
 
 def constants(source: str) -> dict[str, int]:
     """Whole numbers that ``source`` defines by name."""
-    return {name: int(value) for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)}
+    return {
+        name: int(value)
+        for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)
+    }
 
 
 def describe(cost: Counter[str]) -> str:

@@ -11,13 +11,22 @@ from ...routines import Printer, places
 from .layout import broken, comment, definition
 
 #: Doubles: of one number or two.
-PRIMITIVES = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sqrt": "sqrt", "cube_root": "cube_root"}
+PRIMITIVES = {
+    "maximum": "larger",
+    "minimum": "smaller",
+    "absolute": "fabs",
+    "sqrt": "sqrt",
+    "cube_root": "cube_root",
+}
 
 
 def structure(record: Record) -> str:
     """A record's definition."""
     of_a_kind = itertools.groupby(record.fields, key=lambda field: field[1])
-    fields = [f"    {declared(kind)} {', '.join(name for name, _ in names)};\n" for kind, names in of_a_kind]
+    fields = [
+        f"    {declared(kind)} {', '.join(name for name, _ in names)};\n"
+        for kind, names in of_a_kind
+    ]
     return f"{comment(record.summary)}typedef struct {{\n{''.join(fields)}}} {record.name};\n"
 
 
@@ -36,15 +45,23 @@ class _Printer(Printer):
     begin = "for (int i = 0; i < {}; i++) {{"
 
     def __init__(self, it: Routine, kinds: Kinds, prefix: str) -> None:
-        logic: dict[type[ast.operator] | type[ast.unaryop], str] = {ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "!"}
-        super().__init__(it, kinds.source, Syntax(PRIMITIVES, logic, algebra=lambda name: f"{prefix}{name}"))
+        logic: dict[type[ast.operator] | type[ast.unaryop], str] = {
+            ast.BitAnd: "&",
+            ast.BitOr: "|",
+            ast.Invert: "!",
+        }
+        super().__init__(
+            it, kinds.source, Syntax(PRIMITIVES, logic, algebra=lambda name: f"{prefix}{name}")
+        )
         self.kinds = kinds
         self.names: dict[str, str] = dict(it.arguments)
 
     def definition(self) -> str:
         arguments = ", ".join(f"{declared(kind)} {name}" for name, kind in self.it.arguments)
         head = f"INLINE {declared(self.it.returns)} {self.it.name}({arguments}) {{"
-        unused = "".join(f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used)
+        unused = "".join(
+            f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used
+        )
         return f"{comment(self.it.summary)}{definition(broken(head), unused + self.body('    '))}"
 
     def line(self, text: str, indent: str) -> str:
@@ -57,7 +74,11 @@ class _Printer(Printer):
         kind = self.kinds.of(value, self.names)
         known = name in self.names
         self.names[name] = kind
-        start = name if known else f"{'' if self.written[name] > 1 else 'const '}{declared(kind)} {name}"
+        start = (
+            name
+            if known
+            else f"{'' if self.written[name] > 1 else 'const '}{declared(kind)} {name}"
+        )
         return self.line(f"{start} = {self.expressions.print(value)};", indent)
 
     def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
@@ -69,20 +90,28 @@ class _Printer(Printer):
             record = self.source.records[self.source.routines[name].returns]
             fields = [f"{results}.{field}" for field, _ in record.fields]
             kind = record.fields[0][1]
-            lines = [f"const {record.name} {results} = {function}({self.expressions.listed(called.args)});"]
+            lines = [
+                f"const {record.name} {results} = {function}({self.expressions.listed(called.args)});"
+            ]
         else:
             fields = [f"{results}[{place}]" for place in range(len(names))]
             kind = REAL
             passed = ", ".join([*map(self.expressions.print, called.args), results])
             lines = [f"double {results}[{len(names)}];", f"{function}({passed});"]
         self.names |= dict.fromkeys(names, kind)
-        unpacked = ", ".join(f"{name} = {field}" for name, field in zip(names, fields, strict=True) if name in self.used)
+        unpacked = ", ".join(
+            f"{name} = {field}"
+            for name, field in zip(names, fields, strict=True)
+            if name in self.used
+        )
         lines.append(f"const {declared(kind)} {unpacked};")
         return "".join(self.line(line, indent) for line in lines)
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
         listed = ", ".join(self.expressions.print(value, SUM) for value in values)
-        return self.line(f"const {name} result = {{{listed}}};", indent) + self.line("return result;", indent)
+        return self.line(f"const {name} result = {{{listed}}};", indent) + self.line(
+            "return result;", indent
+        )
 
     def several(self, values: list[ast.expr], indent: str) -> str:
         return self.record(self.it.returns, values, indent)
@@ -90,5 +119,10 @@ class _Printer(Printer):
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:
     """Named numbers with their comments."""
-    finite = {name: it for name, it in values.items() if not math.isinf(it[0])}  # of infinity C has a name
-    return "".join(f"{comment(text) if text else ''}#define {name} {number(value)}\n" for name, (value, text) in finite.items())
+    finite = {
+        name: it for name, it in values.items() if not math.isinf(it[0])
+    }  # of infinity C has a name
+    return "".join(
+        f"{comment(text) if text else ''}#define {name} {number(value)}\n"
+        for name, (value, text) in finite.items()
+    )

@@ -17,10 +17,32 @@ _OPERATORS = (r"&|\|", r"\+|-", r"\*|/")
 _UNBREAKABLE = re.compile(r" (\?|[<>]=?|==|!=) ")
 #: Signs as C sources have them, and what would end a comment or begin one; letters are spelled by their names.
 _SPELLED = {
-    "n̄": "nbar", "√": "sqrt ", "≠": "!=", "≤": "<=", "≥": ">=", "−": "-", "′": "'", "″": "''", "ℓ": "l", "×": "*", "·": "*", "±": "+-",
-    "``": "`", "–": "-", "—": "-", "∂": "d", "…": "...", "°": " degrees", "∞": "infinity", "\u0303": "~", "λ": "lambda", "Λ": "Lambda",
-    "*/": "* /", "/*": "/ *", "??": "? ?",
-}  # fmt: skip
+    "n̄": "nbar",
+    "√": "sqrt ",
+    "≠": "!=",
+    "≤": "<=",
+    "≥": ">=",
+    "−": "-",
+    "′": "'",
+    "″": "''",
+    "ℓ": "l",
+    "×": "*",
+    "·": "*",
+    "±": "+-",
+    "``": "`",
+    "–": "-",
+    "—": "-",
+    "∂": "d",
+    "…": "...",
+    "°": " degrees",
+    "∞": "infinity",
+    "\u0303": "~",
+    "λ": "lambda",
+    "Λ": "Lambda",
+    "*/": "* /",
+    "/*": "/ *",
+    "??": "? ?",
+}
 _SUPERSCRIPTS = str.maketrans({power: f"^{number}" for number, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")})
 
 
@@ -45,10 +67,16 @@ def definition(head: str, body: str) -> str:
 def _places(line: str) -> list[int]:
     """Where the line may be broken."""
     depths = list(_depths(line))
-    outside = "".join(character if depth == 0 else "_" for character, depth in zip(line, depths, strict=True))
+    outside = "".join(
+        character if depth == 0 else "_" for character, depth in zip(line, depths, strict=True)
+    )
     first = max(outside.find(" = "), 0) + 1
     for operator in _OPERATORS:
-        if places := [match.end() for match in re.finditer(rf" (?:{operator}) ", outside) if match.start() > first]:
+        if places := [
+            match.end()
+            for match in re.finditer(rf" (?:{operator}) ", outside)
+            if match.start() > first
+        ]:
             return places
         if _UNBREAKABLE.search(outside):
             return []
@@ -90,5 +118,7 @@ def _ascii(character: str) -> str:
     if unicodedata.combining(character):
         return ""
     lettered = character.isalpha() or character.isdigit()
-    without = "".join(filter(str.isascii, unicodedata.normalize("NFKD", character))) if lettered else ""
+    without = (
+        "".join(filter(str.isascii, unicodedata.normalize("NFKD", character))) if lettered else ""
+    )
     return without or f"[{name.lower()}]"

@@ -27,18 +27,36 @@ from ..c.layout import plain
 
 _SYSTEMS = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib"), "win32": ("windows", ".dll")}
 _MACHINES = {"amd64": "x86_64", "arm64": "aarch64"}
-_FLAGS = ("-std=c99", "-O2", "-Werror=implicit", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-shared")
+_FLAGS = (
+    "-std=c99",
+    "-O2",
+    "-Werror=implicit",
+    "-ffp-contract=off",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-shared",
+)
 #: Functions of the library that the motion calls, and what they are given: state, accelerations, parameters, numbers of the mode.
 _CALLED = {
-    "rhs": "sp", "regime_rhs": "spm", "regime_jacobian": "spm", "regime_by_parameters": "spm", "borders": "sp",
-    "border_rates": "sap", "layers": "spl", "layer_rates": "sapl", "turning_borders": "spw", "turning_rates": "sapw",
-    "grip": "spm", "grip_slopes": "spm",
-}  # fmt: skip
+    "rhs": "sp",
+    "regime_rhs": "spm",
+    "regime_jacobian": "spm",
+    "regime_by_parameters": "spm",
+    "borders": "sp",
+    "border_rates": "sap",
+    "layers": "spl",
+    "layer_rates": "sapl",
+    "turning_borders": "spw",
+    "turning_rates": "sapw",
+    "grip": "spm",
+    "grip_slopes": "spm",
+}
 #: Outputs that a border brings.
 _FLAGGED = {
-    "gap": ("mode.contact", "whether there is contact"), "slip": ("mode.belt_ahead", "whether the belt is ahead"),
+    "gap": ("mode.contact", "whether there is contact"),
+    "slip": ("mode.belt_ahead", "whether the belt is ahead"),
     "ahead": ("mode.sticks", "whether friction holds the mass"),
-}  # fmt: skip
+}
 _PARTS = ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
 _STEPS = 1000
 
@@ -49,12 +67,19 @@ def render(material: Material) -> dict[str, str]:
     assert seen, "an FMU is made of a page"
     words = {"header": material.header.replace("``", ""), "library": library}
     own = ("buildDescription.xml", "fmi3.h", "motion.h", "fmu.c")
-    texts = {name: source[name] for name in (f"{library}.c", f"{library}.h")} | {"model.h": _model(material, seen, words)}
+    texts = {name: source[name] for name in (f"{library}.c", f"{library}.h")} | {
+        "model.h": _model(material, seen, words)
+    }
     texts |= {name: spoken(runtime(__file__, name), words) for name in own}
     token = {"token": hashlib.sha256("".join(texts.values()).encode()).hexdigest()}
     texts["model.h"] = spoken(texts["model.h"], token)
-    described = spoken(runtime(__file__, "modelDescription.xml"), words | token | _description(material.summary, seen))
-    return {"modelDescription.xml": described} | {f"sources/{name}": text for name, text in texts.items()}
+    described = spoken(
+        runtime(__file__, "modelDescription.xml"),
+        words | token | _description(material.summary, seen),
+    )
+    return {"modelDescription.xml": described} | {
+        f"sources/{name}": text for name, text in texts.items()
+    }
 
 
 def packed(files: Mapping[str, str]) -> bytes:
@@ -63,7 +88,10 @@ def packed(files: Mapping[str, str]) -> bytes:
     try:
         members |= _binary(members)
     except (OSError, KeyError, subprocess.CalledProcessError) as error:
-        warnings.warn(f"the FMU has sources, and no binary for this machine: {error}; give CC a compiler of C99", stacklevel=2)
+        warnings.warn(
+            f"the FMU has sources, and no binary for this machine: {error}; give CC a compiler of C99",
+            stacklevel=2,
+        )
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w") as archive:
         for name, data in members.items():
@@ -75,7 +103,9 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
     """The shared library for this machine, by its path, from the compiler that CC names or the usual ones."""
     system, ending = _SYSTEMS[sys.platform]
     machine = platform.machine().lower()
-    compiler = next(filter(None, map(shutil.which, (os.environ.get("CC", ""), "cc", "gcc", "clang"))), None)
+    compiler = next(
+        filter(None, map(shutil.which, (os.environ.get("CC", ""), "cc", "gcc", "clang"))), None
+    )
     if compiler is None:
         raise FileNotFoundError("no C compiler was found")
     sources = [Path(name).name for name in members if name.endswith(".c")]
@@ -83,8 +113,17 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
     with tempfile.TemporaryDirectory() as folder:
         for name, data in members.items():
             (Path(folder) / Path(name).name).write_bytes(data)
-        subprocess.run([compiler, *_FLAGS, "-o", library, *sources, "-lm"], cwd=folder, check=True, capture_output=True)
-        return {f"binaries/{_MACHINES.get(machine, machine)}-{system}/{library}": (Path(folder) / library).read_bytes()}
+        subprocess.run(
+            [compiler, *_FLAGS, "-o", library, *sources, "-lm"],
+            cwd=folder,
+            check=True,
+            capture_output=True,
+        )
+        return {
+            f"binaries/{_MACHINES.get(machine, machine)}-{system}/{library}": (
+                Path(folder) / library
+            ).read_bytes()
+        }
 
 
 # --------------------------------------------------------------------------------------------------------- model.h
@@ -93,25 +132,48 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
 def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
     """Sizes, quantities with their units, and adapters of the library's functions, which take arrays."""
     algebra, parameters, count = material.algebra, len(material.parameters), len(seen.accelerations)
-    layers, turnings = (len(algebra[name].leaves) if name in algebra else 0 for name in ("layers", "turning_borders"))
+    layers, turnings = (
+        len(algebra[name].leaves) if name in algebra else 0
+        for name in ("layers", "turning_borders")
+    )
     sizes = {
-        "coordinates": count, "parameters": parameters, "units": len(seen.given) - parameters, "lifts": "gap" in seen.borders,
-        "slides": "slip" in seen.borders, "holds": "ahead" in seen.borders, "layers": layers, "turnings": turnings, "rooted": seen.rooted,
-    }  # fmt: skip
+        "coordinates": count,
+        "parameters": parameters,
+        "units": len(seen.given) - parameters,
+        "lifts": "gap" in seen.borders,
+        "slides": "slip" in seen.borders,
+        "holds": "ahead" in seen.borders,
+        "layers": layers,
+        "turnings": turnings,
+        "rooted": seen.rooted,
+    }
     places = {
-        "s": [f"s[{i}]" for i in range(2 * count)], "a": [f"a[{i}]" for i in range(count)], "l": ["m[1]"],
-        "p": [f"p[{i}]" for i in range(parameters)], "m": [f"m[{i}]" for i in range(2 + layers + turnings)],
+        "s": [f"s[{i}]" for i in range(2 * count)],
+        "a": [f"a[{i}]" for i in range(count)],
+        "l": ["m[1]"],
+        "p": [f"p[{i}]" for i in range(parameters)],
+        "m": [f"m[{i}]" for i in range(2 + layers + turnings)],
         "w": [f"m[{i}]" for i in range(2 + layers, 2 + layers + turnings)],
-    }  # fmt: skip
-    called = [_adapter(material, algebra[name], kinds, places) for name, kinds in _CALLED.items() if name in algebra]
+    }
+    called = [
+        _adapter(material, algebra[name], kinds, places)
+        for name, kinds in _CALLED.items()
+        if name in algebra
+    ]
     texts = {
         "quantities": ",\n    ".join(map(_quantity, (*seen.given, Variable("", "")))),
-        "powers": ", ".join(map(_powers, (*seen.states[:count], seen.time))), "adapters": "\n".join(called),
-    }  # fmt: skip
-    return spoken(runtime(__file__, "model.h"), {**words, **{name: str(int(size)) for name, size in sizes.items()}, **texts})
+        "powers": ", ".join(map(_powers, (*seen.states[:count], seen.time))),
+        "adapters": "\n".join(called),
+    }
+    return spoken(
+        runtime(__file__, "model.h"),
+        {**words, **{name: str(int(size)) for name, size in sizes.items()}, **texts},
+    )
 
 
-def _adapter(material: Material, function: Definition, kinds: str, places: Mapping[str, list[str]]) -> str:
+def _adapter(
+    material: Material, function: Definition, kinds: str, places: Mapping[str, list[str]]
+) -> str:
     """A function of the library, given arrays; not 0 where it has no result."""
     given = [one for kind in kinds for one in places[kind]]
     assert len(given) == len(taken(function, material.angles)), function.name
@@ -122,7 +184,10 @@ def _adapter(material: Material, function: Definition, kinds: str, places: Mappi
 
 
 def _quantity(one: Variable) -> str:
-    ends = (f"{'-' * (end < 0)}HUGE_VAL" if math.isinf(end) else number(end) for end in (one.allowed.low, one.allowed.high))
+    ends = (
+        f"{'-' * (end < 0)}HUGE_VAL" if math.isinf(end) else number(end)
+        for end in (one.allowed.low, one.allowed.high)
+    )
     opened = f"{one.allowed.low_open:d}, {one.allowed.high_open:d}"
     return f'{{"{plain(one.name)}", {number(one.start)}, {", ".join(ends)}, {opened}, {number(one.factor)}, {_powers(one)}}}'
 
@@ -142,7 +207,13 @@ def _description(summary: str, seen: Motion) -> dict[str, str]:
 
     def add(parts: str, one: Variable, kind: str = "Float64", **more: str) -> None:
         place = str(len(variables))
-        told = {"name": one.name, "valueReference": place, "description": one.meaning, "unit": one.unit, **more}
+        told = {
+            "name": one.name,
+            "valueReference": place,
+            "description": one.meaning,
+            "unit": one.unit,
+            **more,
+        }
         variables.append(ET.Element(kind, {name: value for name, value in told.items() if value}))
         for part in parts.split():
             structure[part].append(f'<{part} valueReference="{place}"/>')
@@ -150,24 +221,60 @@ def _description(summary: str, seen: Motion) -> dict[str, str]:
     add("", seen.time, causality="independent", variability="continuous")
     for one in seen.states:
         nominal = "" if one.nominal == 1.0 else repr(one.nominal)
-        add("Output", one, causality="output", initial="exact", start=repr(one.start), nominal=nominal)
+        add(
+            "Output",
+            one,
+            causality="output",
+            initial="exact",
+            start=repr(one.start),
+            nominal=nominal,
+        )
     for place, one in enumerate((*seen.states[len(seen.accelerations) :], *seen.accelerations)):
         rate = replace(one, name=f"der({seen.states[place].name})")
-        add("ContinuousStateDerivative InitialUnknown", rate, causality="local", initial="calculated", derivative=str(place + 1))
+        add(
+            "ContinuousStateDerivative InitialUnknown",
+            rate,
+            causality="local",
+            initial="calculated",
+            derivative=str(place + 1),
+        )
     for name in seen.borders:
-        add("EventIndicator", Variable(f"clearance.{name}", f"event indicator, dimensionless: {name}"), causality="local")
+        add(
+            "EventIndicator",
+            Variable(f"clearance.{name}", f"event indicator, dimensionless: {name}"),
+            causality="local",
+        )
     for one in seen.given:
-        least, most = (repr(end) if math.isfinite(end) else "" for end in (one.allowed.low, one.allowed.high))
-        add("", one, causality="parameter", variability="tunable", initial="exact", start=repr(one.start), min=least, max=most)
+        least, most = (
+            repr(end) if math.isfinite(end) else "" for end in (one.allowed.low, one.allowed.high)
+        )
+        add(
+            "",
+            one,
+            causality="parameter",
+            variability="tunable",
+            initial="exact",
+            start=repr(one.start),
+            min=least,
+            max=most,
+        )
     for flag in (_FLAGGED[name] for name in seen.borders if name in _FLAGGED):
-        add("Output InitialUnknown", Variable(*flag), "Boolean", causality="output", variability="discrete")
+        add(
+            "Output InitialUnknown",
+            Variable(*flag),
+            "Boolean",
+            causality="output",
+            variability="discrete",
+        )
     return {
-        "summary": quoteattr(summary), "names": "structured" if all(one.name.isascii() for one in everything) else "flat",
+        "summary": quoteattr(summary),
+        "names": "structured" if all(one.name.isascii() for one in everything) else "flat",
         "units": _units({one.unit: one for one in everything if one.unit}.values()),
-        "duration": repr(_STEPS * seen.step), "step": repr(seen.step),
+        "duration": repr(_STEPS * seen.step),
+        "step": repr(seen.step),
         "variables": "\n    ".join(ET.tostring(one, encoding="unicode") for one in variables),
         "structure": "\n    ".join(line for lines in structure.values() for line in lines),
-    }  # fmt: skip
+    }
 
 
 def _units(variables: Iterable[Variable]) -> str:
@@ -176,7 +283,11 @@ def _units(variables: Iterable[Variable]) -> str:
     for one in variables:
         unit = ET.SubElement(units, "Unit", name=one.unit)
         if all(power == int(power) for power in one.dimension):
-            base = {axis: str(power) for axis, power in zip(("kg", "m", "s", "rad"), one.dimension, strict=True) if power}
+            base = {
+                axis: str(power)
+                for axis, power in zip(("kg", "m", "s", "rad"), one.dimension, strict=True)
+                if power
+            }
             ET.SubElement(unit, "BaseUnit", base, factor=repr(one.factor))
     ET.indent(units, level=1)
     return ET.tostring(units, encoding="unicode") if len(units) else ""

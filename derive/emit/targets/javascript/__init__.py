@@ -23,9 +23,20 @@ _DECLARATIONS = "declarations.d.ts"
 def render(material: Material) -> dict[str, str]:
     """The module, its declarations, and an example."""
     own = material.runtime.get("javascript", {})
-    parts = [text for name, text in sorted(own.items()) if name.endswith(".mjs") and name != _EXAMPLE]
-    solver = [runtime(__file__, "kernel.mjs"), kernel.render(material)] if material.kernel.routines else []
-    module = [runtime(__file__, "library.mjs"), *solver, *([runtime(__file__, "input.mjs")] if parts else []), *parts]
+    parts = [
+        text for name, text in sorted(own.items()) if name.endswith(".mjs") and name != _EXAMPLE
+    ]
+    solver = (
+        [runtime(__file__, "kernel.mjs"), kernel.render(material)]
+        if material.kernel.routines
+        else []
+    )
+    module = [
+        runtime(__file__, "library.mjs"),
+        *solver,
+        *([runtime(__file__, "input.mjs")] if parts else []),
+        *parts,
+    ]
     words = {**_words(material), "declarations": own.get(_DECLARATIONS, "")}
     library = material.library
     texts = {
@@ -35,7 +46,10 @@ def render(material: Material) -> dict[str, str]:
         **{name: text for name, text in own.items() if name == _EXAMPLE},
     }
     marked = re.compile(r"// @(\w+)@\n|@(\w+)@")
-    return {name: marked.sub(lambda at: words.get(at[1] or at[2], at[0]), text) for name, text in texts.items()}
+    return {
+        name: marked.sub(lambda at: words.get(at[1] or at[2], at[0]), text)
+        for name, text in texts.items()
+    }
 
 
 def _words(material: Material) -> dict[str, str]:
@@ -43,8 +57,12 @@ def _words(material: Material) -> dict[str, str]:
     functions = material.algebra
     return {
         "library": material.library,
-        "summary": textwrap.fill(material.summary.replace("*/", "* /"), 121, subsequent_indent=" * "),
-        "names_and_errors": textwrap.fill(_OF_A_PAGE if material.of_a_page else _OF_A_SOLVER, 127, subsequent_indent=" * "),
+        "summary": textwrap.fill(
+            material.summary.replace("*/", "* /"), 121, subsequent_indent=" * "
+        ),
+        "names_and_errors": textwrap.fill(
+            _OF_A_PAGE if material.of_a_page else _OF_A_SOLVER, 127, subsequent_indent=" * "
+        ),
         "header": material.header.replace("``", "`"),
         "source": material.digest[:16],
         "names": json.dumps(list(material.parameters)),

@@ -13,13 +13,21 @@ _FUNCTIONS = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
 def definition(function: Definition) -> str:
     """One method of the algebra: one result is returned as a number, several as an array, nested as in Python."""
     given = [f"{name} = 0" if name in function.further else name for name in function.accepted]
-    return "\n".join([
-        comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.", "  "),
-        wrapped(f"  {function.name}({', '.join(given)}) {{"),
-        *(wrapped(f"    const {name} = {_printed(expression)};") for name, expression in function.statements),
-        wrapped(f"    return {nested(function.results, '[]', _printed)};"),
-        "  },\n",
-    ])  # fmt: skip
+    return "\n".join(
+        [
+            comment(
+                f"{function.summary} Source: {function.equations}. Operations: {function.operations}.",
+                "  ",
+            ),
+            wrapped(f"  {function.name}({', '.join(given)}) {{"),
+            *(
+                wrapped(f"    const {name} = {_printed(expression)};")
+                for name, expression in function.statements
+            ),
+            wrapped(f"    return {nested(function.results, '[]', _printed)};"),
+            "  },\n",
+        ]
+    )
 
 
 def _printed(expression: str) -> str:
@@ -28,21 +36,29 @@ def _printed(expression: str) -> str:
 
 def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]) -> str:
     """What every argument of the algebra is, as a comment."""
-    return "".join(f"{comment(f'{name}: {quantities[name].meaning}')}\n" for name in symbols(functions))
+    return "".join(
+        f"{comment(f'{name}: {quantities[name].meaning}')}\n" for name in symbols(functions)
+    )
 
 
 def comment(text: str, indent: str = "") -> str:
     """Lines of a comment."""
-    return textwrap.fill(text, _WIDTH, initial_indent=f"{indent}// ", subsequent_indent=f"{indent}// ")
+    return textwrap.fill(
+        text, _WIDTH, initial_indent=f"{indent}// ", subsequent_indent=f"{indent}// "
+    )
 
 
 def declaration(function: Definition) -> str:
     """Its type, as a member of an object."""
-    given = ", ".join(f"{name}{'?' if name in function.further else ''}: number" for name in function.accepted)
+    given = ", ".join(
+        f"{name}{'?' if name in function.further else ''}: number" for name in function.accepted
+    )
     said = f"  /** {function.summary} Source: {function.equations}. Returns {function.returns}. */"
     return f"{said}\n  {function.name}({given}): {nested(function.results, '[]', lambda _: 'number')};\n"
 
 
 def wrapped(line: str, further: str = "      ") -> str:
     """A statement on as many lines as it needs."""
-    return textwrap.fill(line, _WIDTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(
+        line, _WIDTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False
+    )

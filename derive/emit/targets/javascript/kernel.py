@@ -12,12 +12,16 @@ from .algebra import comment, wrapped
 
 _SYNTAX = Syntax(
     primitives={
-        "maximum": "larger", "minimum": "smaller", "absolute": "Math.abs", "sqrt": "Math.sqrt", "cube_root": "cube_root",
+        "maximum": "larger",
+        "minimum": "smaller",
+        "absolute": "Math.abs",
+        "sqrt": "Math.sqrt",
+        "cube_root": "cube_root",
     },
     logic={ast.BitAnd: "&&", ast.BitOr: "||", ast.Invert: "!"},
     algebra=lambda name: f"algebra.{name}",
     signs={"==": "==="},
-)  # fmt: skip
+)
 
 
 def render(material: Material) -> str:
@@ -28,9 +32,18 @@ def render(material: Material) -> str:
     for it in source.constants:
         value = "Infinity" if math.isinf(it.value) else number(it.value)
         lines.append(f"{_said(it.comment)}const {it.name} = {value};\n")
-    own = re.sub(r"//[^\n]*|/\*.*?\*/", "", "".join(material.runtime.get("javascript", {}).values()), flags=re.DOTALL)
+    own = re.sub(
+        r"//[^\n]*|/\*.*?\*/",
+        "",
+        "".join(material.runtime.get("javascript", {}).values()),
+        flags=re.DOTALL,
+    )
     asked = source.routines.keys() & set(re.findall(r"\w+", own))
-    return "".join(lines) + "\n" + "\n".join(_Printer(it, source).definition() for it in printed(source, asked))
+    return (
+        "".join(lines)
+        + "\n"
+        + "\n".join(_Printer(it, source).definition() for it in printed(source, asked))
+    )
 
 
 def _said(text: str, indent: str = "") -> str:
@@ -61,10 +74,15 @@ class _Printer(Printer):
         return self.line(f"{kind}{name} = {self.expressions.print(value)};", indent)
 
     def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
-        return self.line(f"const {self._pattern(target)} = {self.expressions.print(called)};", indent)
+        return self.line(
+            f"const {self._pattern(target)} = {self.expressions.print(called)};", indent
+        )
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
-        listed = ", ".join(field if text == field else f"{field}: {text}" for field, text in self.fields(name, values))
+        listed = ", ".join(
+            field if text == field else f"{field}: {text}"
+            for field, text in self.fields(name, values)
+        )
         return self.line(f"return {{ {listed} }};", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:

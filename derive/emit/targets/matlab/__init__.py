@@ -28,15 +28,25 @@ def render(material: Material) -> dict[str, str]:
     if material.of_a_page:  # no function or constant of MATLAB ends with an underscore
         material = replace(material, library=f"{material.library}_")
     package = f"+{material.library}"
-    own = {name: text for name, text in material.runtime.get("matlab", {}).items() if name.endswith(".m")}
-    texts = {f"{package}/algebra.m": _namespace("algebra", _ALGEBRA, map(algebra.definition, material.algebra.values()))}
+    own = {
+        name: text
+        for name, text in material.runtime.get("matlab", {}).items()
+        if name.endswith(".m")
+    }
+    texts = {
+        f"{package}/algebra.m": _namespace(
+            "algebra", _ALGEBRA, map(algebra.definition, material.algebra.values())
+        )
+    }
     if material.kernel.routines:
         routines = (*kernel.render(material), *(runtime(__file__, name) for name in _PRIMITIVES))
         texts[f"{package}/kernel.m"] = _namespace("kernel", material.kernel.summary, routines)
     if own:
         checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
         texts[f"{package}/input.m"] = _namespace("input", "Checks of what is given.", checks)
-    texts |= {f"{package}/{name}": text for name, text in own.items() if not name.startswith(_EXAMPLE)}
+    texts |= {
+        f"{package}/{name}": text for name, text in own.items() if not name.startswith(_EXAMPLE)
+    }
     texts[f"{package}/Contents.m"] = _contents(material, own)
     texts |= {name: text for name, text in own.items() if name.startswith(_EXAMPLE)}
     return {name: spoken(text, _words(material)) for name, text in texts.items()}
@@ -56,7 +66,9 @@ def _words(material: Material) -> dict[str, str]:
         "source": material.digest[:16],
         "names": ", ".join(f"'{name}'" for name in material.parameters),
         **{item.name: number(item.value) for item in material.kernel.constants},
-        "base": ", ".join(f"'{name}', {json.dumps(value)}" for name, value in material.base_values.items()),
+        "base": ", ".join(
+            f"'{name}', {json.dumps(value)}" for name, value in material.base_values.items()
+        ),
     }
 
 
@@ -80,7 +92,9 @@ def _contents(material: Material, own: dict[str, str]) -> str:
 
 
 def _listed(text: str, indent: int) -> list[str]:
-    return textwrap.wrap(text, algebra.WIDTH, initial_indent=" " * indent, subsequent_indent=" " * (indent + 2))
+    return textwrap.wrap(
+        text, algebra.WIDTH, initial_indent=" " * indent, subsequent_indent=" " * (indent + 2)
+    )
 
 
 def _ranges(material: Material) -> str:
@@ -89,7 +103,9 @@ def _ranges(material: Material) -> str:
     for name, allowed in ranges(material).items():
         alike.setdefault(_ends(allowed, material.quantities[name].unit), []).append(f"'{name}'")
     cases = [
-        line for ends, names in alike.items() for line in (*algebra.wrapped(f"    case {{{', '.join(names)}}}"), f"      {ends}")
+        line
+        for ends, names in alike.items()
+        for line in (*algebra.wrapped(f"    case {{{', '.join(names)}}}"), f"      {ends}")
     ]
     return spoken(runtime(__file__, "range.m"), {"cases": "\n".join(cases).strip()})
 

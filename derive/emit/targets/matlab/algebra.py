@@ -18,9 +18,10 @@ def definition(function: Definition) -> str:
         *wrapped(f"function {returned} = {function.name}({given})"),
         *comment(
             f"{function.name.upper()}  {function.summary} Returns {function.returns}. "
-            f"Source: {function.equations}. Operations: {function.operations}.", ""
+            f"Source: {function.equations}. Operations: {function.operations}.",
+            "",
         ),
-    ]  # fmt: skip
+    ]
     for place, name in enumerate(function.further, len(function.arguments) + 1):
         lines += [f"  if nargin < {place}", f"    {name} = 0;", "  end"]
     for name, value in (*function.statements, *zip(names, function.leaves, strict=True)):
@@ -37,12 +38,17 @@ def _printed(expression: str) -> str:
 def _outputs(function: Definition) -> list[str]:
     """Names of what is returned: of a result that has a statement of its own, the name there."""
     leaves, known = function.leaves, dict(function.statements)
-    return [leaf if leaf in known and leaves.count(leaf) == 1 else f"result{place}" for place, leaf in enumerate(leaves, 1)]
+    return [
+        leaf if leaf in known and leaves.count(leaf) == 1 else f"result{place}"
+        for place, leaf in enumerate(leaves, 1)
+    ]
 
 
 def comment(text: str, indent: str) -> list[str]:
     """Lines of a help text."""
-    return textwrap.wrap(text, WIDTH, initial_indent=f"%{indent}", subsequent_indent="%  ", break_on_hyphens=False)
+    return textwrap.wrap(
+        text, WIDTH, initial_indent=f"%{indent}", subsequent_indent="%  ", break_on_hyphens=False
+    )
 
 
 def wrapped(line: str) -> list[str]:
@@ -51,8 +57,13 @@ def wrapped(line: str) -> list[str]:
         return [line]
     width = WIDTH - len(" ...")
     indent = " " * (len(line) - len(line.lstrip()) + 4)
-    wrapper = textwrap.TextWrapper(width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    wrapper = textwrap.TextWrapper(
+        width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+    )
     broken = wrapper.wrap(line)
     if max(map(len, broken)) > width:
-        broken = [part.replace("(\0 ", "(").replace("(\0", "(") for part in wrapper.wrap(line.replace("(", "(\0 "))]
+        broken = [
+            part.replace("(\0 ", "(").replace("(\0", "(")
+            for part in wrapper.wrap(line.replace("(", "(\0 "))
+        ]
     return [*(f"{part} ..." for part in broken[:-1]), broken[-1]]

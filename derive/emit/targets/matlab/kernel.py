@@ -24,7 +24,9 @@ def method_name(name: str) -> str:
 def render(material: Material) -> list[str]:
     """Every routine."""
     source = material.both_kernels
-    words = set(re.findall(r"\w+", re.sub(r"%.*", "", "".join(material.runtime.get("matlab", {}).values()))))
+    words = set(
+        re.findall(r"\w+", re.sub(r"%.*", "", "".join(material.runtime.get("matlab", {}).values())))
+    )
     asked = [name for name in source.routines if method_name(name) in words]
     said: set[str] = set()
     return [_Printer(it, source, material, said).definition() for it in printed(source, asked)]
@@ -34,15 +36,19 @@ def _syntax(library: str) -> Syntax:
     inside = f"{library}.kernel."
     return Syntax(
         primitives={
-            "where": f"{inside}where", "maximum": f"{inside}larger", "minimum": f"{inside}smaller",
-            "absolute": "abs", "sqrt": "sqrt", "cube_root": f"{inside}cube_root",
+            "where": f"{inside}where",
+            "maximum": f"{inside}larger",
+            "minimum": f"{inside}smaller",
+            "absolute": "abs",
+            "sqrt": "sqrt",
+            "cube_root": f"{inside}cube_root",
         },
         logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "~"},
         algebra=lambda name: f"{library}.algebra.{name}",
         routine=lambda name: f"{inside}{method_name(name)}",
         signs={"*": ".*", "/": "./"},
         ternary=False,
-    )  # fmt: skip
+    )
 
 
 class _Printer(Printer):
@@ -52,7 +58,9 @@ class _Printer(Printer):
         super().__init__(it, source, _syntax(material.library))
         self.said = said
         self.numbers = {item.name: (item.value, item.comment) for item in source.constants}
-        self.numbers |= {name: (value, "a count of roundings") for name, value in material.counts.items()}
+        self.numbers |= {
+            name: (value, "a count of roundings") for name, value in material.counts.items()
+        }
 
     def definition(self) -> str:
         first, *rest = self.it.summary.split("\n\n")
@@ -80,7 +88,11 @@ class _Printer(Printer):
                 said = "" if name in self.said else said
                 self.said.add(name)
                 beside = f"{line}  % {said}" if said else line
-                yield from [beside] if len(beside) <= WIDTH else [*(f"  {above}" for above in comment(said, " ")), line]
+                yield from (
+                    [beside]
+                    if len(beside) <= WIDTH
+                    else [*(f"  {above}" for above in comment(said, " ")), line]
+                )
 
     def line(self, text: str, indent: str) -> str:
         return _joined(wrapped(f"{indent}{text}"))
@@ -102,7 +114,10 @@ class _Printer(Printer):
         return self.line(f"result = struct({listed});", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:
-        return "".join(self.assignment(f"result{place}", value, indent) for place, value in enumerate(values, 1))
+        return "".join(
+            self.assignment(f"result{place}", value, indent)
+            for place, value in enumerate(values, 1)
+        )
 
 
 def _joined(lines: list[str]) -> str:

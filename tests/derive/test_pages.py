@@ -156,8 +156,8 @@ REFUSED = {
         "here is a function; give an expression",
     ),
     "a name of two words": (
-        'page.parameter("k_y"',
-        'page.parameter("k y"',
+        '"k_y", "N/m"',
+        '"k y", "N/m"',
         "k_y = page.parameter(",
         "no name; give .* 'k_y'",
     ),
@@ -176,13 +176,13 @@ REFUSED = {
     "another name of an angle": (
         '"(0, pi)", latex',
         '"(0, pi)", becomes="q", latex',
-        '"(0, pi)"',
+        "theta0 = page.parameter(",
         "has no unit to be rid of",
     ),
     "a base value in degrees": (
         '"(0, pi)", latex',
         '"(0, pi)", 45, latex',
-        '"(0, pi)", 45',
+        "theta0 = page.parameter(",
         "45 degrees are pi/4",
     ),
     "a kink in the contact": (
